@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from airlight.tables.columns import columns
+from airlight.solver.tables.columns import columns
 from baseline import checks, compiled, plain, work
 
 ROUNDS = 5

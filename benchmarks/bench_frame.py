@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from airlight import Camera, Scene, render, solve
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 LOOK: dict[str, Any] = {"look_zenith": 110.0, "look_azimuth": -75.0}
 SIZES = [(320, 180), (640, 360), (1280, 720)]

@@ -19,12 +19,12 @@ import numpy as np
 import pytest
 
 from airlight import Camera, Scene, solve
-from airlight.color.four_wavelengths import few_wavelengths
-from airlight.gpu.device.device import Device, NoDevice, open_device
-from airlight.gpu.device.flat import flat_texture, read_texture, update_flat
-from airlight.gpu.device.fragment_pass import FragmentPass
-from airlight.gpu.device.pass_times import PassTimes
-from airlight.gpu.picture.gpu_renderer import QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE, GpuRenderer
+from airlight.image.four_wavelengths import few_wavelengths
+from airlight.render.gpu.device.device import Device, NoDevice, open_device
+from airlight.render.gpu.device.flat import flat_texture, read_texture, update_flat
+from airlight.render.gpu.device.fragment_pass import FragmentPass
+from airlight.render.gpu.device.pass_times import PassTimes
+from airlight.render.gpu.picture.gpu_renderer import QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE, GpuRenderer
 
 SIZES = [(960, 540), (1920, 1080)]
 FORMAT = "rgba8unorm"

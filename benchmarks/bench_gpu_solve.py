@@ -15,15 +15,15 @@ from typing import Any
 import pytest
 
 from airlight import load_planet
-from airlight.gpu.device.device import NoDevice, open_device
-from airlight.gpu.device.pass_times import PassTimes
-from airlight.gpu.solver.gpu_iteration import pooled_iteration
-from airlight.gpu.solver.passes import MIX, ONCE, PACK, SWEEP
-from airlight.gpu.solver.planning import plan_for
-from airlight.gpu.solver.solver import solve_on
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.settings import settings_for
-from airlight.solvers.refracted_geometry import RefractedGeometry
+from airlight.render.gpu.device.device import NoDevice, open_device
+from airlight.render.gpu.device.pass_times import PassTimes
+from airlight.render.gpu.solver.gpu_iteration import pooled_iteration
+from airlight.render.gpu.solver.passes import MIX, ONCE, PACK, SWEEP
+from airlight.render.gpu.solver.planning import plan_for
+from airlight.render.gpu.solver.solver import solve_on
+from airlight.solver.moments.settings import settings_for
+from airlight.solver.refracted_geometry import RefractedGeometry
 
 NM = (450.0, 530.0, 600.0, 680.0)
 CASES = [("earth", "preview"), ("earth", "default")]

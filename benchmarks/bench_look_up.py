@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from airlight.exports.bake import bake
+from airlight.engines.baking.bake import bake
 
 COUNT = 1 << 19
 LINES = 1 << 16

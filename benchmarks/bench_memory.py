@@ -20,8 +20,8 @@ import pytest
 SETUP = """
 import resource, sys
 from airlight import Camera, Scene, load_planet, render, solve
-from airlight.color.spectral import default_wavelengths
-from airlight.exports.bake import bake
+from airlight.image.spectral import default_wavelengths
+from airlight.engines.baking.bake import bake
 earth, rgb = load_planet("earth"), (680.0, 550.0, 440.0)
 VIEW = Scene(camera=Camera(width=1280, height=720), altitude=400e3)
 sixteen = default_wavelengths(16, *earth.wavelength_limits)

@@ -15,11 +15,11 @@ from typing import Any
 import pytest
 
 from airlight import solve
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 from airlight.planets import Constituent
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential, Tent
-from airlight.solvers.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
+from airlight.solver.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
 
 RGB = (680.0, 550.0, 440.0)
 

@@ -19,9 +19,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.display import display_of, display_rows, to_display
-from airlight.color.exposure import automatic_exposure
-from airlight.color.tone_maps import TONE_MAPS
+from airlight.image.display import display_of, display_rows, to_display
+from airlight.image.exposure import automatic_exposure
+from airlight.image.tone_maps import TONE_MAPS
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.scene.frame import Frame
 
@@ -116,10 +116,10 @@ def by_device() -> None:
     """Print a line for each pass, with the time of the whole process's threads beside it."""
     import wgpu
 
-    from airlight.gpu.device.device import open_device
-    from airlight.gpu.device.fragment_pass import FragmentPass
-    from airlight.gpu.picture.display_passes import LINEAR, DisplayPasses
-    from airlight.pixels.view_uniforms import display_uniforms
+    from airlight.render.gpu.device.device import open_device
+    from airlight.render.gpu.device.fragment_pass import FragmentPass
+    from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses
+    from airlight.render.pixels.view_uniforms import display_uniforms
 
     device = open_device()
     chain = DisplayPasses(device)

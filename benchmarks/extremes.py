@@ -22,7 +22,7 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential
-from airlight.solvers import Solution
+from airlight.solver import Solution
 
 FloatArray = NDArray[np.float64]
 

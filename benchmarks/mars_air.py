@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from airlight import Planet, solve
 from airlight.planets import load_planet, replace
 from airlight.planets.matter.profiles import Exponential, Sounding, Tabulated
-from airlight.solvers.solution import Solution
+from airlight.solver.solution import Solution
 from airlight.validation.published.twilight import ground_light, zenith_light
 
 FloatArray = NDArray[np.float64]

@@ -74,7 +74,7 @@ def sasktran(rays: int, columns: int, small: bool) -> Any:
 
 def moments(quality: str, device: str, small: bool) -> Any:
     from airlight import solve
-    from airlight.solvers.moments.settings import settings_for
+    from airlight.solver.moments.settings import settings_for
     from airlight.validation.polarised.round_air import reference_sky, round_rayleigh
 
     sky = reference_sky()
@@ -93,9 +93,9 @@ def moments(quality: str, device: str, small: bool) -> Any:
 
 def on_device() -> Any:
     """``solve`` by the passes of a graphics device."""
-    from airlight.gpu.device.device import open_device
-    from airlight.gpu.solver.solver import solve_on
     from airlight.planets.medium import Medium
+    from airlight.render.gpu.device.device import open_device
+    from airlight.render.gpu.solver.solver import solve_on
 
     device = open_device()
     return lambda planet, nm, settings, cache: solve_on(
@@ -140,7 +140,7 @@ def quartiles(values: Any, truth: Any) -> Any:
 
 
 def draw(results: dict[str, tuple[float, Any]], path: Path, load: float) -> None:
-    from airlight.plots.figure import grid, new_figure, write_figure
+    from airlight.studies.plots.figure import grid, new_figure, write_figure
 
     figure = new_figure(
         "Time against error: a polarised Rayleigh sky, optical depths 0.1 and 0.5",

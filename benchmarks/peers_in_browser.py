@@ -185,7 +185,7 @@ Row = tuple[float, float, np.ndarray]
 def processor(quality: str) -> Row:
     """Our solver on the CPU."""
     from airlight.planets.medium import Medium
-    from airlight.solvers.moments.solve import solve
+    from airlight.solver.moments.solve import solve
 
     medium = Medium.from_planet(world(), WAVELENGTHS)
     settings = scalar(quality)
@@ -196,9 +196,9 @@ def processor(quality: str) -> Row:
 
 def device(settings: Any) -> Row:
     """Our passes on the graphics device, without a browser."""
-    from airlight.gpu.device.device import open_device
-    from airlight.gpu.solver.solver import solve_on
     from airlight.planets.medium import Medium
+    from airlight.render.gpu.device.device import open_device
+    from airlight.render.gpu.solver.solver import solve_on
 
     chosen, medium = open_device(), Medium.from_planet(world(), WAVELENGTHS)
     solve_on(chosen, medium, settings)
@@ -213,7 +213,7 @@ def world() -> Any:
 
 
 def scalar(quality: str) -> Any:
-    from airlight.solvers.moments.settings import settings_for
+    from airlight.solver.moments.settings import settings_for
 
     return replace(settings_for(quality), polarisation=False)
 
@@ -221,7 +221,7 @@ def scalar(quality: str) -> Any:
 def in_page(browser: Any, clock: Callable[[], float], folder: Path) -> tuple[float, float]:
     """CPU time and time of the page's solver in the browser. [s]"""
     from airlight.planets.medium import Medium
-    from airlight.solvers.moments.solve import solve
+    from airlight.solver.moments.solve import solve
     from airlight.viewer.browser import page as pages
     from airlight.viewer.browser.page_text import page_text
     from airlight.viewer.session.session import Session
@@ -337,7 +337,7 @@ def rows() -> dict[str, Callable[[], Row | str]]:
 
 def draw(found: dict[str, tuple[float, np.ndarray]], path: Path, load: float) -> None:
     """Plot the error against CPU time."""
-    from airlight.plots.figure import grid, new_figure, write_figure
+    from airlight.studies.plots.figure import grid, new_figure, write_figure
 
     figure = new_figure(
         "Time against error: the sky of Bruneton's Earth, in a browser and beside it",

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight import Camera, Planet, Scene, load_planet, look_at, solve
-from airlight.color.display import to_display
-from airlight.color.exposure import automatic_exposure
+from airlight.image.display import to_display
+from airlight.image.exposure import automatic_exposure
 from airlight.render.cpu_renderer import CpuRenderer
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 Float32Array = NDArray[np.float32]
 

@@ -26,7 +26,7 @@ from airlight.planets.ground import Ground
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential, Tabulated, Tent
 from airlight.planets.star import Star
-from airlight.solvers.montecarlo.settings import MonteCarloSettings
+from airlight.solver.montecarlo.settings import MonteCarloSettings
 
 #: Radius of the ground, thickness of the shell, scale height of the gas [m], its scattering at the
 #: ground [/m], and albedo.

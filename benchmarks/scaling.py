@@ -35,11 +35,11 @@ CHILD = """
 import json, resource, sys, time
 from dataclasses import replace
 from airlight import Camera, Scene, load_planet, render, solve
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 from airlight.planets import Constituent
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential
-from airlight.solvers.moments.settings import QUALITIES
+from airlight.solver.moments.settings import QUALITIES
 
 what, size = sys.argv[1], int(sys.argv[2])
 planet, rgb, quality = load_planet("earth"), (680.0, 550.0, 440.0), QUALITIES["default"]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from airlight import Planet, load_planet, solve
 from airlight.planets import replace
-from airlight.solvers.solution import Solution
+from airlight.solver.solution import Solution
 from airlight.validation.published.twilight import (
     TWILIGHT_WAVELENGTHS,
     average_aerosol,

@@ -20,7 +20,7 @@ from airlight.kernel.prebuilt_cache import PREBUILT, copy_machine_code, target
 #: Code of pictures that are drawn, and that a window draws.
 LOOPS = (
     "from airlight.render.background_compilation import compile_loops\n"
-    "from airlight.color.exposure import eased\n"
+    "from airlight.image.exposure import eased\n"
     "compile_loops()\n"
     "eased(0.0, 1.0, 0.1, 0.4)\n"
 )

@@ -23,8 +23,8 @@ from typing import Any, NamedTuple
 from PIL import Image, ImageDraw
 
 from airlight import Camera, Scene, load_planet
-from airlight.exports.picture import write_picture
-from airlight.paint.render_scene import render_scene
+from airlight.render.picture import write_picture
+from airlight.render.render_scene import render_scene
 
 #: Distance from which a whole planet fills most of a picture, in radii above the ground. [1]
 FAR = 3.2
@@ -178,8 +178,8 @@ def view_values(scene: Scene) -> dict[str, Any]:
 
 def by_window(names: list[str], width: int) -> Iterator[tuple[str, Image.Image]]:
     """Pictures as the window shows them, without its panels."""
-    from airlight.gpu.device.device import open_device
-    from airlight.paint.solve_planet import live_solver
+    from airlight.render.gpu.device.device import open_device
+    from airlight.render.solve_planet import live_solver
     from airlight.viewer.window.canvas import OffscreenCanvas
     from airlight.viewer.window.start import Start, opened, renderer_by
     from airlight.viewer.window.window import Window

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from airlight.color.upsampling import reflectance_basis
-from airlight.optics.water import mean_specular
+from airlight.image.upsampling import reflectance_basis
+from airlight.physics.optics.water import mean_specular
 from airlight.scene.surface_map import surface_map
 from tables import write_table
 

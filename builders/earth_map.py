@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from airlight.color.encoding import srgb_decode, srgb_encode
-from airlight.color.xyz import luminance
+from airlight.image.encoding import srgb_decode, srgb_encode
+from airlight.image.xyz import luminance
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
 #: The source is a JPEG of 2.3 MB; 90 keeps its land to 1.4/255 (rms) in 1.5 MB, and is decoded in a

@@ -17,20 +17,20 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from airlight import load_planet, solve, write_picture
-from airlight.color.exposure import automatic_exposure
-from airlight.exports.air_light import AirLight
-from airlight.paint.render_scene import render_scene
+from airlight.engines.baking.air_light import AirLight
+from airlight.engines.targets import bruneton_demo, celestia, openspace, takram, unreal
+from airlight.engines.targets.fits.formula_planet import Formulas, formula_planet
+from airlight.engines.targets.fits.lobe import CORNETTE_SHANKS, HENYEY_GREENSTEIN
+from airlight.engines.targets.fits.sky_colour import fit_sky_colour
+from airlight.image.exposure import automatic_exposure
 from airlight.planets import Planet, replace
 from airlight.planets.medium import Medium
 from airlight.planets.planet import RED_GREEN_BLUE
+from airlight.render.render_scene import render_scene
 from airlight.scene.camera import Camera
 from airlight.scene.metering import scene_exposure
 from airlight.scene.scene import Scene
-from airlight.tables.layout import Positions
-from airlight.targets import bruneton_demo, celestia, openspace, takram, unreal
-from airlight.targets.fits.formula_planet import Formulas, formula_planet
-from airlight.targets.fits.lobe import CORNETTE_SHANKS, HENYEY_GREENSTEIN
-from airlight.targets.fits.sky_colour import fit_sky_colour
+from airlight.solver.tables.layout import Positions
 
 FOLDER = Path(__file__).parents[1] / "docs" / "images" / "engines"
 PLANETS = ("earth", "mars")

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from airlight.film import handbook as films
 from airlight.planets.reading.handbook import filled
-from airlight.system.handbook import key_table
+from airlight.scene.system.handbook import key_table
+from airlight.studies.film import handbook as films
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = {"planet-files.md": None, "scenes.md": key_table, "films.md": films.key_table}

@@ -18,14 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight import Camera, Constituent, Planet, Scene, load_planet, replace, solve, write_picture
-from airlight.color.display import resolve_exposure
-from airlight.color.spectral import default_wavelengths
 from airlight.errors import ConvergenceError
+from airlight.image.display import resolve_exposure
+from airlight.image.spectral import default_wavelengths
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.spectral import PerWavelength
 from airlight.render import render
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 FOLDER = Path(__file__).parents[1] / "docs" / "images" / "planets"
 WIDTH, HEIGHT = 480, 270

@@ -16,8 +16,8 @@ from pathlib import Path
 from PIL import Image
 
 from airlight import load_planet, write_picture
-from airlight.paint.render_scene import render_scene
 from airlight.planets import Planet
+from airlight.render.render_scene import render_scene
 from airlight.scene.metering import scene_exposure
 from airlight.viewer.gallery.presets import HEIGHT, PRESETS, WIDTH, Preset, families
 

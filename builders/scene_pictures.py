@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from PIL import Image
 
-from airlight.color.display import to_display
-from airlight.paint.render_system import render_system
+from airlight.image.display import to_display
 from airlight.planets.parameters import replace
-from airlight.system import System, load_system
+from airlight.render.render_system import render_system
+from airlight.scene.system import System, load_system
 
 FOLDER = Path(__file__).parents[1] / "docs" / "images" / "scenes"
 #: Strips of presets, with their exposures; None for the automatic one. [EV]

@@ -1,4 +1,4 @@
-"""Print the fits in ``src/airlight/optics/cox_munk.py``: light that a rough sea mirrors.
+"""Print the fits in ``src/airlight/physics/optics/cox_munk.py``: light that a rough sea mirrors.
 
 Run with ``python builders/sea_reflectance.py``; it needs NumPy, and airlight for the formulas. A
 fit is a polynomial in x = 2 cos - 1 and y = (rms slope - 0.22)/0.14, fitted by least squares whose
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import vectorized
-from airlight.optics.cox_munk import glint_factor, mean_square_slope
+from airlight.physics.optics.cox_munk import glint_factor, mean_square_slope
 
 FloatArray = NDArray[np.float64]
 

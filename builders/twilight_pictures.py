@@ -14,9 +14,9 @@ import numpy as np
 from PIL import Image
 
 from airlight import Camera, Scene, load_planet, solve
-from airlight.color.display import to_display
-from airlight.color.exposure import automatic_exposure
-from airlight.color.spectral import default_wavelengths
+from airlight.image.display import to_display
+from airlight.image.exposure import automatic_exposure
+from airlight.image.spectral import default_wavelengths
 from airlight.render import render
 from airlight.validation.published.twilight import one_exponential
 

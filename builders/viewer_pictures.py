@@ -23,8 +23,8 @@ from typing import Any
 
 from PIL import Image
 
-from airlight.gpu.device.device import open_device
-from airlight.paint.solve_planet import live_solver
+from airlight.render.gpu.device.device import open_device
+from airlight.render.solve_planet import live_solver
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.window.canvas import OffscreenCanvas
 from airlight.viewer.window.start import Start, opened, renderer_by

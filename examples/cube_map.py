@@ -8,7 +8,7 @@ behind, then down. The lower half is the planet's own ground, lit by sun and sky
 import numpy as np
 
 import airlight
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 earth = airlight.load_planet("earth")
 solution = airlight.solve(earth, default_wavelengths(8), quality="preview")

@@ -6,7 +6,7 @@ the same frame keeps its radiances for the dome's own tone mapping.
 """
 
 import airlight
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 earth = airlight.load_planet("earth")
 solution = airlight.solve(earth, default_wavelengths(8), quality="preview")

@@ -8,7 +8,7 @@ is read, with all its checks; the file stays as it is.
 import numpy as np
 
 import airlight
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 scene = airlight.Scene(
     sun_zenith=40.0, camera=airlight.Camera(projection="fisheye", width=160, height=160)

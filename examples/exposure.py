@@ -10,8 +10,8 @@ import numpy as np
 from PIL import Image
 
 import airlight
-from airlight.color.display import to_display
-from airlight.color.spectral import default_wavelengths
+from airlight.image.display import to_display
+from airlight.image.spectral import default_wavelengths
 
 earth = airlight.load_planet("earth")
 solution = airlight.solve(earth, default_wavelengths(8), quality="preview")

@@ -7,7 +7,7 @@ columns of air and ozone.
 """
 
 import airlight
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 earth = airlight.load_planet("earth")
 solution = airlight.solve(earth, default_wavelengths(8), quality="preview")

@@ -7,7 +7,7 @@ grains, and the preset `mars` computes them from size and refractive index each 
 """
 
 import airlight
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 mars = airlight.load_planet("mars-standard")
 solution = airlight.solve(mars, default_wavelengths(8), quality="preview")

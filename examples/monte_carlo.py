@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import airlight
-from airlight.solvers.montecarlo.settings import MonteCarloSettings
+from airlight.solver.montecarlo.settings import MonteCarloSettings
 
 earth = airlight.load_planet("earth-atmosphere-plus")
 wavelengths = [680.0, 550.0, 440.0]

@@ -9,7 +9,7 @@ there is hardly any blue light to scatter.
 from pathlib import Path
 
 import airlight
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 Path("own.toml").write_text(
     """

@@ -9,7 +9,7 @@ below.
 import numpy as np
 
 import airlight
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 camera = airlight.Camera(projection="fisheye", width=240, height=240)
 scene = airlight.Scene(sun_zenith=95.0, camera=camera)

@@ -9,8 +9,8 @@ brightness cannot. Overhead the sky stays blue even then: that is ozone's work.
 import numpy as np
 
 import airlight
-from airlight.color.exposure import automatic_exposure
-from airlight.color.spectral import default_wavelengths
+from airlight.image.exposure import automatic_exposure
+from airlight.image.spectral import default_wavelengths
 
 earth = airlight.load_planet("earth")
 solution = airlight.solve(earth, default_wavelengths(8), quality="preview")

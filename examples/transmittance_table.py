@@ -9,7 +9,7 @@ blue first: the lower right corner.
 from matplotlib.figure import Figure
 
 import airlight
-from airlight.exports.bake import bake
+from airlight.engines.baking.bake import bake
 
 earth = airlight.load_planet("earth", {"refraction": "none"})  # tables draw straight
 solution = airlight.solve(earth, [680.0, 550.0, 440.0], quality="preview")

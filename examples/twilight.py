@@ -10,9 +10,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import airlight
-from airlight.color.spectral import default_wavelengths, rgb_weights
-from airlight.color.xyz import luminance
-from airlight.constants import LUMINOUS_EFFICACY
+from airlight.image.spectral import default_wavelengths, rgb_weights
+from airlight.image.xyz import luminance
+from airlight.physics.constants import LUMINOUS_EFFICACY
 
 depression = np.linspace(-10.0, 8.0, 37)  # of the sun below the horizon [deg]
 figure = Figure(figsize=(6.4, 3.6), layout="constrained")

@@ -7,7 +7,7 @@ Mars gets 43 % of the Earth's sunlight. The blue rim is the Earth's air; the Mar
 import numpy as np
 
 import airlight
-from airlight.color.spectral import default_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 halves = []
 for name in ("earth", "mars-standard"):

@@ -17,10 +17,10 @@ except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
 if TYPE_CHECKING:
-    from airlight.composition.aerial_perspective import AerialPerspective
-    from airlight.gpu.device.device import Device
+    from airlight.engines.composition.aerial_perspective import AerialPerspective
     from airlight.planets import Planet
-    from airlight.solvers.moments.solution import MomentsSolution
+    from airlight.render.gpu.device.device import Device
+    from airlight.solver.moments.solution import MomentsSolution
 
 #: Fixtures that bring a browser, and those that bring a GPU or a window.
 _BROWSER, _GPU = {"chromium"}, {"device", "gpu", "lacking"}
@@ -138,7 +138,7 @@ def lacking() -> Callable[[str], NoReturn]:
 @pytest.fixture(scope="session")
 def device(lacking: Callable[[str], NoReturn]) -> Device:
     """A GPU, or one in software."""
-    from airlight.gpu.device.device import NoDevice, open_device
+    from airlight.render.gpu.device.device import NoDevice, open_device
 
     try:
         return open_device()
@@ -254,7 +254,7 @@ def demo_folder(target_folder: Callable[[str, str], Path]) -> Callable[[str], Pa
 def aerial(once: Callable[[str, Callable[[], Any]], Any]) -> AerialPerspective:
     """Small tables of the air over Earth, sun at 75°, observer at 500 m."""
     from airlight import Scene, load_planet, solve
-    from airlight.composition.aerial_perspective import AerialPerspective
+    from airlight.engines.composition.aerial_perspective import AerialPerspective
 
     def make() -> AerialPerspective:
         solution = solve(load_planet("earth"), (440, 500, 560, 620), "preview", cache=False)

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.tables.columns import columns
+from airlight.solver.tables.columns import columns
 from baseline import checks, compiled, plain, work
 
 ROOT = Path(__file__).parents[1]

@@ -17,18 +17,18 @@ from numpy.testing import assert_allclose, assert_array_equal
 import airlight
 from airlight.cli import main
 from airlight.cli.place_options import PlaceOptions
-from airlight.composition.placement import Placement
+from airlight.engines.composition.placement import Placement
 from airlight.errors import ParameterError
-from airlight.exports.exr import read_exr
-from airlight.film.view import PlanetView
-from airlight.paint.render_scene import render_scene
+from airlight.image.exr import read_exr
 from airlight.planets.reading.reader import planet_text
 from airlight.planets.schema.toml_table import TomlTable
+from airlight.render.render_scene import render_scene
 from airlight.scene.compass import POINTS
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.montecarlo.settings import settings_for
-from airlight.sweep import Grid
-from airlight.system.viewpoint import View
+from airlight.scene.system.viewpoint import View
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.montecarlo.settings import settings_for
+from airlight.studies.film.view import PlanetView
+from airlight.studies.sweep import Grid
 
 NAME = "earth-bruneton"
 SMALL = airlight.Scene(camera=airlight.Camera(width=6, height=4))

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import airlight
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 
 def test_the_package_lists_its_public_names_and_nothing_else() -> None:

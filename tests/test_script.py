@@ -122,15 +122,15 @@ def test_the_fast_part_builds_no_site(environment: Path) -> None:
 def test_what_touches_a_module_is_its_doctests_and_the_tests_that_import_it(
     environment: Path,
 ) -> None:
-    done = run(environment, "none", "--touching", "src/airlight/optics/air_mass.py")
+    done = run(environment, "none", "--touching", "src/airlight/physics/optics/air_mass.py")
     assert done.returncode == 0, done.stderr
     (line,) = [one for one in done.stdout.splitlines() if one.startswith("ran python -m pytest")]
     named = [word for word in line.split() if word.endswith(".py")]
-    assert named[0] == "src/airlight/optics/air_mass.py"
+    assert named[0] == "src/airlight/physics/optics/air_mass.py"
     importing = [
         str(path.relative_to(ROOT))
         for path in sorted((ROOT / "tests").rglob("*.py"))
-        if "from airlight.optics.air_mass import" in path.read_text("utf-8")
+        if "from airlight.physics.optics.air_mass import" in path.read_text("utf-8")
     ]
     assert named[1:] == importing
     assert run(environment, "none", "--touching", "README.md").returncode != 0

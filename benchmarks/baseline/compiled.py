@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.tables.bruneton import BrunetonGrid
-from airlight.tables.layout import Positions
+from airlight.solver.tables.bruneton import BrunetonGrid
+from airlight.solver.tables.layout import Positions
 from baseline.plain import FloatArray
 
 FLAGS = ("-O3", "-march=native")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.tables.bruneton import BrunetonGrid
-from airlight.tables.layout import Positions
+from airlight.solver.tables.bruneton import BrunetonGrid
+from airlight.solver.tables.layout import Positions
 
 FloatArray = NDArray[np.float64]
 

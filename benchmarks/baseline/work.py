@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 
 from airlight import solve
-from airlight.exports.air_light import lines_of_sight
+from airlight.engines.baking.air_light import lines_of_sight
 from airlight.planets import Medium
-from airlight.solvers.scattered_once import scattered_once
-from airlight.tables.bruneton import BrunetonLayout
-from airlight.tables.layout import Positions
-from airlight.tables.table import Table
+from airlight.solver.scattered_once import scattered_once
+from airlight.solver.tables.bruneton import BrunetonLayout
+from airlight.solver.tables.layout import Positions
+from airlight.solver.tables.table import Table
 from airlight.validation.golden_numbers import golden_groups
 from airlight.validation.reference_earth import (
     CORRECTED_ABSORPTION,

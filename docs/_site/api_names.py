@@ -18,7 +18,7 @@ class Module:
     Attributes
     ----------
     name : str
-        Dotted, such as ``airlight.optics.rayleigh``.
+        Dotted, such as ``airlight.physics.optics.rayleigh``.
     sentence : str
         First line of its docstring.
     is_package : bool

@@ -12,7 +12,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from airlight.composition import Pinhole, Placement, compose
+    from airlight.engines.baking import write_picture
+    from airlight.engines.baking.bake import bake
+    from airlight.engines.baking.table_files import load_tables
+    from airlight.engines.composition import Pinhole, Placement, compose
     from airlight.errors import (
         AirlightError,
         AirlightWarning,
@@ -21,10 +24,6 @@ if TYPE_CHECKING:
         FileError,
         ParameterError,
     )
-    from airlight.exports import write_picture
-    from airlight.exports.bake import bake
-    from airlight.exports.table_files import load_tables
-    from airlight.observables import observe
     from airlight.planets import (
         Constituent,
         Ground,
@@ -41,8 +40,9 @@ if TYPE_CHECKING:
     from airlight.scene.local_ground import local_ground
     from airlight.scene.moon_light import MoonLight
     from airlight.scene.star_light import StarLight
-    from airlight.solvers import Solution, solve
-    from airlight.solvers.stokes_frame import angle_of_polarisation, degree_of_polarisation
+    from airlight.solver import Solution, solve
+    from airlight.solver.stokes_frame import angle_of_polarisation, degree_of_polarisation
+    from airlight.studies.observables import observe
 
 #: Where each public name lives.
 _HOMES = {
@@ -54,10 +54,10 @@ _HOMES = {
     "Star": "airlight.planets",
     "Medium": "airlight.planets",
     "replace": "airlight.planets",
-    "solve": "airlight.solvers",
-    "Solution": "airlight.solvers",
-    "degree_of_polarisation": "airlight.solvers.stokes_frame",
-    "angle_of_polarisation": "airlight.solvers.stokes_frame",
+    "solve": "airlight.solver",
+    "Solution": "airlight.solver",
+    "degree_of_polarisation": "airlight.solver.stokes_frame",
+    "angle_of_polarisation": "airlight.solver.stokes_frame",
     "Camera": "airlight.scene",
     "Scene": "airlight.scene",
     "look_at": "airlight.scene",
@@ -67,13 +67,13 @@ _HOMES = {
     "StarLight": "airlight.scene.star_light",
     "render": "airlight.render",
     "Frame": "airlight.render",
-    "write_picture": "airlight.exports",
-    "observe": "airlight.observables",
-    "bake": "airlight.exports.bake",
-    "load_tables": "airlight.exports.table_files",
-    "compose": "airlight.composition",
-    "Pinhole": "airlight.composition",
-    "Placement": "airlight.composition",
+    "write_picture": "airlight.engines.baking",
+    "observe": "airlight.studies.observables",
+    "bake": "airlight.engines.baking.bake",
+    "load_tables": "airlight.engines.baking.table_files",
+    "compose": "airlight.engines.composition",
+    "Pinhole": "airlight.engines.composition",
+    "Placement": "airlight.engines.composition",
     "AirlightError": "airlight.errors",
     "AirlightWarning": "airlight.errors",
     "ParameterError": "airlight.errors",

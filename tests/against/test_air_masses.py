@@ -8,10 +8,10 @@ from numpy.testing import assert_allclose
 
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
-from airlight.optics.air_mass import air_mass_pickering2002
-from airlight.optics.density_profile import DensitySegments, exponential
-from airlight.optics.refracting_shell import RefractingShell
-from airlight.tables.columns import columns
+from airlight.physics.optics.air_mass import air_mass_pickering2002
+from airlight.physics.optics.density_profile import DensitySegments, exponential
+from airlight.physics.optics.refracting_shell import RefractingShell
+from airlight.solver.tables.columns import columns
 
 BOTTOM, THICK = 6377e3, 250e3
 DENSITY = DensitySegments.from_rows([exponential(7996.0, THICK), exponential(1200.0, THICK)])

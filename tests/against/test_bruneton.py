@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.planets import load_planet
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 
 @pytest.fixture

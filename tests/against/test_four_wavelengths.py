@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from airlight.color.four_wavelengths import few_wavelengths, fitted_weights
-from airlight.color.spectral import default_wavelengths, rgb_weights
-from airlight.color.xyz import luminance, rgb_to_xyz
+from airlight.image.four_wavelengths import few_wavelengths, fitted_weights
+from airlight.image.spectral import default_wavelengths, rgb_weights
+from airlight.image.xyz import luminance, rgb_to_xyz
 from airlight.planets import load_planet
 
 #: Altitudes that stand for the ground, a balloon and space. [m]

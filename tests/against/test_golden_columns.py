@@ -10,9 +10,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.planets import Medium, Planet
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.tables.column_ratios import column_rows, columns_to_top, rational_mean_density
-from airlight.tables.columns import ColumnTable, columns
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.tables.column_ratios import column_rows, columns_to_top, rational_mean_density
+from airlight.solver.tables.columns import ColumnTable, columns
 
 BOTTOM, TOP = 6360e3, 6460e3
 #: From the top of the shell past a lowest height of 10 km.

@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose
 
 from airlight import solve
 from airlight.planets import Planet
-from airlight.solvers.direct.settings import QUALITIES
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.direct.settings import QUALITIES
+from airlight.solver.moments.solution import MomentsSolution
 
 #: Altitude [m], sun zenith, view zenith, azimuth [deg], gas and aerosol at 680, 550, 440 nm [sr⁻¹]
 TABLE = [

@@ -12,7 +12,7 @@ from numpy.testing import assert_array_less
 
 from airlight import solve
 from airlight.planets import Planet
-from airlight.solvers.montecarlo.settings import MonteCarloSettings
+from airlight.solver.montecarlo.settings import MonteCarloSettings
 
 RGB = (680.0, 550.0, 440.0)
 #: Scene, ground albedo, altitude [m], sun zenith, view zenith, azimuth [deg]: noon to twilight,

@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import load_planet
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.validation.published.rayleigh_sphere import geometric_albedo
 from airlight.validation.published.titan import ALBEDOS, titan_with_methane
 

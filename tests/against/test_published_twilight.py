@@ -11,9 +11,9 @@ from numpy.testing import assert_allclose
 
 from airlight import solve
 from airlight.errors import ParameterError
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets import Medium, load_planet
-from airlight.solvers.solution import Solution
-from airlight.spectra.sun import solar_irradiance
+from airlight.solver.solution import Solution
 from airlight.validation.published.twilight import (
     average_aerosol,
     ground_illuminance,

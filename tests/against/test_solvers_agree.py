@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from airlight.solvers.direct.settings import DirectSettings
-from airlight.solvers.montecarlo.settings import MonteCarloSettings
+from airlight.solver.direct.settings import DirectSettings
+from airlight.solver.montecarlo.settings import MonteCarloSettings
 from airlight.validation.agreement import Result, agreements, results
 from airlight.validation.cases import CASES, WAVELENGTHS
 from airlight.validation.metrics import summarise

@@ -13,7 +13,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.planets import Planet
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 RGB = (680, 550, 440)
 SCENES = [

@@ -9,10 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Planet, load_planet, replace
-from airlight.color.spectral import default_wavelengths, rgb_weights
-from airlight.color.xyz import chromaticity, rgb_to_xyz
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.spectra.ozone import ozone_cross_section
+from airlight.image.spectral import default_wavelengths, rgb_weights
+from airlight.image.xyz import chromaticity, rgb_to_xyz
+from airlight.physics.spectra.ozone import ozone_cross_section
+from airlight.solver.moments.solution import MomentsSolution
 
 Solved = Callable[..., MomentsSolution]
 #: Daylight's white, CIE standard illuminant D65.

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet, solve
 from airlight.render import render
 from airlight.render.cpu_renderer import color_weights
-from airlight.solvers.montecarlo.settings import MonteCarloSettings
+from airlight.solver.montecarlo.settings import MonteCarloSettings
 
 SEA = {"ground.law": "water", "ground.albedo": 0.02, "ground.wind": "5 m/s"}
 #: Altitude, zenith angle and azimuth of lines that end on the sea, away from the glitter.

@@ -123,7 +123,7 @@ def test_an_impossible_picture_is_refused_before_anything_is_solved(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    solvers = pytest.importorskip("airlight.solvers")
+    solvers = pytest.importorskip("airlight.solver")
     monkeypatch.setattr(solvers, "solve", None, raising=False)
     monkeypatch.chdir(tmp_path)
     assert main(["render", "earth", "-o", "a.png", *words]) == 2
@@ -168,7 +168,7 @@ def test_an_interrupted_command_says_cancelled_and_leaves_nothing(
     def interrupted(*arguments: object, **options: object) -> None:
         raise interruption
 
-    solvers = pytest.importorskip("airlight.solvers")
+    solvers = pytest.importorskip("airlight.solver")
     rendering = pytest.importorskip("airlight.render")
     monkeypatch.setattr(solvers, "solve", interrupted, raising=False)
     monkeypatch.setattr(rendering, "render", interrupted, raising=False)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from airlight.cli import main
-from airlight.exports.table_files import load_tables
+from airlight.engines.baking.table_files import load_tables
 
 QUICK = ["--quality", "preview"]
 PLANET = "earth-atmosphere-plus"

@@ -11,8 +11,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.cli.app import main
-from airlight.exports.exr import read_exr
-from airlight.exports.png import read_png_header
+from airlight.image.exr import read_exr
+from airlight.image.png import read_png_header
 
 SIZE = (16, 24)
 MATRIX = [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 30], [0, 0, 0, 1]]

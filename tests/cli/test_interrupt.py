@@ -26,7 +26,7 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
     # a fine solve takes far longer than the pause; the marker says that the solver has begun
     script = (
         "import sys, importlib\n"
-        "home = importlib.import_module('airlight.solvers.moments.solve')\n"
+        "home = importlib.import_module('airlight.solver.moments.solve')\n"
         "solve = home.solve\n"
         "def begun(*a, **k):\n"
         "    print('begun', flush=True)\n"
@@ -69,7 +69,7 @@ def test_what_cannot_be_interrupted_is_left_within_a_second(tmp_path: Path) -> N
     script = (
         "import sys, time, importlib\n"
         "from airlight.kernel.threads import run_blocks\n"
-        "from airlight.exports.atomic_file import atomic_file\n"
+        "from airlight.files.atomic_file import atomic_file\n"
         "home = importlib.import_module('airlight.cli.planets')\n"
         "def stuck():\n"
         "    with atomic_file('a.png') as part:\n"

@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose
 from airlight.cli import options
 from airlight.cli.display_options import ToneOptions
 from airlight.cli.planet_options import LocalGroundOptions, load, with_ground_albedo
-from airlight.color.exposure import camera_exposure
 from airlight.errors import ParameterError
+from airlight.image.exposure import camera_exposure
 
 
 class Known:

@@ -44,17 +44,17 @@ class Work(Exception):
 
 @pytest.fixture(autouse=True)
 def _nothing_is_computed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    import airlight.fit
-    import airlight.paint.solve_planet
-    import airlight.solvers
+    import airlight.render.solve_planet
+    import airlight.solver
+    import airlight.studies.fit
     import airlight.validation.run
 
     def work(*_: Any, **__: Any) -> NoReturn:
         raise Work
 
-    monkeypatch.setattr(airlight.solvers, "solve", work)
-    monkeypatch.setattr("airlight.paint.solve_planet.solve_planet", work)
-    monkeypatch.setattr("airlight.environment.environment_map.environment_map", work)
+    monkeypatch.setattr(airlight.solver, "solve", work)
+    monkeypatch.setattr("airlight.render.solve_planet.solve_planet", work)
+    monkeypatch.setattr("airlight.engines.environment.environment_map.environment_map", work)
     monkeypatch.setattr("airlight.validation.run.run", work)
     monkeypatch.setattr("airlight.cli.fit._radiances", work)
     monkeypatch.chdir(tmp_path)

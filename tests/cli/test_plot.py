@@ -12,7 +12,7 @@ pytest.importorskip("matplotlib")
 
 from airlight.cli import main
 from airlight.errors import Cancelled
-from airlight.plots import KINDS
+from airlight.studies.plots import KINDS
 
 
 def error_line(capsys: pytest.CaptureFixture[str]) -> str:
@@ -61,9 +61,9 @@ def test_what_cannot_be_drawn_is_one_line_and_leaves_nothing(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     if "limb" not in words and "sky-profile" not in words:
-        import airlight.solvers
+        import airlight.solver
 
-        monkeypatch.setattr(airlight.solvers, "solve", None)
+        monkeypatch.setattr(airlight.solver, "solve", None)
     assert main(["plot", "earth", *words, *(["--quality", "preview"] * ("200" in words))]) == 2
     assert part in error_line(capsys)
     assert not list(tmp_path.iterdir())
@@ -110,8 +110,8 @@ def test_an_interrupted_plot_leaves_nothing(
     def interrupted(*arguments: object, **options: object) -> None:
         raise interruption
 
-    import airlight.plots.figure
+    import airlight.studies.plots.figure
 
-    monkeypatch.setattr(airlight.plots.figure, "write_figure", interrupted)
+    monkeypatch.setattr(airlight.studies.plots.figure, "write_figure", interrupted)
     assert main(["plot", "earth", "density", "-o", str(tmp_path / "a.png")]) == 130
     assert not list(tmp_path.iterdir())

@@ -14,10 +14,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import airlight
 from airlight.cli import main
-from airlight.sweep.case_dataset import case_dataset
-from airlight.sweep.cases import Cases
+from airlight.studies.sweep.case_dataset import case_dataset
+from airlight.studies.sweep.cases import Cases
 
-solvers = pytest.importorskip("airlight.solvers")
+solvers = pytest.importorskip("airlight.solver")
 pytestmark = pytest.mark.skipif(not hasattr(solvers, "solve"), reason="there is no solver yet")
 
 PLANET = "earth-atmosphere-plus"

@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from airlight.cli import main
-from airlight.exports.exr import read_exr
-from airlight.gpu.device.device import Device
+from airlight.image.exr import read_exr
+from airlight.render.gpu.device.device import Device
 
 PLANET = "earth-atmosphere-plus"
 VIEW = ["--altitude", "35km", "--size", "32x18", "--quality", "preview"]
@@ -24,7 +24,7 @@ def rendered(path: Path, *words: str) -> tuple[np.ndarray, dict[str, str]]:
 def test_the_gpu_draws_what_the_cpu_renders(
     tmp_path: Path, device: Device, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    # The same wavelengths and weights: 1 %, as tests/gpu/test_gpu_renderer.py has it.
+    # The same wavelengths and weights: 1 %, as tests/render/gpu/test_gpu_renderer.py has it.
     words = ["--wavelengths", "rgb"]
     gpu, said = rendered(tmp_path / "gpu.exr", *words, "--device", "gpu")
     assert capsys.readouterr().err == ""

@@ -11,10 +11,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 from PIL import Image
 
 from airlight.cli import main
-from airlight.exports.exr import read_exr
-from airlight.exports.png import read_png_metadata
+from airlight.image.exr import read_exr
+from airlight.image.png import read_png_metadata
 
-solvers = pytest.importorskip("airlight.solvers")
+solvers = pytest.importorskip("airlight.solver")
 renderer = pytest.importorskip("airlight.render")
 pytestmark = pytest.mark.skipif(
     not (hasattr(solvers, "solve") and hasattr(renderer, "render")),

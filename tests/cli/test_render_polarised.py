@@ -13,11 +13,11 @@ from PIL import Image
 pytest.importorskip("matplotlib")
 
 from airlight.cli import main
-from airlight.color.xyz import luminance
-from airlight.exports.exr import read_exr
-from airlight.exports.png import read_png_metadata
-from airlight.plots.polarised_picture import color_map
-from airlight.solvers.stokes_frame import degree_of_polarisation
+from airlight.image.exr import read_exr
+from airlight.image.png import read_png_metadata
+from airlight.image.xyz import luminance
+from airlight.solver.stokes_frame import degree_of_polarisation
+from airlight.studies.plots.polarised_picture import color_map
 
 PLANET = "earth-atmosphere-plus"
 QUICK = ["--quality", "preview", "--wavelengths", "rgb", "--altitude", "2m", "--sun-zenith", "75"]

@@ -15,7 +15,7 @@ from airlight.cli.place_options import PlaceOptions
 from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.scene_file import load_scene
 from airlight.planets.reading.reader import file_text, nested_tables
-from airlight.system.reading import changed_system
+from airlight.scene.system.reading import changed_system
 
 SCENE = """
 name = "Rock"

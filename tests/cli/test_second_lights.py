@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from airlight.cli import main
-from airlight.exports.png import read_png_metadata
+from airlight.image.png import read_png_metadata
 
 FAST = ["--size", "32x18", "--wavelengths", "rgb", "--quality", "preview"]
 

@@ -16,7 +16,7 @@ from airlight.cli import main
 from airlight.cli.app import app
 from airlight.cli.option_groups import expand_groups, given_options
 from airlight.cli.place_options import PlaceOptions
-from airlight.color.exposure import camera_exposure
+from airlight.image.exposure import camera_exposure
 
 SNAP = ["--iso=100", "--aperture=f/8", "--shutter=1/250s"]
 EXPOSURE = camera_exposure(iso=100.0, aperture=8.0, shutter=1.0 / 250.0)

@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 from airlight.cli import main
-from airlight.exports.exr import read_exr
+from airlight.image.exr import read_exr
 
 QUICK = ["--quality", "preview", "--wavelengths", "rgb", "--size", "64"]
 

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from airlight.cli import main
-from airlight.exports.png import read_png_metadata
+from airlight.image.png import read_png_metadata
 
 QUICK = ["--quality", "preview", "--wavelengths", "rgb", "--size", "32x18"]
 STOCKHOLM = ["--at", "59.33N,18.07E", "--time", "2026-06-21T21:10+02:00"]

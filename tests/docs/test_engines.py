@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from airlight.cli import main
-from airlight.targets import MODULES
+from airlight.engines.targets import MODULES
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from airlight.cli import main
-from airlight.environment.consumers import CONSUMERS
+from airlight.engines.environment.consumers import CONSUMERS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "environment-maps.md").read_text(encoding="utf-8")
 #: What makes a map small: no other part of a command is changed.

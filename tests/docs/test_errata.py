@@ -11,37 +11,37 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.constants import BOLTZMANN
+from airlight.geometry.mappings import weighted_power
 from airlight.geometry.shell import distance_to_top, radius_along
 from airlight.kernel import vectorized
-from airlight.mappings import weighted_power
-from airlight.optics.air_mass import air_mass_pickering2002
-from airlight.optics.anomalous_diffraction import efficiencies
-from airlight.optics.density_profile import row_column
-from airlight.optics.legendre import legendre_moments, phase_integral
-from airlight.optics.phase_functions import (
+from airlight.physics.constants import BOLTZMANN
+from airlight.physics.optics.air_mass import air_mass_pickering2002
+from airlight.physics.optics.anomalous_diffraction import efficiencies
+from airlight.physics.optics.density_profile import row_column
+from airlight.physics.optics.legendre import legendre_moments, phase_integral
+from airlight.physics.optics.phase_functions import (
     INV_4PI,
     double_henyey_greenstein,
     henyey_greenstein,
     rayleigh_modified,
 )
-from airlight.optics.rayleigh import (
+from airlight.physics.optics.rayleigh import (
     cross_section,
     king_factor_from_depolarisation,
     number_density,
     scale_height,
 )
-from airlight.optics.refractive_index import (
+from airlight.physics.optics.refractive_index import (
     AIR_TEMPERATURE,
     CO2_TEMPERATURE,
     STANDARD_PRESSURE,
     air_refractivity_peck1972,
     co2_refractivity_bideau_mehu1973,
 )
-from airlight.optics.size_distribution import gamma_density
+from airlight.physics.optics.size_distribution import gamma_density
 from airlight.planets import Medium, load_planet
-from airlight.solvers.direct.settings import DirectSettings
-from airlight.solvers.direct.solution import solve
+from airlight.solver.direct.settings import DirectSettings
+from airlight.solver.direct.solution import solve
 
 PAGE = Path(__file__).parents[2] / "docs" / "errata.md"
 #: Radii of the later notes and of Bruneton, and wavelengths of the OpenSpace paper.

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from airlight.cli import main
-from airlight.film import Quality, load_film
+from airlight.studies.film import Quality, load_film
 
 PAGE = (Path(__file__).parents[2] / "docs" / "films.md").read_text(encoding="utf-8")
 #: What makes an example small: no other part of it is changed.

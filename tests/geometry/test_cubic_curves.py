@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.geometry.cubic_curves import cubic_curve, monotone_slopes, spline_slopes
+from airlight.physics.cubic_curves import cubic_curve, monotone_slopes, spline_slopes
 
 #: Rises, a turn, a level stretch, and a fall; unequal steps.
 X = np.array([0.0, 1.0, 1.5, 4.0, 5.0, 9.0, 9.5])

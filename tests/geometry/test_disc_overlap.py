@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
 from airlight.geometry.disc_overlap import visible_light
-from airlight.spectra.limb_darkening import solar_darkening
+from airlight.physics.spectra.limb_darkening import solar_darkening
 
 #: 1 - 0.6 (1 - μ), of mean 0.8: the law of the published maps.
 LINEAR = np.array([[0.4, 0.6]]) / 0.8

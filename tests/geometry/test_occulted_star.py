@@ -9,7 +9,7 @@ from airlight.errors import ParameterError
 from airlight.geometry.disc_overlap import visible_light
 from airlight.geometry.occulted_star import OccultedStar, occulted_star, star_visible_fraction
 from airlight.kernel import compiled_loop
-from airlight.spectra.limb_darkening import solar_darkening
+from airlight.physics.spectra.limb_darkening import solar_darkening
 
 NM = (400.0, 700.0)
 SUN = np.radians(0.2638)

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.constants import DOBSON_UNIT
 from airlight.errors import ParameterError
-from airlight.optics.gas_absorption import small_particle_absorption
+from airlight.physics.constants import DOBSON_UNIT
+from airlight.physics.optics.gas_absorption import small_particle_absorption
 from airlight.planets import Constituent, Medium
 from airlight.planets.matter.absorbers import (
     CrossSectionAbsorption,

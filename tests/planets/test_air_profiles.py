@@ -6,7 +6,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
-from airlight.optics.density_profile import DensitySegments
+from airlight.physics.optics.density_profile import DensitySegments
 from airlight.planets.matter.profiles import Layers, Profile, Sounding
 from airlight.planets.reading.reader import read_planet
 

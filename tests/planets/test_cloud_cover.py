@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight.errors import FileError
-from airlight.optics.reflection import direct_reflectances
+from airlight.physics.optics.reflection import direct_reflectances
 from airlight.planets import Medium, load_planet
 from airlight.planets.cloud_cover import cloud_pixels, mean_cover
 from airlight.planets.reading.handbook import filled

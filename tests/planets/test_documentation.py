@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
-from airlight.optics.index_table import index_names, read_index
-from airlight.optics.molecules import MOLECULES
+from airlight.physics.optics.index_table import index_names, read_index
+from airlight.physics.optics.molecules import MOLECULES
 from airlight.planets import Medium
 from airlight.planets.matter.gases import GasScattering
 from airlight.planets.matter.profiles import Tent

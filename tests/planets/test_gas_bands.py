@@ -10,11 +10,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Medium, Planet, load_planet
+from airlight.physics.spectra.tables import read_spectrum
 from airlight.planets import replace
 from airlight.planets.gas_bands import AIRMASS, PAIR_DENSITY, omitted_bands
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
-from airlight.spectra.tables import read_spectrum
 from airlight.validation.published.titan import titan_with_methane
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.constants import AVOGADRO, LOSCHMIDT
 from airlight.errors import ParameterError
-from airlight.optics import rayleigh
-from airlight.optics.molecules import MOLECULES
+from airlight.physics.constants import AVOGADRO, LOSCHMIDT
+from airlight.physics.optics import rayleigh
+from airlight.physics.optics.molecules import MOLECULES
 from airlight.planets import Constituent, replace
 from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.planets.matter.gases import GasScattering, RefractiveScattering

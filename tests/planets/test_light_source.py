@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import ParameterError, Scene, load_planet, solve
-from airlight.color.four_wavelengths import few_wavelengths
-from airlight.color.spectral import sun_color
+from airlight.image.four_wavelengths import few_wavelengths
+from airlight.image.spectral import sun_color
 from airlight.planets.medium import Medium
 from airlight.scene.light_position import LightPosition
 

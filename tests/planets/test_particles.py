@@ -6,8 +6,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.kernel import cost, disk
-from airlight.optics import mie
-from airlight.optics.size_distribution import single_size
+from airlight.physics.optics import mie
+from airlight.physics.optics.size_distribution import single_size
 from airlight.planets.constituent import Constituent
 from airlight.planets.matter import mie_nodes, particles
 from airlight.planets.matter.particle_index import GivenIndex, MixedIndex, TableIndex

@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from airlight import load_planet
-from airlight.color.four_wavelengths import CHOSEN
 from airlight.errors import ParameterError
+from airlight.image.four_wavelengths import CHOSEN
 from airlight.planets.picture_wavelengths import COUNTS, picture_wavelengths
 
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.errors import ParameterError
+from airlight.physics.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.planets import Constituent, Ground, Medium, Planet, Star, load_planet, replace
 from airlight.planets.matter.absorbers import OzoneAbsorption
 from airlight.planets.matter.gases import GasScattering, RefractiveScattering

@@ -10,9 +10,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Medium, load_planet
-from airlight.distribution.fingerprint import digest
 from airlight.errors import ParameterError
 from airlight.planets import replace
+from airlight.studies.distribution.fingerprint import digest
 
 NM = np.array([440.0, 500.0, 550.0, 600.0, 675.0])
 FILE = """

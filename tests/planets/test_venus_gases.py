@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import load_planet
+from airlight.physics.spectra.tables import read_spectrum
 from airlight.planets.constituent import Constituent
-from airlight.spectra.tables import read_spectrum
 
 #: Molecules above the ground: p/(m g), 92.1 bar, 43.45 u, 8.87 m/s² (NASA's fact sheet), more by
 #: 1 % for gravity that falls within the scale height. [m⁻²]

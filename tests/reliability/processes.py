@@ -18,7 +18,7 @@ from outside_text import OBEYED
 from PIL import Image
 from tally import Tally
 
-from airlight.exports.exr import read_exr
+from airlight.image.exr import read_exr
 
 #: Words of commands, with the file or folder that each writes.
 Commands = tuple[tuple[str, tuple[str, ...]], ...]

@@ -19,8 +19,8 @@ from airlight.errors import ParameterError
 from airlight.planets import Planet
 from airlight.planets.medium import Medium
 from airlight.render import render
-from airlight.solvers.moments.settings import MomentsSettings
-from airlight.solvers.moments.solve import solve
+from airlight.solver.moments.settings import MomentsSettings
+from airlight.solver.moments.solve import solve
 from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.session.session import Session
@@ -132,7 +132,7 @@ def without_places(line: str) -> str:
 
 def three(planet: Planet) -> np.ndarray:
     """Three wavelengths within the limits of a planet. [nm]"""
-    from airlight.color.spectral import default_wavelengths
+    from airlight.image.spectral import default_wavelengths
 
     return default_wavelengths(3, *planet.wavelength_limits)
 

@@ -17,25 +17,25 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import load_planet, solve
+from airlight.engines.composition.render_passes import read_render_passes
 from airlight.errors import CostError, FileError
-from airlight.exports.exr import read_exr, read_exr_channels, write_exr
-from airlight.exports.render_passes import read_render_passes
-from airlight.film import animate, load_film
-from airlight.film.frame_spec import PlanetFrameSpec
-from airlight.fit.photograph import Shot, read_photograph
+from airlight.image.exr import read_exr, read_exr_channels, write_exr
 from airlight.kernel import cost, memory
 from airlight.kernel.cost import announce
-from airlight.optics import mie
+from airlight.physics.optics import mie
 from airlight.planets.map_picture import map_pixels
 from airlight.planets.matter.mie_nodes import mie_nodes
 from airlight.planets.matter.particle_index import GivenIndex
 from airlight.planets.matter.particle_sizes import GammaSizes
 from airlight.render import render
 from airlight.scene import Camera, Scene
-from airlight.sweep import Grid, rows
+from airlight.studies.film import animate, load_film
+from airlight.studies.film.frame_spec import PlanetFrameSpec
+from airlight.studies.fit.photograph import Shot, read_photograph
+from airlight.studies.sweep import Grid, rows
 
 #: The module, whose function has its name.
-sweep_module = import_module("airlight.sweep.sweep")
+sweep_module = import_module("airlight.studies.sweep.sweep")
 
 
 @pytest.fixture
@@ -90,7 +90,7 @@ def test_wavelengths_beyond_the_memory_are_refused_at_once(small_machine: None) 
 def test_a_picture_is_refused_before_its_planet_is_solved(
     small_machine: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from airlight.paint import render_scene as painting
+    from airlight.render import render_scene as painting
 
     def solved(*_: object, **__: object) -> None:
         raise AssertionError("solved")

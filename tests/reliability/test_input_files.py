@@ -11,7 +11,7 @@ import pytest
 
 from airlight.cli import main
 from airlight.errors import FileError
-from airlight.input_files import check_input, read_bytes, read_text
+from airlight.files.input_files import check_input, read_bytes, read_text
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="no pipes in folders there")
 
@@ -68,10 +68,10 @@ def test_what_is_no_file_is_one_line_at_once(
 
 @pytest.mark.parametrize("name", ["pipe.csv", "zero.csv", "deep.csv"])
 def test_files_that_other_files_name_are_read_as_carefully(tmp_path: Path, name: str) -> None:
-    from airlight.composition.pinhole import camera_from_json
-    from airlight.exports.exr import read_exr
-    from airlight.exports.hdr import read_hdr_header
-    from airlight.optics.index_table import read_index
+    from airlight.engines.composition.pinhole import camera_from_json
+    from airlight.image.exr import read_exr
+    from airlight.image.hdr import read_hdr_header
+    from airlight.physics.optics.index_table import read_index
 
     os.mkfifo(tmp_path / "pipe.csv")
     (tmp_path / "zero.csv").symlink_to("/dev/zero")

@@ -69,8 +69,8 @@ def test_a_planet_compared_with_itself_does_not_differ(
 @pytest.mark.parametrize("kind", ["density", "optical-depth", "phase", "solar-spectrum"])
 def test_figures_draw_every_name(kind: str) -> None:
     # matplotlib reads "$…$" as a formula and leaves "_…" out of legends
-    from airlight.plots.catalogue import Choices, Work, draw
-    from airlight.plots.figure import write_figure
+    from airlight.studies.plots.catalogue import Choices, Work, draw
+    from airlight.studies.plots.figure import write_figure
 
     for name in ("$x_{$", "_hidden", "大気", "\\"):
         figure = draw(named(name), kind, Choices(), Work(cache=False))
@@ -176,12 +176,12 @@ def test_every_text_format_holds_every_name(name: str) -> None:
     # each is read by a parser of its format, and the names of planets are all that is free there
     import tomllib
 
+    from airlight.engines.targets.celestia import read_atmosphere, ssc_of
+    from airlight.engines.targets.fits.formula_planet import name_of
+    from airlight.engines.targets.openspace import asset_of
+    from airlight.engines.targets.unreal import script_of
     from airlight.planets.reading.planet_file import planet_file
-    from airlight.reports.markdown import escaped, row_lines
-    from airlight.targets.celestia import read_atmosphere, ssc_of
-    from airlight.targets.fits.formula_planet import name_of
-    from airlight.targets.openspace import asset_of
-    from airlight.targets.unreal import script_of
+    from airlight.studies.reports.markdown import escaped, row_lines
 
     lupa = pytest.importorskip("lupa")
     lua = lupa.LuaRuntime(unpack_returned_tuples=True)

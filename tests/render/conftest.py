@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from airlight import Planet, load_planet, replace
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 RGB = (680.0, 550.0, 440.0)
 

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.gpu.device.device import Device
-from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.render.cpu_renderer import CpuRenderer
+from airlight.render.gpu.device.device import Device
+from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 
 def marched(

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from airlight.geometry.refraction import apparent_sun
 from airlight.render.sun_disc import leaving_direction, straight_lines, sun_solid_angle
 from airlight.scene import Scene
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.tables.columns import columns
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 

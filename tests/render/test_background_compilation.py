@@ -13,7 +13,7 @@ import numpy as np
 from airlight import Camera, Scene, load_planet
 from airlight.render.background_compilation import _arguments
 from airlight.render.cpu_renderer import CpuRenderer
-from airlight.solvers.moments.march_tables import new_workspace
+from airlight.solver.moments.march_tables import new_workspace
 
 #: Solves, and names the functions that Python has called and that no loop of the count leads to.
 SOLVE = """
@@ -21,7 +21,7 @@ import sys
 from numba.core.dispatcher import Dispatcher
 from airlight import load_planet, solve
 from airlight.kernel.compiling import name_of, reached
-from airlight.solvers.moments.loops import LOOPS
+from airlight.solver.moments.loops import LOOPS
 solve(load_planet("earth-atmosphere-plus"), [680, 550, 440], "preview", cache=False)
 known = reached(LOOPS)
 used = {name_of(one) for name, module in list(sys.modules.items()) if name.startswith("airlight.")

@@ -15,7 +15,7 @@ from airlight import Camera, Scene, load_planet, solve
 from airlight.planets.cloud_cover import mean_cover
 from airlight.render import render
 from airlight.scene.ground_overlay import enlarged, ground_overlay
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 RGB = (680.0, 550.0, 440.0)
 PLANET = "earth-atmosphere-plus"

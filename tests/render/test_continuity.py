@@ -11,10 +11,10 @@ from marched_pictures import centres
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, look_at
-from airlight.color.spectral import rgb_weights
-from airlight.color.xyz import rgb_to_xyz
+from airlight.image.spectral import rgb_weights
+from airlight.image.xyz import rgb_to_xyz
 from airlight.render import render
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 

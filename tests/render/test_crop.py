@@ -13,13 +13,13 @@ from PIL import Image
 
 from airlight import Camera, ParameterError, Scene, load_planet, render, solve
 from airlight.cli import main
-from airlight.color.display import to_display
-from airlight.gpu.device.device import Device
-from airlight.gpu.picture.gpu_renderer import GpuRenderer
-from airlight.paint.render_system import render_system
-from airlight.paint.star_points import add_catalogue
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.system import load_system
+from airlight.image.display import to_display
+from airlight.render.gpu.device.device import Device
+from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
+from airlight.render.render_system import render_system
+from airlight.render.star_points import add_catalogue
+from airlight.scene.system import load_system
+from airlight.solver.moments.solution import MomentsSolution
 
 CROP = (101, 37, 64, 50)
 

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import Camera, Scene, replace
 from airlight.errors import ParameterError
 from airlight.render import render
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 
 def test_a_scene_is_plain_unless_it_is_told_otherwise() -> None:

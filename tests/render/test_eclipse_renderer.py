@@ -10,13 +10,13 @@ from numpy.testing import assert_allclose
 
 import airlight
 from airlight.geometry.occulted_star import occulted_star
-from airlight.pixels.polarising_filter import ALONG
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.eclipse_renderer import EclipseRenderer
+from airlight.render.pixels.polarising_filter import ALONG
 from airlight.scene import Camera, Scene
 from airlight.scene.local_ground import local_ground
-from airlight.solvers.eclipsed.solution import EclipsedSolution
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.eclipsed.solution import EclipsedSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 NM = (680.0, 550.0, 440.0)
 WIDTH, HEIGHT = 24, 16

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import Camera, Scene, load_planet, render, replace
 from airlight.errors import ParameterError
 from airlight.planets.planet import Planet
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 NM = (440.0, 550.0, 680.0)
 

@@ -10,9 +10,9 @@ from marched_pictures import centres
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, Scene, load_planet, planet_names
-from airlight.color.xyz import rgb_to_xyz
+from airlight.image.xyz import rgb_to_xyz
 from airlight.render import render
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 

@@ -14,9 +14,9 @@ from marched_pictures import centres
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, Cancelled, Scene
-from airlight.color.spectral import rgb_weights
+from airlight.image.spectral import rgb_weights
 from airlight.render import render
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 

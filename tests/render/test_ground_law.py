@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet
 from airlight.planets.planet import Planet
 from airlight.render import render
-from airlight.solvers import solve
+from airlight.solver import solve
 
 #: From 400 km, the ground from straight below to the limb, under a star 40° from the zenith.
 SCENE = Scene(

@@ -11,13 +11,13 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight import Camera, Scene, load_planet
-from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
-from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import FileError
+from airlight.image.xyz import chromaticity, luminance, rgb_to_xyz
+from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.render import render
 from airlight.scene.ground_overlay import TOWN_LUMINANCE, ground_overlay
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.solve import solve
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.solve import solve
 
 NM = (440.0, 500.0, 560.0, 620.0)
 

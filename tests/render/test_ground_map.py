@@ -11,11 +11,11 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight import Camera, Ground, Medium, Planet, Scene, load_planet, replace
-from airlight.color.encoding import srgb_decode
-from airlight.optics.water import mean_specular
+from airlight.image.encoding import srgb_decode
+from airlight.physics.optics.water import mean_specular
 from airlight.render import render
 from airlight.scene.surface_map import surface_map
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 Mapped = Callable[[np.ndarray], MomentsSolution]

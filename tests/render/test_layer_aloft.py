@@ -9,15 +9,15 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Constituent, Planet, Scene, load_planet, replace
-from airlight.optics.density_profile import DensitySegments, exponential, tent
-from airlight.optics.layer_edges import layer_edges
-from airlight.pixels import march_points
-from airlight.pixels.march_points import MarchPoints
+from airlight.physics.optics.density_profile import DensitySegments, exponential, tent
+from airlight.physics.optics.layer_edges import layer_edges
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Tent
 from airlight.render import render
 from airlight.render.cpu_renderer import color_weights
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.render.pixels import march_points
+from airlight.render.pixels.march_points import MarchPoints
+from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 

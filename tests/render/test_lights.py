@@ -10,12 +10,12 @@ from marched_pictures import marched
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, Scene, load_planet
-from airlight.gpu.device.device import Device
-from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.planets.light_source import LightSource
 from airlight.render import render
+from airlight.render.gpu.device.device import Device
+from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.scene.light_position import LightPosition
-from airlight.solvers import solve
+from airlight.solver import solve
 from airlight.viewer.painting.probe import probe
 
 WAVELENGTHS = (680.0, 550.0, 440.0)

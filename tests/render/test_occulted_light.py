@@ -14,14 +14,14 @@ from airlight.cli.camera_options import CameraOptions
 from airlight.cli.place_options import PlaceOptions
 from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.scene_file import load_scene
-from airlight.color.xyz import luminance
 from airlight.geometry.disc_overlap import visible_light
-from airlight.paint.render_scene import render_scene
-from airlight.paint.render_system import render_system
-from airlight.pixels.occulted_light import DARKEST, light_left
-from airlight.pixels.scenes_by_light import scenes_by_light
+from airlight.image.xyz import luminance
 from airlight.render.cpu_renderer import CpuRenderer
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.render.pixels.occulted_light import DARKEST, light_left
+from airlight.render.pixels.scenes_by_light import scenes_by_light
+from airlight.render.render_scene import render_scene
+from airlight.render.render_system import render_system
+from airlight.solver.moments.solution import MomentsSolution
 
 NM = (680.0, 550.0, 440.0)
 

@@ -11,8 +11,8 @@ from airlight.errors import ParameterError
 from airlight.planets import load_planet, replace
 from airlight.render import render
 from airlight.scene import Camera, Scene
-from airlight.solvers import solve
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver import solve
+from airlight.solver.moments.solution import MomentsSolution
 
 NM = (440.0, 550.0, 680.0)
 

@@ -10,9 +10,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, ParameterError, Scene, load_planet, render, replace, solve
-from airlight.color.xyz import luminance
+from airlight.image.xyz import luminance
 from airlight.render.cpu_renderer import color_weights
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from airlight import Camera, Constituent, Planet, Scene, load_planet, replace, s
 from airlight.geometry.refraction import apparent_sun
 from airlight.planets.matter.profiles import Tabulated
 from airlight.render import render
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 #: U.S. Standard Atmosphere (1976), Table I: altitude [km] and density over that at sea level.
 DENSITY = {

@@ -10,11 +10,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, MoonLight, ParameterError, Scene, StarLight, load_planet, solve
-from airlight.color.xyz import luminance
-from airlight.pixels.scenes_by_light import scenes_by_light
+from airlight.image.xyz import luminance
 from airlight.render import render
+from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene.light_position import LightPosition
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 NM = (680.0, 550.0, 440.0)
 CAMERA = Camera(width=64, height=36, look_zenith=78.0, look_azimuth=20.0)

@@ -11,16 +11,16 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet, render
-from airlight.color.display import to_display
-from airlight.color.encoding import srgb_decode
-from airlight.color.natural import natural
-from airlight.color.oklab import rgb_to_oklab
-from airlight.color.spectral import EYE, rgb_weights
-from airlight.color.typical_light import typical_light
-from airlight.color.xyz import luminance
+from airlight.image.display import to_display
+from airlight.image.encoding import srgb_decode
+from airlight.image.natural import natural
+from airlight.image.oklab import rgb_to_oklab
+from airlight.image.spectral import EYE, rgb_weights
+from airlight.image.typical_light import typical_light
+from airlight.image.xyz import luminance
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.scene.metering import scene_exposure
-from airlight.spectra.sun import solar_irradiance
 
 CAMERA = Camera(width=320, height=180, field_of_view=70.0, look_zenith=78.0)
 SCENES = {

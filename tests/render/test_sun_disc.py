@@ -10,11 +10,11 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, Planet, Scene, look_at
-from airlight.color.spectral import rgb_weights
-from airlight.color.xyz import rgb_to_xyz
+from airlight.image.spectral import rgb_weights
+from airlight.image.xyz import rgb_to_xyz
+from airlight.physics.spectra.limb_darkening import solar_darkening
 from airlight.render.cpu_renderer import CpuRenderer
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.spectra.limb_darkening import solar_darkening
+from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 Starred = Callable[[float], Planet]

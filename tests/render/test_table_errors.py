@@ -10,7 +10,7 @@ from airlight import Planet
 from airlight.render import render
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Camera, Scene
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 from picture_errors import CASES, NM, ROWS, errors
 
 Lit = Callable[..., MomentsSolution]

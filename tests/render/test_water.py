@@ -12,12 +12,12 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight import Camera, Ground, Scene, load_planet
-from airlight.optics.cox_munk import glint_factor, mirrored_cosine, mirrored_fraction
-from airlight.optics.water import FOAM, foam_fraction
+from airlight.physics.optics.cox_munk import glint_factor, mirrored_cosine, mirrored_fraction
+from airlight.physics.optics.water import FOAM, foam_fraction
 from airlight.planets.medium import Medium
 from airlight.render import render
 from airlight.scene.surface_map import surface_map
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 Wet = Callable[..., MomentsSolution]

@@ -11,7 +11,7 @@ from PIL import Image
 
 from airlight import Medium, load_planet, local_ground, replace, solve
 from airlight.errors import ParameterError
-from airlight.optics.water import mean_specular
+from airlight.physics.optics.water import mean_specular
 from airlight.planets.planet import Planet
 from airlight.scene.local_ground import _STEP, ring_mean
 from airlight.scene.surface_map import from_pixels, surface_map

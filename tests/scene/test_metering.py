@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.color.exposure import camera_exposure
-from airlight.color.glare import Glare
+from airlight.image.exposure import camera_exposure
+from airlight.image.glare import Glare
 from airlight.scene import Camera, Scene
 from airlight.scene.metering import metering_weights, scene_exposure
 from airlight.scene.moon_light import MoonLight

@@ -9,10 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, ParameterError, Scene, load_planet, render, solve
-from airlight.gpu.device.device import Device
-from airlight.gpu.picture.gpu_renderer import GpuRenderer
+from airlight.render.gpu.device.device import Device
+from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.scene.projections.orthographic import disc_extent
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 EARTH = load_planet("earth-bruneton")
 RADIUS, TOP = EARTH.bottom_radius, EARTH.top_radius

@@ -9,14 +9,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet
-from airlight.constants import ASTRONOMICAL_UNIT
-from airlight.ephemeris.instant import days_of
-from airlight.ephemeris.sky import Place, moon_seen
-from airlight.ephemeris.sun_vector import solar_point
 from airlight.errors import ParameterError
+from airlight.geometry.ephemeris.instant import days_of
+from airlight.geometry.ephemeris.sky import Place, moon_seen
+from airlight.geometry.ephemeris.sun_vector import solar_point
+from airlight.physics.constants import ASTRONOMICAL_UNIT
 from airlight.planets.medium import Medium
 from airlight.scene.apparent_sun import apparent_altitude, apparent_zenith
-from airlight.solvers.refracted_geometry import RefractedGeometry
+from airlight.solver.refracted_geometry import RefractedGeometry
 
 TIME = datetime(2026, 6, 21, 14, 10, tzinfo=UTC)
 

@@ -10,9 +10,9 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from PIL import Image
 
-from airlight.color.encoding import srgb_decode, srgb_encode
-from airlight.color.texels import decoded_texels
 from airlight.errors import FileError
+from airlight.image.encoding import srgb_decode, srgb_encode
+from airlight.image.texels import decoded_texels
 from airlight.scene.map_levels import level_count
 from airlight.scene.surface_map import SurfaceMap, from_pixels, surface_map
 

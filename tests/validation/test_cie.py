@@ -7,9 +7,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.planets import Medium, load_planet
-from airlight.solvers import Solution
-from airlight.solvers.lines_of_sight import LinesOfSight
-from airlight.solvers.solution import Report
+from airlight.solver import Solution
+from airlight.solver.lines_of_sight import LinesOfSight
+from airlight.solver.solution import Report
 from airlight.validation.cie_clear_sky import gradation, indicatrix
 from airlight.validation.energy_planets import round_earth
 

@@ -7,9 +7,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.planets import Medium
-from airlight.solvers import Solution, solve
-from airlight.solvers.lines_of_sight import LinesOfSight
-from airlight.solvers.solution import Report
+from airlight.solver import Solution, solve
+from airlight.solver.lines_of_sight import LinesOfSight
+from airlight.solver.solution import Report
 from airlight.validation.energy_planets import flat_earth, furnace, round_earth
 from airlight.validation.fluxes import level_fluxes, pieces
 from airlight.validation.reference_earth import WAVELENGTHS

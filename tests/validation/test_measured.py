@@ -11,11 +11,11 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import Cancelled, FileError
-from airlight.fit.fit_sky import smooth
-from airlight.fit.scans import Scans
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets.medium import Medium
-from airlight.solvers.solve import solve
-from airlight.spectra.sun import solar_irradiance
+from airlight.solver.solve import solve
+from airlight.studies.fit.fit_sky import smooth
+from airlight.studies.fit.scans import Scans
 from airlight.validation.kider import planets as kider_planets
 from airlight.validation.kider import scans as kider_scans
 from airlight.validation.kider.fits import AerosolModel, fit_pointing

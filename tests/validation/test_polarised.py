@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.planets import load_planet
-from airlight.solvers import solve
+from airlight.solver import solve
 from airlight.validation.cases import CASES
 from airlight.validation.polarised.flat_air import coulson_values, differences, flat_rayleigh
 from airlight.validation.polarised.histories import PLANETS, Beside, beside, line_table, summary

@@ -9,10 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.physics.spectra.blackbody import planck_radiance
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets import load_planet, replace
-from airlight.solvers import Solution, solve
-from airlight.spectra.blackbody import planck_radiance
-from airlight.spectra.sun import solar_irradiance
+from airlight.solver import Solution, solve
 from airlight.validation.energy_planets import round_earth
 from airlight.validation.published import rayleigh_sphere as sphere
 from airlight.validation.published.earth import ALTITUDES, SUNSET, illuminances

@@ -166,7 +166,7 @@ def test_tables_that_do_not_fit_are_refused(rows: list, marks: tuple, part: str)
 
 def test_a_figure_becomes_a_small_picture_of_the_size_asked_for() -> None:
     pytest.importorskip("matplotlib")
-    from airlight.plots.figure import new_figure
+    from airlight.studies.plots.figure import new_figure
 
     figure = new_figure("Title", size=(5.0, 2.0))
     figure.add_subplot().plot([0, 1], [1, 0])

@@ -76,7 +76,7 @@ def test_a_wrong_answer_fails_the_suite_and_stands_in_the_table(
 
 def test_two_real_solvers_agree_on_a_few_lines_of_sight() -> None:
     # A second method: Monte Carlo. Daylight, so that 1 % or three standard errors is fair.
-    from airlight.solvers.montecarlo.settings import MonteCarloSettings
+    from airlight.solver.montecarlo.settings import MonteCarloSettings
 
     monte_carlo = MonteCarloSettings(relative_error=0.005, most_histories=400_000)
     suite = solvers(

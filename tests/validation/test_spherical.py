@@ -48,7 +48,7 @@ def test_a_wrong_reference_misses_the_bar_and_is_the_worst_case_in_the_table(
     # Rayleigh sky of the shared file's first planet: two radiances as a solver of this kind gives
     # them, one 20 % too high. It must fail the suite, and stand first among the worst.
     pytest.importorskip("matplotlib")
-    from airlight.solvers import solve
+    from airlight.solver import solve
     from airlight.validation.reference_earth import reference_earth
 
     planet = reference_earth(albedo=0.0, aerosol=None, ozone=False)

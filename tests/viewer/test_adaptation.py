@@ -13,10 +13,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet
-from airlight.gpu.device.device import Device
-from airlight.paint.renderer import Renderer
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.render.gpu.device.device import Device
+from airlight.render.renderer import Renderer
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.session.adaptation import Adaptation

@@ -16,7 +16,7 @@ from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.reading.reader import planet_text, read_planet
 from airlight.render import render
 from airlight.scene.ground_overlay import ground_overlay
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.probe import probe_pixel
 from airlight.viewer.session.session import Session
 

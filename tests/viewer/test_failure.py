@@ -12,7 +12,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from airlight.errors import AirlightError, ParameterError
-from airlight.gpu.device.device import Device
+from airlight.render.gpu.device.device import Device
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.probe import Contribution, Probe
 from airlight.viewer.painting.probing import ProbeResult

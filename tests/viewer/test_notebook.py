@@ -16,10 +16,10 @@ from numpy.testing import assert_array_equal
 from PIL import Image
 
 from airlight import solve
-from airlight.color.display import to_display
+from airlight.image.display import to_display
 from airlight.kernel.compiling import Compiling
-from airlight.paint.renderer import Renderer
 from airlight.planets import load_planet
+from airlight.render.renderer import Renderer
 from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.parameters.view_parameters import scene_of
 from airlight.viewer.session.session import Session

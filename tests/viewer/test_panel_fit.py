@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from airlight.errors import AirlightError
-from airlight.gpu.device.device import Device
+from airlight.render.gpu.device.device import Device
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import style

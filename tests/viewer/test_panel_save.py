@@ -13,9 +13,9 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight import Camera, Scene, load_planet
-from airlight.color.display import to_display
+from airlight.image.display import to_display
 from airlight.render import render
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.window.film import sun_path, sunlit
 from airlight.viewer.window.panels.save import Saving

@@ -8,15 +8,15 @@ from importlib import resources
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.color.tone_maps import TONE_MAPS
 from airlight.errors import ParameterError
-from airlight.gpu.picture.uniforms import FRAME
-from airlight.pixels.view_uniforms import display_uniforms
+from airlight.image.tone_maps import TONE_MAPS
 from airlight.planets import load_planet, planet_names
 from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.nested_tables import Tables
 from airlight.planets.reading.reader import nested_tables, planet_text
 from airlight.planets.reading.tables import TABLES, keys_of
+from airlight.render.gpu.picture.uniforms import FRAME
+from airlight.render.pixels.view_uniforms import display_uniforms
 from airlight.viewer.parameters.parameter import KINDS
 from airlight.viewer.parameters.parameter_list import parameters_of, value_at
 from airlight.viewer.parameters.view_parameters import (

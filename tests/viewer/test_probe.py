@@ -11,17 +11,17 @@ import pytest
 from marched_pictures import centres
 from numpy.testing import assert_allclose
 
-from airlight.color.xyz import rgb_to_xyz
-from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
+from airlight.image.xyz import rgb_to_xyz
+from airlight.physics.constants import LUMINOUS_EFFICACY
+from airlight.physics.spectra.limb_darkening import solar_darkening
 from airlight.planets import load_planet
 from airlight.render import render
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import direction
-from airlight.solvers import solve
-from airlight.solvers.moments.radiance_parts import radiance_parts
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.spectra.limb_darkening import solar_darkening
+from airlight.solver import solve
+from airlight.solver.moments.radiance_parts import radiance_parts
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.probe import GROUND_SKY, GROUND_STAR, MORE, STAR, probe, probe_pixel
 
 NM = (440.0, 510.0, 550.0, 680.0)

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from airlight.ephemeris.sky import Place, moon_seen, sun_seen
+from airlight.geometry.ephemeris.sky import Place, moon_seen, sun_seen
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.session.session import Session
 

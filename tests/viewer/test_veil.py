@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from airlight import load_planet
-from airlight.gpu.device.device import Device
-from airlight.paint.renderer import Renderer
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.render.gpu.device.device import Device
+from airlight.render.renderer import Renderer
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.canvas import OffscreenCanvas

@@ -40,7 +40,7 @@ def missing() -> str:
         import imgui_bundle  # noqa: F401
         import rendercanvas  # noqa: F401
 
-        from airlight.gpu.device.device import open_device
+        from airlight.render.gpu.device.device import open_device
 
         open_device()
     except ImportError as error:

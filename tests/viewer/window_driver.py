@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from airlight.gpu.device.device import open_device
+from airlight.render.gpu.device.device import open_device
 from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels.probe import numbers_of

@@ -179,7 +179,7 @@ def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
 @pytest.fixture(scope="session")
 def gpu() -> Any:
     """Software device without a browser."""
-    from airlight.gpu.device.device import NoDevice, open_device
+    from airlight.render.gpu.device.device import NoDevice, open_device
 
     try:
         return open_device()

@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.glsl import GLSL
-from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, StructValue
-from airlight.gpu.emit.texture_table import TextureTable
-from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.uniforms import CHANNELS, FRAME, LAYERS
 from airlight.kernel.lanes import LANES, load
-from airlight.pixels.pixel import ViewUniforms
+from airlight.render.gpu.emit.dialect import ShaderDialect
+from airlight.render.gpu.emit.emitter import Emitter
+from airlight.render.gpu.emit.glsl import GLSL
+from airlight.render.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, StructValue
+from airlight.render.gpu.emit.texture_table import TextureTable
+from airlight.render.gpu.emit.wgsl import WGSL
+from airlight.render.gpu.picture.uniforms import CHANNELS, FRAME, LAYERS
+from airlight.render.pixels.pixel import ViewUniforms
 from airlight.viewer.browser.tables_text import as_text, deflated
 from airlight.viewer.browser.web_shaders import CORNERS
 

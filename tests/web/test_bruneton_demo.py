@@ -15,14 +15,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from airlight.engines.targets.bruneton_demo import TARGET, read_constants, read_tables
+from airlight.engines.targets.bruneton_tables import SkyTables
+from airlight.engines.targets.target import read_export
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import vectorized
 from airlight.planets import load_planet
-from airlight.solvers.lines_of_sight import enter_shell
-from airlight.tables.layout import Positions
-from airlight.targets.bruneton_demo import TARGET, read_constants, read_tables
-from airlight.targets.bruneton_tables import SkyTables
-from airlight.targets.target import read_export
+from airlight.solver.lines_of_sight import enter_shell
+from airlight.solver.tables.layout import Positions
 
 pytestmark = pytest.mark.slow
 

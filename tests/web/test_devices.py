@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.glsl import GLSL
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, TupleType
-from airlight.gpu.emit.texture_table import TextureTable
-from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.solver.passes import PASSES
 from airlight.kernel.lanes import LANES, lane_array, load, store
+from airlight.render.gpu.emit.dialect import ShaderDialect
+from airlight.render.gpu.emit.emitter import Emitter
+from airlight.render.gpu.emit.glsl import GLSL
+from airlight.render.gpu.emit.shader_types import F32, I32, VEC4, TupleType
+from airlight.render.gpu.emit.texture_table import TextureTable
+from airlight.render.gpu.emit.wgsl import WGSL
+from airlight.render.gpu.solver.passes import PASSES
 from airlight.viewer.browser.web_shaders import CORNERS, solver_shaders, web_shaders
 
 BACK_ENDS = ("webgpu", "webgl2")

@@ -13,21 +13,21 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.gpu.device.flat import read_flat
-from airlight.gpu.solver.gpu_iteration import pooled_iteration
-from airlight.gpu.solver.passes import ONCE
-from airlight.gpu.solver.planning import plan_for
 from airlight.kernel import vectorized
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.acceleration import mixing_weights
-from airlight.solvers.moments.convergence import change_at, count_at, estimated_tail
-from airlight.solvers.moments.delta_m import Optics
-from airlight.solvers.moments.packing import level_weights, optically_thick_weights, pack
-from airlight.solvers.moments.settings import QUALITIES
-from airlight.solvers.moments.solve import solve
-from airlight.solvers.moments.synthetic_acceleration import SyntheticAcceleration
-from airlight.solvers.refracted_geometry import RefractedGeometry
+from airlight.render.gpu.device.flat import read_flat
+from airlight.render.gpu.solver.gpu_iteration import pooled_iteration
+from airlight.render.gpu.solver.passes import ONCE
+from airlight.render.gpu.solver.planning import plan_for
+from airlight.solver.moments.acceleration import mixing_weights
+from airlight.solver.moments.convergence import change_at, count_at, estimated_tail
+from airlight.solver.moments.delta_m import Optics
+from airlight.solver.moments.packing import level_weights, optically_thick_weights, pack
+from airlight.solver.moments.settings import QUALITIES
+from airlight.solver.moments.solve import solve
+from airlight.solver.moments.synthetic_acceleration import SyntheticAcceleration
+from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.page_solver import MOST, page_settings, solver_data
 from airlight.viewer.browser.tables_text import from_text
 from airlight.viewer.parameters.amounts import AMOUNTS, amounts_of

@@ -16,13 +16,13 @@ from numpy.testing import assert_allclose
 from PIL import Image
 from test_pictures import FIXED, HEIGHT, SKY, WAVELENGTHS, WIDTH, drawn
 
-from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.planets import load_planet
 from airlight.planets.medium import Medium
 from airlight.planets.surface import PLAIN
-from airlight.solvers.moments.settings import QUALITIES
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.moments.solve import solve
+from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
+from airlight.solver.moments.settings import QUALITIES
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.solve import solve
 from airlight.viewer.browser.page import page_data
 from airlight.viewer.browser.page_solver import page_settings
 from airlight.viewer.browser.page_text import page_text

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.solvers.moments.acceleration import mixing_weights
+from airlight.solver.moments.acceleration import mixing_weights
 from airlight.viewer.browser import formulas
 from airlight.viewer.browser.formulas import emitted_formulas
 

@@ -194,7 +194,7 @@ def test_keys_that_do_something_once(page: Any) -> None:
     assert page.evaluate("(link) => link.endsWith(airlight.state.asFragment())", link)
     page.evaluate("airlight.parts.canvas.focus()")
     press("o")
-    assert page.evaluate("airlight.film !== null")
+    assert page.evaluate("airlight.studies.film !== null")
     page.keyboard.down("l")
     until(page, "airlight.loop.frames > 3")
     page.keyboard.up("l")

@@ -11,10 +11,10 @@ import pytest
 from look_up_vectors import FUNCTIONS, calls, textures, vectors
 from numpy.testing import assert_allclose
 
-from airlight.exports.bake import bake
-from airlight.exports.table_files import write_tables
-from airlight.gpu.emit.glsl import GLSL
+from airlight.engines.baking.bake import bake
+from airlight.engines.baking.table_files import write_tables
 from airlight.planets import load_planet, replace
+from airlight.render.gpu.emit.glsl import GLSL
 
 _RUN = """({ vertex, fragments, images, width }) => {
   const gl = document.createElement("canvas").getContext("webgl2");

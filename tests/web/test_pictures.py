@@ -16,10 +16,10 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight import render, solve
-from airlight.gpu.device.flat import read_texture
-from airlight.gpu.picture import solution_textures
-from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.planets import load_planet
+from airlight.render.gpu.device.flat import read_texture
+from airlight.render.gpu.picture import solution_textures
+from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.scene.surface_map import SurfaceMap, from_pixels, surface_map
 from airlight.viewer.browser.ground_map import ground_map
 from airlight.viewer.browser.page import page_data

@@ -17,10 +17,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.exports.air_light import AirLight
+from airlight.engines.baking.air_light import AirLight
+from airlight.engines.targets.takram import TARGET, read_tables
 from airlight.planets import load_planet
-from airlight.tables.layout import Positions
-from airlight.targets.takram import TARGET, read_tables
+from airlight.solver.tables.layout import Positions
 
 pytestmark = pytest.mark.slow
 

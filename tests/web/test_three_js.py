@@ -13,9 +13,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.cli import main
-from airlight.color.encoding import srgb_encode
-from airlight.composition.aerial_perspective import AerialPerspective
-from airlight.exports.aerial_files import write_aerial
+from airlight.engines.composition.aerial_files import write_aerial
+from airlight.engines.composition.aerial_perspective import AerialPerspective
+from airlight.image.encoding import srgb_encode
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "engines" / "three"
 WIDTH, HEIGHT, FIELD_OF_VIEW = 96, 54, 50.0

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.testing import assert_allclose
 
-from airlight.color.exposure import automatic_exposure
+from airlight.image.exposure import automatic_exposure
 from airlight.scene import Camera, Scene
 from airlight.scene.flight import FOOTING, RATE
 from airlight.scene.metering import scene_exposure

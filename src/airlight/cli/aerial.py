@@ -17,7 +17,7 @@ from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import SolveOptions
 
 if TYPE_CHECKING:
-    from airlight.composition.aerial_perspective import AerialPerspective
+    from airlight.engines.composition.aerial_perspective import AerialPerspective
 
 EPILOG = examples(
     "airlight aerial earth --altitude 500m --sun-zenith 66deg -o air",
@@ -50,10 +50,10 @@ def aerial(
     with their error. The camera may turn, and move as far as the air is the same.
     """
     started = time.perf_counter()
-    from airlight.composition.aerial_perspective import AerialPerspective, check_request
-    from airlight.exports.aerial_files import FILES, FORMAT, write_aerial
-    from airlight.exports.atomic_folder import check_folder
-    from airlight.paint.solve_planet import solve_planet
+    from airlight.engines.composition.aerial_files import FILES, FORMAT, write_aerial
+    from airlight.engines.composition.aerial_perspective import AerialPerspective, check_request
+    from airlight.files.atomic_folder import check_folder
+    from airlight.render.solve_planet import solve_planet
     from airlight.scene import Scene
     from airlight.scene.local_ground import local_ground
 

@@ -23,8 +23,8 @@ from airlight.cli.solve_options import AccuracyOptions, Exact
 from airlight.errors import ConflictError, FileError, ParameterError, WorkerError
 
 if TYPE_CHECKING:
-    from airlight.film import Animated, Film
-    from airlight.film import Quality as Accuracy
+    from airlight.studies.film import Animated, Film
+    from airlight.studies.film import Quality as Accuracy
 
 EPILOG = examples(
     "airlight animate earth --frames 90 --key 'view.sun_zenith=84deg,97deg' -o frames/ "
@@ -61,7 +61,7 @@ class PlanOptions:
         typer.Option(
             metavar="PATH=A,B[,C …] [LAW]",
             help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
-            "{film.laws:LAWS}. May be repeated.",
+            "{studies.film.laws:LAWS}. May be repeated.",
         ),
     ] = None
     set_: Annotated[
@@ -117,7 +117,7 @@ class FrameOptions(DisplayOptions):
 
     def check_movie(self, movie: Path) -> None:
         """Refuse frames that an MP4 cannot have, and a file that cannot be written."""
-        from airlight.film.movie import check_movie
+        from airlight.studies.film.movie import check_movie
 
         plain = {"--format": "png", "--bits": 8, "--encoding": "srgb", "--primaries": "srgb"}
         for option in given_options(self, "format_", "bits", "encoding", "primaries"):
@@ -134,7 +134,7 @@ class FilmAccuracyOptions(AccuracyOptions):
 
     def accuracy(self, film: Film) -> Accuracy:
         """Settings of the film's frames."""
-        from airlight.film import Quality
+        from airlight.studies.film import Quality
 
         if self.wavelengths is not None and not film.planets:
             raise ConflictError("--wavelengths", "does not apply to a scene without air")
@@ -170,8 +170,8 @@ def animate(
     """
     started = time.perf_counter()
     folder, movie = _outputs(output)
-    from airlight.film import Finish, load_film
-    from airlight.film import animate as rendered
+    from airlight.studies.film import Finish, load_film
+    from airlight.studies.film import animate as rendered
 
     frame.check(f".{frame.format_}")
     if movie is not None:
@@ -229,8 +229,8 @@ _KEY = re.compile(r"\s*([^=]+?)\s*=\s*(.*?)\s*(?:\s([a-z]+(?:-[a-z]+)*))?\s*", r
 
 def _keys(film: str, texts: list[str] | None, changes: dict[str, Any]) -> dict[str, Any]:
     """Key frames of the options, behind those of the film's file."""
-    from airlight.film import load_film
-    from airlight.film.laws import LAWS
+    from airlight.studies.film import load_film
+    from airlight.studies.film.laws import LAWS
 
     if not texts:
         return {}

@@ -18,11 +18,11 @@ from airlight.cli.examples import examples
 from airlight.cli.option_groups import given_options
 from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
+from airlight.engines.targets import MODULES
 from airlight.errors import ConflictError, ParameterError
-from airlight.targets import MODULES
 
 if TYPE_CHECKING:
-    from airlight.exports.bake import Baked
+    from airlight.engines.baking.bake import Baked
 
 #: Layouts of tables, and programs.
 LAYOUTS = ("bruneton", "atmosphere-plus", *MODULES)
@@ -190,9 +190,9 @@ def bake(
         bake_target(layout, planet, output, tables.chosen(), solve, overwrite=overwrite)
         return
     started = time.perf_counter()
-    from airlight.exports.atomic_folder import check_folder
-    from airlight.exports.bake import bake as fill
-    from airlight.exports.table_files import FILES, FORMAT, write_tables
+    from airlight.engines.baking.bake import bake as fill
+    from airlight.engines.baking.table_files import FILES, FORMAT, write_tables
+    from airlight.files.atomic_folder import check_folder
     from airlight.planets import replace
 
     tables.check(layout)
@@ -204,7 +204,7 @@ def bake(
         world = replace(world, refraction="none")
     nm = options.wavelengths(solve.wavelengths, world)
 
-    from airlight.solvers import solve as solved
+    from airlight.solver import solve as solved
 
     with shown_progress() as report:
         solution = solved(
@@ -231,7 +231,7 @@ def bake(
 
 
 def _print(manifest: Path, baked: Baked) -> None:
-    from airlight.exports.table_files import texture_size
+    from airlight.engines.baking.table_files import texture_size
 
     folder = manifest.parent
     say(f"{'table':<24} {'texture':>14} {'channels':>8} {'stored':>7} {'NPZ':>9} {'EXR':>9}")

@@ -19,7 +19,7 @@ from airlight.errors import ConflictError
 
 if TYPE_CHECKING:
     from airlight.cli.planet_options import PlanetOptions
-    from airlight.targets.target import ErrorRow, Export, Target
+    from airlight.engines.targets.target import ErrorRow, Export, Target
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,9 +59,9 @@ def bake_target(
         For an option that the program does not have.
     """
     started = time.perf_counter()
-    from airlight.exports.atomic_folder import check_folder
+    from airlight.engines.targets import target_of
+    from airlight.files.atomic_folder import check_folder
     from airlight.planets import replace
-    from airlight.targets import target_of
 
     program = target_of(name)
     wavelengths = None if solve.wavelengths == "rgb" else solve.wavelengths
@@ -76,7 +76,7 @@ def bake_target(
     text = wavelengths or program.default_wavelengths
     nm = program.wavelengths or options.wavelengths(text, world)
 
-    from airlight.solvers import solve as solved
+    from airlight.solver import solve as solved
 
     with shown_progress() as report:
         solution = solved(
@@ -91,7 +91,7 @@ def bake_target(
 
 def check_options(name: str, chosen: Mapping[str, Any]) -> None:
     """Refuse options of tables that a program does not have."""
-    from airlight.targets import target_of
+    from airlight.engines.targets import target_of
 
     try:
         target_of(name).check_options(chosen)

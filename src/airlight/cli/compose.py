@@ -22,8 +22,8 @@ from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.cli.place_options import Placed
-    from airlight.composition import Composed, Pinhole, Placement
-    from airlight.exports.render_passes import RenderPasses
+    from airlight.engines.composition import Composed, Pinhole, Placement
+    from airlight.engines.composition.render_passes import RenderPasses
     from airlight.planets.planet import Planet
 
 EPILOG = examples(
@@ -100,7 +100,7 @@ class PassOptions:
 
     def read(self) -> tuple[RenderPasses, dict[str, Any]]:
         """Passes of the picture, and its depth as arguments of ``airlight.compose``."""
-        from airlight.exports.render_passes import read_render_passes
+        from airlight.engines.composition.render_passes import read_render_passes
 
         passes = read_render_passes(self.color)
         holder = passes if self.depth is None else read_render_passes(self.depth)
@@ -111,7 +111,7 @@ class PassOptions:
 
     def surfaces(self) -> dict[str, Any]:
         """Passes by which surfaces are relit, as arguments of ``airlight.compose``."""
-        from airlight.exports.render_passes import read_render_passes
+        from airlight.engines.composition.render_passes import read_render_passes
 
         for option, one, other, required in (
             ("--albedo", self.albedo, self.normals, "--normals"),
@@ -133,7 +133,7 @@ class PassOptions:
 
     def pinhole(self, passes: RenderPasses) -> tuple[Pinhole, dict[str, Any]]:
         """Camera of the picture, in its size, and the block that places the scene."""
-        from airlight.composition.pinhole import camera_from_json, camera_from_matrices
+        from airlight.engines.composition.pinhole import camera_from_json, camera_from_matrices
 
         width, height = passes.size
         if self.camera is not None:
@@ -170,7 +170,7 @@ class PlacementOptions(PlaceOptions):
 
     def placement(self, block: dict[str, Any], placed: Placed | None) -> Placement:
         """Placement by the camera's block, with the options in place of what they replace."""
-        from airlight.composition import Placement
+        from airlight.engines.composition import Placement
 
         given: dict[str, Any] = self.numbers()
         given |= {"metres_per_unit": self.metres_per_unit, "up": self.up}
@@ -226,8 +226,8 @@ def compose(
     The picture stays on its own scale of brightness; see docs/compose.md.
     """
     started = time.perf_counter()
-    from airlight.composition import compose as composed_over
-    from airlight.exports.picture import picture_suffix
+    from airlight.engines.composition import compose as composed_over
+    from airlight.render.picture import picture_suffix
 
     suffix = picture_suffix(output)
     display.check(suffix)
@@ -283,7 +283,7 @@ def _white(text: str) -> float | None:
 
 def _solved(world: Planet, place: Placement, solve: SolveOptions) -> Any:
     """Solution of the planet for the ground around the scene."""
-    from airlight.paint.solve_planet import solve_planet
+    from airlight.render.solve_planet import solve_planet
     from airlight.scene.local_ground import local_ground
 
     nm = solve.picture_nm(world)
@@ -299,13 +299,13 @@ def _write(
     output: Path, suffix: str, composed: Composed, metadata: dict[str, str], display: DisplayOptions
 ) -> None:
     """Write the picture: linear on the scale of the given one, or exposed."""
-    from airlight.exports.picture import LINEAR
+    from airlight.render.picture import LINEAR
 
     if suffix in LINEAR:
-        from airlight.color.xyz import luminance
-        from airlight.constants import LUMINOUS_EFFICACY
-        from airlight.exports.exr import write_exr
-        from airlight.exports.hdr import write_hdr
+        from airlight.image.exr import write_exr
+        from airlight.image.hdr import write_hdr
+        from airlight.image.xyz import luminance
+        from airlight.physics.constants import LUMINOUS_EFFICACY
 
         scale = ", ".join(f"{one:.6g}" for one in composed.scale)
         note = {"radiance_of_1": f"{scale} W m-2 sr-1, linear sRGB"}
@@ -315,6 +315,6 @@ def _write(
         white = LUMINOUS_EFFICACY * float(luminance(composed.scale))
         write_exr(output, composed.rgb, metadata | note, attributes={"whiteLuminance": white})
         return
-    from airlight.exports.picture import write_picture
+    from airlight.render.picture import write_picture
 
     write_picture(output, composed.frame, metadata, **display.keywords())

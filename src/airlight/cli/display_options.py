@@ -10,7 +10,7 @@ import typer
 from airlight.cli import options
 from airlight.cli.option_groups import given_options
 from airlight.errors import ConflictError, ParameterError
-from airlight.units import quantity
+from airlight.physics.units import quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,7 +37,7 @@ class ToneOptions:
         str | None, typer.Option(metavar="TIME", help="Camera shutter time, e.g. 1/250s.")
     ] = None
     tone_map: Annotated[
-        str, typer.Option(metavar="NAME", help="Tone map: {color.tone_maps:TONE_MAPS}.")
+        str, typer.Option(metavar="NAME", help="Tone map: {image.tone_maps:TONE_MAPS}.")
     ] = "natural"
     glare: Annotated[
         float,
@@ -65,7 +65,7 @@ class ToneOptions:
         if self.iso is None or self.aperture is None or self.shutter is None:
             missing = [f"--{name}" for name in camera if f"--{name}" not in given]
             raise ConflictError(given[0], f"requires {' and '.join(missing)}")
-        from airlight.color.exposure import camera_exposure
+        from airlight.image.exposure import camera_exposure
 
         stop = quantity(self.aperture.strip().lower().removeprefix("f/"), "1", "--aperture")
         over, _, under = self.shutter.strip().rpartition("/")
@@ -108,9 +108,9 @@ class DisplayOptions(ToneOptions):
             If the file is linear, or shows numbers, and an option differs from its default; or if
             a value is not allowed.
         """
-        from airlight.color.glare import checked_amount
-        from airlight.color.tone_maps import TONE_MAPS
-        from airlight.exports.picture import LINEAR
+        from airlight.image.glare import checked_amount
+        from airlight.image.tone_maps import TONE_MAPS
+        from airlight.render.picture import LINEAR
 
         phrase = "cannot be combined with --show, whose colours are a scale" if shown else (
             f"does not apply to {suffix} files, which hold linear radiance")  # fmt: skip

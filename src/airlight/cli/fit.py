@@ -20,10 +20,10 @@ from airlight.cli.solve_options import NoCache, Quality
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
-    from airlight.fit.fit_sky import FitSettings, SkyFit
-    from airlight.fit.measurements import Measurements
-    from airlight.fit.parameter import Prior
-    from airlight.fit.photograph import Shot
+    from airlight.studies.fit.fit_sky import FitSettings, SkyFit
+    from airlight.studies.fit.measurements import Measurements
+    from airlight.studies.fit.parameter import Prior
+    from airlight.studies.fit.photograph import Shot
 
 EPILOG = examples(
     'airlight fit earth --data radiances.csv --free "aerosol.optical_depth, aerosol.angstrom, '
@@ -86,10 +86,10 @@ class FitOptions:
 
     def settings(self, planet: PlanetOptions) -> FitSettings:
         """Settings of the fit."""
-        from airlight.fit.fit_sky import FitSettings
-        from airlight.fit.loss import LOSSES
+        from airlight.physics.units import quantity
         from airlight.planets.reading.overrides import parsed
-        from airlight.units import quantity
+        from airlight.studies.fit.fit_sky import FitSettings
+        from airlight.studies.fit.loss import LOSSES
 
         if self.loss not in LOSSES:
             raise ParameterError("--loss", self.loss, ", ".join(LOSSES))
@@ -172,8 +172,8 @@ class PhotographOptions:
 
     def shot(self) -> Shot:
         """Camera, sun and encoding of the photograph."""
-        from airlight.fit.photograph import Shot
         from airlight.scene.limits import within
+        from airlight.studies.fit.photograph import Shot
 
         if self.sun_zenith is None:
             raise ConflictError("--photo", "requires --sun-zenith, such as 55deg")
@@ -218,7 +218,7 @@ def fit(
 
     An interrupted fit resumes when it is started again.
     """
-    from airlight.exports.atomic_file import atomic_file, check_target
+    from airlight.files.atomic_file import atomic_file, check_target
 
     check_target(output)
     if output.suffix.lower() != ".toml":
@@ -234,8 +234,8 @@ def fit(
             sky = _photograph(planet.planet, photograph, chosen, progress)
         else:
             sky = _radiances(planet.planet, data, photograph.exclude_sun, chosen, progress)
-    from airlight.fit.fitted_file import fitted_file
-    from airlight.fit.report import result_lines, warnings_of
+    from airlight.studies.fit.fitted_file import fitted_file
+    from airlight.studies.fit.report import result_lines, warnings_of
 
     with atomic_file(output) as part:
         part.write_text(fitted_file(sky), encoding="utf-8")
@@ -258,7 +258,7 @@ def _named_errors() -> AbstractContextManager[None]:
 def _radiances(
     planet: str, file: Path, exclude_sun: str | None, settings: FitSettings, progress: Any
 ) -> SkyFit:
-    from airlight.fit.fit_sky import fit_radiances
+    from airlight.studies.fit.fit_sky import fit_radiances
 
     measured = _measurements(file)
     if exclude_sun is not None:
@@ -270,10 +270,10 @@ def _radiances(
 
 def _measurements(file: Path) -> Measurements:
     if file.suffix.lower() == ".npz":
-        from airlight.fit.scans import read_scan_file
+        from airlight.studies.fit.scans import read_scan_file
 
         return read_scan_file(file).measurements(str(file))
-    from airlight.fit.radiance_file import read_radiance_file
+    from airlight.studies.fit.radiance_file import read_radiance_file
 
     return read_radiance_file(file)
 
@@ -281,8 +281,8 @@ def _measurements(file: Path) -> Measurements:
 def _photograph(
     planet: str, photograph: PhotographOptions, settings: FitSettings, progress: Any
 ) -> SkyFit:
-    from airlight.fit.fit_sky import fit_photograph
-    from airlight.fit.photograph import read_photograph
+    from airlight.studies.fit.fit_sky import fit_photograph
+    from airlight.studies.fit.photograph import read_photograph
 
     shot = photograph.shot()
     assert photograph.photo is not None
@@ -313,7 +313,7 @@ def _bound(name: str, text: str) -> tuple[float, float]:
 
 
 def _prior(name: str, text: str) -> Prior:
-    from airlight.fit.parameter import Prior
+    from airlight.studies.fit.parameter import Prior
 
     match = _PRIOR.fullmatch(text)
     if match is None or not float(match[2]) > 0.0:
@@ -322,9 +322,9 @@ def _prior(name: str, text: str) -> Prior:
 
 
 def _check_report(report: Path, overwrite: bool) -> None:
-    from airlight.exports.atomic_file import check_target
-    from airlight.exports.report_pictures import check_pictures
-    from airlight.plots.figure import require_matplotlib
+    from airlight.files.atomic_file import check_target
+    from airlight.studies.plots.figure import require_matplotlib
+    from airlight.studies.reports.report_pictures import check_pictures
 
     check_target(report)
     if report.suffix.lower() not in (".html", ".htm", ".md"):
@@ -340,10 +340,10 @@ def _pictures(report: Path) -> Path:
 
 
 def _write_report(sky: SkyFit, report: Path, overwrite: bool) -> None:
-    from airlight.exports.atomic_file import atomic_file
-    from airlight.exports.report_pictures import write_pictures
-    from airlight.fit.report import html, markdown, parts_of
-    from airlight.reports.markdown import files_of
+    from airlight.files.atomic_file import atomic_file
+    from airlight.studies.fit.report import html, markdown, parts_of
+    from airlight.studies.reports.markdown import files_of
+    from airlight.studies.reports.report_pictures import write_pictures
 
     if report.suffix.lower() != ".md":
         with atomic_file(report) as part:

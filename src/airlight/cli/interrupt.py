@@ -112,7 +112,7 @@ def leave(status: int) -> None:
     status : int
         Exit status.
     """
-    partial_outputs = sys.modules.get("airlight.exports.partial_outputs")
+    partial_outputs = sys.modules.get("airlight.files.partial_outputs")
     try:
         if partial_outputs is not None:
             partial_outputs.remove_all()

@@ -55,7 +55,7 @@ class LightOptions:
     def check(self, planet: Planet, projection: str) -> None:
         """Refuse stars where they are not known."""
         if self.stars:
-            from airlight.paint.star_points import check_stars
+            from airlight.render.star_points import check_stars
 
             check_stars(planet.body, projection, "--stars")
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.errors import ParameterError
-from airlight.units import UNDERSTOOD, quantities, quantity, values_in
+from airlight.physics.units import UNDERSTOOD, quantities, quantity, values_in
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from datetime import datetime
 
-    from airlight.ephemeris.sky import MoonSighting, Place
+    from airlight.geometry.ephemeris.sky import MoonSighting, Place
     from airlight.planets.planet import Planet
 
 Latitude = Annotated[
@@ -122,7 +122,7 @@ class PlaceOptions(AngleOptions):
             "--time",
             metavar="TIME",
             help="Time, with --at: 2026-06-21T22:10+02:00, …Z, or without a zone with --zone; or "
-            "an event, optionally after a date: {ephemeris.events:WORDS}.",
+            "an event, optionally after a date: {geometry.ephemeris.events:WORDS}.",
         ),
     ] = None
     zone: Zone = None
@@ -184,9 +184,9 @@ class PlaceOptions(AngleOptions):
             raise ConflictError(option, "cannot be combined with --at and --time")
         if self.time_ is None and self.season is None:
             raise ConflictError("--at", "requires --time or --ls")
-        from airlight.ephemeris.place_text import read_place
-        from airlight.ephemeris.sky import Place, moon_seen, sun_seen
-        from airlight.ephemeris.time_text import read_time
+        from airlight.geometry.ephemeris.place_text import read_place
+        from airlight.geometry.ephemeris.sky import Place, moon_seen, sun_seen
+        from airlight.geometry.ephemeris.time_text import read_time
         from airlight.scene.scene import STANDING
 
         latitude, longitude, above = read_place(self.at, "--at")
@@ -227,8 +227,8 @@ class PlaceOptions(AngleOptions):
 
     def line(self, planet: Planet, placed: Placed) -> str:
         """Line with place, time, sun, moon, and the sun's distance."""
-        from airlight.ephemeris.sky import Place
-        from airlight.ephemeris.sky_line import sky_line
+        from airlight.geometry.ephemeris.sky import Place
+        from airlight.geometry.ephemeris.sky_line import sky_line
         from airlight.planets.lowered_ground import stands_on_floor
         from airlight.scene.apparent_sun import apparent_altitude
 
@@ -283,8 +283,8 @@ def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
 
 def _eclipse(planet: Planet, place: Place, time: datetime, moon: MoonSighting) -> str:
     """Remark on a solar eclipse, with the visible fraction of the sun's light."""
-    from airlight.ephemeris.sky import sun_seen
     from airlight.geometry.disc_overlap import visible_light
+    from airlight.geometry.ephemeris.sky import sun_seen
 
     sun = sun_seen(place, time)
     apart = math.degrees(2.0 * math.asin(0.5 * math.dist(sun.direction, moon.direction)))

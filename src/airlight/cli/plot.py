@@ -16,7 +16,7 @@ from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import NoCache, NoPolarisation, wavelengths_option
 from airlight.errors import FileError, ParameterError
-from airlight.plots.catalogue import KINDS, Choices, Work, check_choices, draw, kind_named
+from airlight.studies.plots.catalogue import KINDS, Choices, Work, check_choices, draw, kind_named
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -107,8 +107,8 @@ def plot(
 
     Options that the kind does not use are rejected.
     """
-    from airlight.exports.atomic_file import atomic_file, check_target
-    from airlight.plots.figure import require_matplotlib, write_figure
+    from airlight.files.atomic_file import atomic_file, check_target
+    from airlight.studies.plots.figure import require_matplotlib, write_figure
 
     kind_named(kind)
     suffix = output.suffix.lower()

@@ -18,7 +18,7 @@ from airlight.cli.planet_options import LocalGroundOptions
 from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import SolveOptions, wavelengths_option
 from airlight.errors import ConflictError, ParameterError
-from airlight.input_files import LARGEST_CASES, check_input
+from airlight.files.input_files import LARGEST_CASES, check_input
 
 if TYPE_CHECKING:
     import numpy as np
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from airlight.cli.progress import Report
     from airlight.planets.planet import Planet
-    from airlight.sweep.cases import Cases
+    from airlight.studies.sweep.cases import Cases
 
 EPILOG = examples(
     "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
@@ -105,7 +105,7 @@ class ObserverOptions:
 
     def check_file(self, planet: LocalGroundOptions) -> None:
         """Refuse options of one observer with a file of observers, and an unwritable target."""
-        from airlight.sweep.cases import check_table
+        from airlight.studies.sweep.cases import check_table
 
         where = given_options(planet, "latitude", "longitude")
         for option, text in {**self._texts(), **where}.items():
@@ -117,7 +117,7 @@ class ObserverOptions:
         """Observers of the file, or of the options."""
         if self.input_ is None:
             return _observers(self._texts(), self.output)
-        from airlight.sweep.cases import read_cases
+        from airlight.studies.sweep.cases import read_cases
 
         self.check_file(planet)
         return read_cases(self.input_)
@@ -168,7 +168,7 @@ class SolverOptions(SolveOptions):
             for option in given_options(self, "relative_error", "seed"):
                 raise ConflictError(option, "requires --solver montecarlo")
             return self.quality
-        from airlight.solvers.montecarlo.settings import settings_for
+        from airlight.solver.montecarlo.settings import settings_for
 
         given = {"relative_error": self.relative_error, "seed": self.seed}
         given = {name: value for name, value in given.items() if value is not None}
@@ -203,8 +203,8 @@ def radiance(
         world = _ground_of(world, planet, observers, cases)
     nm = solve.nm(world) or world.wavelengths
     sampled, stokes = solve.solver == "montecarlo", solve.stokes
-    from airlight.solvers import solve as solved
-    from airlight.sweep.cases import error_columns, radiance_columns, write_cases
+    from airlight.solver import solve as solved
+    from airlight.studies.sweep.cases import error_columns, radiance_columns, write_cases
 
     columns = radiance_columns(nm, stokes=stokes)
     columns += error_columns(nm, stokes=stokes) if sampled else []
@@ -222,7 +222,7 @@ def radiance(
         else:
             values = _answers(solution, cases, len(columns), stokes, report)
     if observers.labelled:
-        from airlight.sweep.case_dataset import case_dataset, write_dataset
+        from airlight.studies.sweep.case_dataset import case_dataset, write_dataset
 
         data = case_dataset(
             cases, nm, values, errors, stokes=stokes, attributes=solution.provenance
@@ -301,8 +301,8 @@ def _long_table(
     distribution: DistributionOptions,
 ) -> None:
     """Answer the rows of a file block by block."""
-    from airlight.sweep.cases import case_blocks, radiance_columns
-    from airlight.sweep.rows import answer_rows
+    from airlight.studies.sweep.cases import case_blocks, radiance_columns
+    from airlight.studies.sweep.rows import answer_rows
 
     assert observers.input_ is not None
     with case_blocks(observers.input_, 1) as (head, _):
@@ -332,9 +332,9 @@ def _observers(texts: dict[str, str | None], output: str) -> Cases:
     """Parse the observers of the options: one, or a row for each of their lists and ranges."""
     import numpy as np
 
+    from airlight.physics.units import MOST_VALUES
     from airlight.scene.limits import DEEPEST_ALTITUDE, within
-    from airlight.sweep.cases import COLUMNS, Cases
-    from airlight.units import MOST_VALUES
+    from airlight.studies.sweep.cases import COLUMNS, Cases
 
     if output != "-":
         raise ParameterError("--output", output, "only together with --input")
@@ -366,7 +366,7 @@ def _answers(
     """Cells of all rows, shape (n, count)."""
     import numpy as np
 
-    from airlight.sweep.cases import polarised_answers
+    from airlight.studies.sweep.cases import polarised_answers
 
     total = len(cases.values)
     out = np.empty((total, count))
@@ -393,7 +393,7 @@ def _estimates(
     solution: Any, cases: Cases, stokes: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
     """Cells of all rows, standard errors and histories, (n, 5·, 3· or 1·wavelengths)."""
-    from airlight.sweep.cases import polarised_answers
+    from airlight.studies.sweep.cases import polarised_answers
 
     altitude, sun, view, azimuth = cases.values.T
     where = {"altitude": altitude, "sun_zenith": sun, "view_zenith": view, "azimuth": azimuth}

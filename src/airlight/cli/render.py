@@ -24,8 +24,8 @@ from airlight.cli.solve_options import RenderOptions
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
-    from airlight.exports.picture import Written
     from airlight.planets.planet import Planet
+    from airlight.render.picture import Written
     from airlight.scene import Scene
     from airlight.scene.frame import Frame
 
@@ -118,8 +118,8 @@ def render(
     Numbers carry their units (400km, 85deg); without one they are metres and degrees.
     """
     started = time.perf_counter()
-    from airlight.exports.picture import picture_suffix, write_picture
-    from airlight.system import is_scene_file
+    from airlight.render.picture import picture_suffix, write_picture
+    from airlight.scene.system import is_scene_file
 
     suffix = picture_suffix(picture.output)
     display.check(suffix, picture.show is not None)
@@ -204,7 +204,7 @@ def _scene_frame(
     whole: bool,
 ) -> tuple[Frame, Window]:  # fmt: skip
     """Frame of a scene file, with progress on the standard error stream; and its window."""
-    from airlight.paint.render_system import render_system
+    from airlight.render.render_system import render_system
 
     system = load_scene(planet, place, camera)
     columns, rows = options.picture_size(camera.size, system.view.projection)
@@ -232,7 +232,7 @@ def _frame(
     local: bool,
 ) -> Frame:
     """Frame of a planet, with progress on the standard error stream."""
-    from airlight.paint.render_scene import render_scene
+    from airlight.render.render_scene import render_scene
 
     nm = solve.picture_nm(planet)
     with shown_progress() as report:
@@ -244,8 +244,8 @@ def _frame(
 
 def _check_legend(width: int) -> None:
     """Refuse pictures without room for a legend, before any long work."""
-    from airlight.plots.figure import require_matplotlib
-    from airlight.plots.polarised_picture import check_width
+    from airlight.studies.plots.figure import require_matplotlib
+    from airlight.studies.plots.polarised_picture import check_width
 
     require_matplotlib()
     try:
@@ -260,10 +260,10 @@ def _shown(
     """Write degree or angle of polarisation: a picture with a legend, or a channel of an EXR."""
     import numpy as np
 
-    from airlight.exports.picture import Written, write_picture
-    from airlight.exports.png import write_png
-    from airlight.plots.polarised_picture import COLOR_BARS, polarised_picture
-    from airlight.solvers.stokes_frame import angle_of_polarisation, degree_of_polarisation
+    from airlight.image.png import write_png
+    from airlight.render.picture import Written, write_picture
+    from airlight.solver.stokes_frame import angle_of_polarisation, degree_of_polarisation
+    from airlight.studies.plots.polarised_picture import COLOR_BARS, polarised_picture
 
     if output.suffix.lower() == ".exr":
         formula = degree_of_polarisation if show == "dolp" else angle_of_polarisation

@@ -13,9 +13,9 @@ from airlight.cli.console import console
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from airlight.system import System
-    from airlight.system.body import Body
-    from airlight.system.light import Light
+    from airlight.scene.system import System
+    from airlight.scene.system.body import Body
+    from airlight.scene.system.light import Light
 
 
 def print_scene(system: System) -> None:

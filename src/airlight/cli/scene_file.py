@@ -17,7 +17,7 @@ from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.cli.planet_options import PlanetOptions
-    from airlight.system import System
+    from airlight.scene.system import System
 
 #: Keys of a camera that say where it looks.
 _LOOKS = ("look_at", "look_zenith", "look_bearing", "direction")
@@ -44,7 +44,7 @@ def load_scene(
     """
     from airlight.planets.reading.overrides import FIELD, parsed
     from airlight.planets.reading.reader import nested_tables
-    from airlight.system.reading import changed_system, system_text
+    from airlight.scene.system.reading import changed_system, system_text
 
     place, camera = place or PlaceOptions(), camera or CameraOptions()
     text, file, folder = system_text(planet.planet)
@@ -70,7 +70,7 @@ def _of_place(given: PlaceOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
     changes: dict[str, Any] = {}
     height = given.altitude
     if given.at is not None:
-        from airlight.ephemeris.place_text import read_place
+        from airlight.geometry.ephemeris.place_text import read_place
 
         for option in there[1:]:
             if option != "--altitude":
@@ -92,8 +92,8 @@ def _of_place(given: PlaceOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
 
 def _moment(given: PlaceOptions, tables: Mapping[str, Any], system: System) -> datetime:
     """Time of the scene."""
-    from airlight.ephemeris.sky import Place
-    from airlight.ephemeris.time_text import read_time
+    from airlight.geometry.ephemeris.sky import Place
+    from airlight.geometry.ephemeris.time_text import read_time
 
     assert given.time_ is not None
     parts = [*tables.get("bodies", []), *tables.get("lights", [])]

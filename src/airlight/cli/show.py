@@ -54,7 +54,7 @@ def show(
     """
     from airlight.planets import Medium
     from airlight.planets.parameter_values import composition_of
-    from airlight.system import is_scene_file
+    from airlight.scene.system import is_scene_file
 
     if is_scene_file(planet.planet):
         given = {} if compare is None else {"--compare": compare}

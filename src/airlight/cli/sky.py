@@ -21,13 +21,13 @@ from airlight.cli.planet_options import GroundOptions
 from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import RenderOptions
 from airlight.errors import ConflictError, ParameterError
-from airlight.units import quantity
+from airlight.physics.units import quantity
 
 if TYPE_CHECKING:
-    from airlight.environment.consumers import Consumer
-    from airlight.environment.disc import Disc
-    from airlight.environment.environment_map import EnvironmentMap
-    from airlight.environment.files import WrittenMap
+    from airlight.engines.environment.consumers import Consumer
+    from airlight.engines.environment.disc import Disc
+    from airlight.engines.environment.environment_map import EnvironmentMap
+    from airlight.engines.environment.files import WrittenMap
 
 EPILOG = examples(
     "airlight sky earth --for blender -o sky.exr",
@@ -60,7 +60,7 @@ class ProgramOptions:
 
     def consumer(self) -> Consumer:
         """Program of ``--for``, a dome with its front, USD with its axis."""
-        from airlight.environment.consumers import consumer_named
+        from airlight.engines.environment.consumers import consumer_named
 
         consumer = consumer_named(self.for_)
         if self.up is not None:
@@ -151,8 +151,8 @@ def sky(
     2 m above the ground, and the sun in the south, 60deg from the zenith.
     """
     started = time.perf_counter()
-    from airlight.environment.environment_map import environment_map
-    from airlight.environment.files import check_beside, write_map
+    from airlight.engines.environment.environment_map import environment_map
+    from airlight.engines.environment.files import check_beside, write_map
     from airlight.scene import Camera, Scene
 
     consumer = program.consumer()

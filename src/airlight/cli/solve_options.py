@@ -68,7 +68,7 @@ class AccuracyOptions:
 
     def picture_nm(self, planet: Planet) -> tuple[float, ...] | None:
         """Wavelengths of the option, enough for colours; None without it. [nm]"""
-        from airlight.paint.render_scene import FEWEST
+        from airlight.render.render_scene import FEWEST
 
         nm = self.nm(planet)
         if nm is not None and len(nm) < FEWEST:

@@ -125,14 +125,14 @@ def spectrum(
     Each integral comes with the error of its quadrature.
     """
     started = time.perf_counter()
-    from airlight.observables import observe
+    from airlight.studies.observables import observe
 
     files = _checked(output or [])
     given = observable.numbers()
     world = planet.load()
     nm = solve.nm(world) or _known(world)
 
-    from airlight.solvers import solve as solved
+    from airlight.solver import solve as solved
 
     with shown_progress() as report:
         solution = solved(world, wavelengths=nm, progress=report, **solve.keywords())
@@ -148,8 +148,8 @@ def spectrum(
 
 def _checked(files: list[Path]) -> list[Path]:
     """Refuse files that cannot be written, before the work."""
-    from airlight.exports.atomic_file import check_target
-    from airlight.exports.spectrum_files import SUFFIXES
+    from airlight.files.atomic_file import check_target
+    from airlight.studies.observables.spectrum_files import SUFFIXES
 
     for path in files:
         if path.suffix.lower() not in (*SUFFIXES, *_FIGURES):
@@ -157,7 +157,7 @@ def _checked(files: list[Path]) -> list[Path]:
             raise FileError(path, f"the name of a spectrum ends in {allowed}")
         check_target(path)
     if any(path.suffix.lower() in _FIGURES for path in files):
-        from airlight.plots.figure import require_matplotlib
+        from airlight.studies.plots.figure import require_matplotlib
 
         require_matplotlib()
     return files
@@ -173,13 +173,13 @@ def _known(planet: Planet) -> tuple[float, ...]:
 def _write(path: Path, data: xarray.Dataset) -> None:
     suffix = path.suffix.lower()
     if suffix not in _FIGURES:
-        from airlight.exports.spectrum_files import write_spectrum
+        from airlight.studies.observables.spectrum_files import write_spectrum
 
         write_spectrum(path, data)
         return
-    from airlight.exports.atomic_file import atomic_file
-    from airlight.plots.figure import write_figure
-    from airlight.plots.spectrum import spectrum as drawn
+    from airlight.files.atomic_file import atomic_file
+    from airlight.studies.plots.figure import write_figure
+    from airlight.studies.plots.spectrum import spectrum as drawn
 
     with atomic_file(path) as part, part.open("wb") as file:
         write_figure(drawn(data), file, suffix.removeprefix("."), 150.0)

@@ -90,9 +90,9 @@ def sweep(
     """
     started = time.perf_counter()
     from airlight.planets.reading.overrides import FIELD
-    from airlight.sweep import Grid
-    from airlight.sweep import sweep as computed
-    from airlight.sweep.store import check_store
+    from airlight.studies.sweep import Grid
+    from airlight.studies.sweep import sweep as computed
+    from airlight.studies.sweep.store import check_store
 
     if solve.stokes and solve.no_polarisation:
         raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
@@ -127,7 +127,7 @@ def sweep(
 
 def _varied(text: str) -> tuple[str, list[Any]]:
     """Path and values of ``--vary``."""
-    from airlight.sweep.grid import varied
+    from airlight.studies.sweep.grid import varied
 
     path, sign, values = text.partition("=")
     if not sign or not path.strip() or not values.strip():

@@ -66,8 +66,8 @@ def validate(
     The exit status is 0 if every threshold is met, 1 if one is missed, 2 after an error.
     """
     started = time.perf_counter()
-    from airlight.exports.atomic_file import check_target
-    from airlight.exports.report_pictures import check_pictures
+    from airlight.files.atomic_file import check_target
+    from airlight.studies.reports.report_pictures import check_pictures
     from airlight.validation.run import chosen, run
 
     check_target(output)
@@ -111,7 +111,7 @@ def validate(
 
 def _check_matplotlib() -> None:
     """Check for matplotlib before the long work."""
-    from airlight.plots.figure import new_figure
+    from airlight.studies.plots.figure import new_figure
 
     new_figure("")
 
@@ -124,8 +124,8 @@ def _page(output: Path) -> Path | None:
 def _write(report: object, output: Path, pictures: Path | None, overwrite: bool) -> None:
     import os
 
-    from airlight.exports.atomic_file import atomic_file
-    from airlight.exports.report_pictures import write_pictures
+    from airlight.files.atomic_file import atomic_file
+    from airlight.studies.reports.report_pictures import write_pictures
     from airlight.validation.markdown import markdown, picture_files
     from airlight.validation.report import ValidationReport, html
 

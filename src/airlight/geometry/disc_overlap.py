@@ -189,7 +189,7 @@ def visible_light(
     position : array, shape (n,)
         Position angles of the occluders about the star's centre, from any direction. [deg]
     darkening : array, shape (nl, 6), optional
-        Limb-darkening law, see ``spectra.limb_darkening``; default: a uniform disc.
+        Limb-darkening law, see ``physics.spectra.limb_darkening``; default: a uniform disc.
 
     Returns
     -------

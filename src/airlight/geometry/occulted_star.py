@@ -139,7 +139,7 @@ def occulted_star(
     star_radius : float
         Angular radius of the star there, above 0. [rad]
     darkening : array, shape (nl, 6)
-        Limb-darkening law, see ``spectra.limb_darkening``. [1]
+        Limb-darkening law, see ``physics.spectra.limb_darkening``. [1]
     reach : float
         Largest distance of points from the centre of the planet. [m]
     distance : float

@@ -66,7 +66,7 @@ def refraction_angle(x, mu, refraction_strength, column):
     x, mu : float
         Optical radius of any point of the ray [m], and its zenith cosine there [1].
     refraction_strength : float
-        See ``optics.refracting_shell``. [m⁻²]
+        See ``physics.optics.refracting_shell``. [m⁻²]
     column : float
         Refraction column of the segment. [m]
     """
@@ -122,7 +122,7 @@ def apparent_sun(x, mu_s, bottom, top, refraction_table):
     bottom, top : float
         Optical radii of the ground and of the top. [m]
     refraction_table : array, shape (rows, columns, 2)
-        Table from ``airlight.tables.refraction_table``; empty without refraction. [1]
+        Table from ``airlight.solver.tables.refraction_table``; empty without refraction. [1]
 
     Returns
     -------

@@ -17,7 +17,7 @@ from typing import Any, Final
 import numba
 import numpy as np
 
-from airlight.cache_folders import cache_folder, make_folder, trusted_folder
+from airlight.files.cache_folders import cache_folder, make_folder, trusted_folder
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lowering import CompiledKernel
 

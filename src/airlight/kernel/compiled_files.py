@@ -4,7 +4,7 @@ Numba trusts its cache: a flipped bit in a file of machine code would be run, a 
 an error of ``pickle``, a full disk one of the command. It also writes a file before it reads one,
 so that a folder that cannot be written would not be read. And processes that need the same function
 at once would all compile it. The checksum is against damage; that nobody else has written a file is
-seen to by ``airlight.cache_folders``.
+seen to by ``airlight.files.cache_folders``.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from typing import IO, Any, Final
 
 from numba.core.caching import IndexDataCacheFile, _CacheLocator
 
-from airlight.cache_folders import make_folder
+from airlight.files.cache_folders import make_folder
 
 try:
     import fcntl

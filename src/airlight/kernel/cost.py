@@ -18,7 +18,7 @@ from contextvars import ContextVar
 from pathlib import Path
 from typing import Final
 
-from airlight.cache_folders import cache_folder, make_folder
+from airlight.files.cache_folders import cache_folder, make_folder
 from airlight.kernel.threads import thread_count
 
 #: Kind of work of a GPU, in time of the clock.

@@ -20,7 +20,7 @@ from typing import IO, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.cache_folders import cache_folder, make_folder, open_trusted, trusted_folder
+from airlight.files.cache_folders import cache_folder, make_folder, open_trusted, trusted_folder
 from airlight.kernel.large_arrays import FileMemory, release
 
 #: Total size of a folder above which its oldest results are removed. [bytes]

@@ -21,7 +21,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from airlight.cache_folders import cache_folder, make_folder
+from airlight.files.cache_folders import cache_folder, make_folder
 
 #: Size from which an array is kept in a file. [byte]
 LARGE: Final = 1 << 27

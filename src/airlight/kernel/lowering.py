@@ -32,7 +32,7 @@ from numba.core.lowering import Lower
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NativeLowering
 
-from airlight.cache_folders import read_trusted
+from airlight.files.cache_folders import read_trusted
 from airlight.kernel.compiled_files import CompiledFolder, check_files, one_process
 from airlight.kernel.prebuilt_cache import prebuilt_cache
 

@@ -3,7 +3,7 @@
 A field of type ``int``, ``float`` or ``bool`` is a number of a uniform struct. ``Annotated`` adds
 what its type does not say: ``CHOICE`` for an index that is fixed for a whole picture, ``Always``
 for a constant of all shaders, ``InTexture`` for an array. Struct, readers in every language, layout
-of the textures and upload follow (``gpu.emit.uniform_struct``); the formulas that take the
+of the textures and upload follow (``render.gpu.emit.uniform_struct``); the formulas that take the
 NamedTuple decide who reads the table.
 """
 
@@ -29,7 +29,7 @@ class InTexture:
         Whether the table is the whole texture, whose lengths nobody reads: the target of a pass.
     packed : bool
         Whether it is the whole texture, of four channels of eight bits: texels of
-        ``airlight.color.texels``.
+        ``airlight.image.texels``.
     image : bool
         Whether the texture is a picture, read at row and column: no flat texture.
     """

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
+from airlight.physics.units import values_in
 from airlight.planets.matter.matter import Absorber, Matter, Scatterer
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.profiles import Profile
@@ -22,7 +23,6 @@ from airlight.planets.spectral import (
     narrowest,
     power_law_at,
 )
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -274,7 +274,7 @@ class Constituent(TomlModel):
     def phase_moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments of the phase function, shape (nl, degree + 1). [1]
 
-        See ``optics.legendre``; all zero where it does not scatter.
+        See ``physics.optics.legendre``; all zero where it does not scatter.
 
         Parameters
         ----------

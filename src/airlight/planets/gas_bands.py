@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.physics.spectra.tables import read_spectrum
+from airlight.physics.units import values_in
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.planets.matter.gases import GasScattering, density_of_state
 from airlight.planets.relative_densities import relative_densities
-from airlight.spectra.tables import read_spectrum
-from airlight.units import values_in
 
 if TYPE_CHECKING:
-    from airlight.optics.density_profile import DensitySegments
+    from airlight.physics.optics.density_profile import DensitySegments
     from airlight.planets.constituent import Constituent
     from airlight.planets.planet import Planet
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.optics.reflection import LAWS, Reflection, largest_albedo, law_number
+from airlight.physics.optics.reflection import LAWS, Reflection, largest_albedo, law_number
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.local_ground import LocalGround
 from airlight.planets.parameters import instance_of, parameters, replace
@@ -35,7 +35,7 @@ CLOUD_ALTITUDE: Final = 4000.0
 @cache
 def reflectances() -> tuple[str, ...]:
     """Names of the reflectance tables in the package."""
-    from airlight.spectra.tables import read_spectrum, spectrum_names
+    from airlight.physics.spectra.tables import read_spectrum, spectrum_names
 
     tables = [read_spectrum(name) for name in spectrum_names()]
     return tuple(one.name for one in tables if one.unit == "1" and one.values.ndim == 1)
@@ -78,7 +78,7 @@ class Ground(TomlModel):
         Factor of albedo and picture, 0 to 100; no albedo exceeds that of the law, 1 of Lambert's.
         [1]
     law : str
-        Name from ``airlight.optics.reflection.LAWS``: ``lambert`` reflects alike into all
+        Name from ``airlight.physics.optics.reflection.LAWS``: ``lambert`` reflects alike into all
         directions, ``lommel-seeliger`` as dark, porous ground does, ``water`` as the open sea.
     wind : float, optional
         Wind speed over water, 0.5 to 25, which roughens it. With it the water of a map mirrors star
@@ -229,7 +229,7 @@ class Ground(TomlModel):
     def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Albedo at wavelengths [nm], shape (nl,). [1]"""
         if isinstance(self.albedo, str):
-            from airlight.spectra.tables import read_spectrum
+            from airlight.physics.spectra.tables import read_spectrum
 
             known = read_spectrum(self.albedo).at(wavelengths)
         else:

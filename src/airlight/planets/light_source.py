@@ -16,8 +16,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from airlight.color.four_wavelengths import picture_weights
-from airlight.spectra.limb_darkening import UNIFORM
+from airlight.image.four_wavelengths import picture_weights
+from airlight.physics.spectra.limb_darkening import UNIFORM
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -62,7 +62,7 @@ class LightSource:
         between them.
     darkening : callable or None
         ``darkening(wavelengths)``, coefficients of the darkening towards the rim, shape (nl, 6),
-        see ``spectra.limb_darkening``; None for a uniform disc.
+        see ``physics.spectra.limb_darkening``; None for a uniform disc.
     phase : float or None
         Phase angle of a body that reflects, 0 full, below 180; None for a star. [deg]
     limb : float

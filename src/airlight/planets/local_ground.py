@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from airlight.color.upsampling import reflectance_basis
-from airlight.optics.water import mean_specular
+from airlight.image.upsampling import reflectance_basis
+from airlight.physics.optics.water import mean_specular
 
 FloatArray = npt.NDArray[np.float64]
 

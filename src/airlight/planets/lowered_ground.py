@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from airlight.ephemeris.world import WORLDS
 from airlight.errors import ParameterError
+from airlight.geometry.ephemeris.world import WORLDS
+from airlight.physics.units import Measure, quantity
 from airlight.planets.matter.profiles.continued import Continued
 from airlight.planets.parameters import replace
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import PlanetLike, load_planet
-from airlight.units import Measure, quantity
 
 #: Height of an observer's eyes above the floor of a basin. [m]
 EYES: Final = 2.0

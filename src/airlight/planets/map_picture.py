@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError
-from airlight.input_files import LARGEST_MAP, check_input
+from airlight.files.input_files import LARGEST_MAP, check_input
 from airlight.kernel.memory import DECODED, MOST_PIXELS, check_picture
 
 if TYPE_CHECKING:

@@ -14,14 +14,15 @@ from typing import Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
+from airlight.image.upsampling import reflectance_basis
 from airlight.kernel.threads import Cancel, Progress
-from airlight.optics.density_profile import DensitySegments
-from airlight.optics.effective_top import effective_top
-from airlight.optics.layer_edges import ThinLayer, thin_layers
-from airlight.optics.reflection import WHITE, Reflection
-from airlight.optics.refracting_shell import RefractingShell
+from airlight.physics.optics.density_profile import DensitySegments
+from airlight.physics.optics.effective_top import effective_top
+from airlight.physics.optics.layer_edges import ThinLayer, thin_layers
+from airlight.physics.optics.reflection import WHITE, Reflection
+from airlight.physics.optics.refracting_shell import RefractingShell
+from airlight.physics.units import values_in
 from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
@@ -30,7 +31,6 @@ from airlight.planets.planet import Planet
 from airlight.planets.relative_densities import relative_densities
 from airlight.planets.spectral import check_wavelength_list
 from airlight.planets.surface import PLAIN, Surface
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -253,7 +253,7 @@ class Medium:
 
     @cached_property
     def thin_layers(self) -> tuple[ThinLayer, ...]:
-        """Layers that are thin compared with the shell, see ``optics.layer_edges``."""
+        """Layers that are thin compared with the shell, see ``physics.optics.layer_edges``."""
         strongest = self.scattering.max(axis=1), self.absorption.max(axis=1)
         widest = 1.0 if self.resolve_layers else None
         return tuple(thin_layers(self.density, *strongest, widest=widest))
@@ -271,7 +271,7 @@ class Medium:
         """Medium over the optical radius, in which rays are straight; itself without refraction.
 
         It has one more constituent, the refraction column, which neither scatters nor absorbs; see
-        ``optics.refracting_shell``.
+        ``physics.optics.refracting_shell``.
         """
         shell = self.refracting_shell
         if shell is None:
@@ -351,7 +351,7 @@ class Medium:
         return np.stack([one.polarising_moments(self.wavelengths) for one in self.constituents])
 
     def phase_moments(self, degree: int) -> FloatArray:
-        """Legendre moments g_l of the phase functions; see ``optics.legendre``.
+        """Legendre moments g_l of the phase functions; see ``physics.optics.legendre``.
 
         Parameters
         ----------

@@ -8,12 +8,12 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.color.four_wavelengths import CHOSEN
 from airlight.errors import ParameterError, warn
+from airlight.image.four_wavelengths import CHOSEN
+from airlight.physics.units import values_in
 from airlight.planets.gas_bands import AIRMASS, gas_columns, omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
-from airlight.units import values_in
 
 #: Bands beyond the tables that come with airlight, by formula: where a gas absorbs strongly enough
 #: to be seen in a spectrum of a planet with some thousandths of it in its air. Goody & Yung (1989),

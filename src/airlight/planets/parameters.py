@@ -12,7 +12,7 @@ import pydantic.dataclasses
 from pydantic import BeforeValidator, ValidationInfo
 
 from airlight.errors import ParameterError, ParameterErrors
-from airlight.units import quantity
+from airlight.physics.units import quantity
 
 Class = TypeVar("Class", bound=type[Any])
 Instance = TypeVar("Instance")

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.color.four_wavelengths import CHOSEN, few_wavelengths
-from airlight.color.spectral import default_wavelengths
 from airlight.errors import ParameterError
+from airlight.image.four_wavelengths import CHOSEN, few_wavelengths
+from airlight.image.spectral import default_wavelengths
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.ephemeris.world import WORLDS, World, world_named
 from airlight.errors import ParameterError
+from airlight.geometry.ephemeris.world import WORLDS, World, world_named
+from airlight.physics.units import values_in
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.parameters import MISSING, instance_of, parameters
@@ -25,7 +26,6 @@ from airlight.planets.spectral import (
     narrowest,
 )
 from airlight.planets.star import Star
-from airlight.units import values_in
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -288,8 +288,8 @@ class Planet(TomlModel):
         >>> f"{near.star.distance / 149597870700:.4f}"
         '0.9833'
         """
-        from airlight.ephemeris.instant import days_of
-        from airlight.ephemeris.sun_vector import solar_point
+        from airlight.geometry.ephemeris.instant import days_of
+        from airlight.geometry.ephemeris.sun_vector import solar_point
 
         point = solar_point(self.world, days_of(time))
         return dataclasses.replace(self, star=self.star.at_distance(point.distance))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from airlight.errors import ParameterError
-from airlight.optics.density_profile import DensitySegments, Row
+from airlight.physics.optics.density_profile import DensitySegments, Row
 from airlight.planets.planet import Planet
 
 

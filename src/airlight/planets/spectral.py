@@ -15,9 +15,9 @@ import numpy.typing as npt
 from pydantic import BeforeValidator, ValidationInfo
 
 from airlight.errors import ParameterError
+from airlight.physics.spectra.power_law import power_law
+from airlight.physics.units import values_in
 from airlight.planets.parameters import all_between, finite, inside, numbers, parameters
-from airlight.spectra.power_law import power_law
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 #: Lowest and highest wavelength at which something is known. [nm]
@@ -80,7 +80,7 @@ class PerWavelength:
     def at_power_law(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Value of a positive spectrum at wavelengths within ``limits`` [nm], shape (...).
 
-        See ``spectra.power_law``.
+        See ``physics.spectra.power_law``.
         """
         nm = values_in(wavelengths, "nm", "wavelengths")
         return power_law(nm, self.wavelengths, self.values)
@@ -152,8 +152,8 @@ def narrowest(limits: Any) -> Limits:
 
 
 def table_limits(name: str) -> Limits:
-    """Wavelengths at which a table of ``airlight.spectra`` is known, 10 nm included. [nm]"""
-    from airlight.spectra.tables import read_spectrum
+    """Wavelengths at which a table of ``spectra`` is known, 10 nm included. [nm]"""
+    from airlight.physics.spectra.tables import read_spectrum
 
     wavelengths = read_spectrum(name).wavelengths
     return float(wavelengths[0]) - BEYOND, float(wavelengths[-1]) + BEYOND

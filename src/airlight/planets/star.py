@@ -11,8 +11,9 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.errors import ConflictError, ParameterError
+from airlight.physics.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
+from airlight.physics.units import Measure, quantity, with_powers
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Field, Wavelengths
 from airlight.planets.schema.toml_model import TomlModel
@@ -26,7 +27,6 @@ from airlight.planets.spectral import (
     spectral_limits,
     table_limits,
 )
-from airlight.units import Measure, quantity, with_powers
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -53,7 +53,7 @@ def _read_irradiance(section: TomlTable, name: str, wavelengths: Wavelengths) ->
 
 
 def _spectrum_of_file(section: TomlTable, name: str, field: str) -> PerWavelength:
-    from airlight.spectra.tables import read_spectrum_file
+    from airlight.physics.spectra.tables import read_spectrum_file
 
     file = section.beside(name)
     spectrum = read_spectrum_file(file)
@@ -303,10 +303,10 @@ class Star(TomlModel):
             return power_law_at(self.irradiance, wavelengths)
         assert self.known_distance is not None
         if self.spectrum is not None:
-            from airlight.spectra.sun import solar_irradiance
+            from airlight.physics.spectra.sun import solar_irradiance
 
             return solar_irradiance(wavelengths) * (ASTRONOMICAL_UNIT / self.known_distance) ** 2
-        from airlight.spectra.blackbody import star_irradiance
+        from airlight.physics.spectra.blackbody import star_irradiance
 
         assert self.temperature is not None
         assert self.radius is not None
@@ -319,7 +319,7 @@ class Star(TomlModel):
         The sun's where the spectrum is the sun's, that of a grey atmosphere where a temperature is
         known; None, a uniform disc, beside an irradiance alone.
         """
-        from airlight.spectra.limb_darkening import black_body_darkening, solar_darkening
+        from airlight.physics.spectra.limb_darkening import black_body_darkening, solar_darkening
 
         if self.spectrum is not None:
             return solar_darkening

@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.optics.density_profile import DensitySegments
+from airlight.physics.optics.density_profile import DensitySegments
 from airlight.planets.planet import Planet
 
 #: Scale heights below a top that cuts nothing off that is worth a word: exp(-8) is 0.03 %.

@@ -14,12 +14,12 @@ import numpy as np
 from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.lanes import LANES
 from airlight.kernel.shader_fields import InTexture, shader_fields
-from airlight.pixels.render_cpu import march_pixels, render_pixels
-from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_texels
-from airlight.pixels.sky_view_window import SkyViewWindow
-from airlight.pixels.view_uniforms import cpu_view_uniforms, observer_from
+from airlight.render.pixels.render_cpu import march_pixels, render_pixels
+from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_texels
+from airlight.render.pixels.sky_view_window import SkyViewWindow
+from airlight.render.pixels.view_uniforms import cpu_view_uniforms, observer_from
 from airlight.scene import Camera
-from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
+from airlight.solver.moments.march_tables import MarchTables, new_workspace, quadratures
 
 #: Loops of a frame with a sky-view LUT, in the order of use; and of a frame without.
 SKY_VIEW_LOOPS: Final = (fill_texels, render_pixels)
@@ -64,7 +64,7 @@ def _arguments() -> list[tuple[Any, ...]]:
 
 
 def _view_uniform_names() -> tuple[str, ...]:
-    from airlight.pixels.pixel import ViewUniforms
+    from airlight.render.pixels.pixel import ViewUniforms
 
     return ViewUniforms._fields
 

@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress
-from airlight.pixels.march_points import march_points
-from airlight.pixels.polarising_filter import NONE
-from airlight.pixels.render_cpu import march_pixels, render_pixels
-from airlight.pixels.render_tables import render_tables
-from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
-from airlight.pixels.sky_view_window import SkyViewWindow, sky_view_window
-from airlight.pixels.view_uniforms import (
+from airlight.render.pixels.march_points import march_points
+from airlight.render.pixels.polarising_filter import NONE
+from airlight.render.pixels.render_cpu import march_pixels, render_pixels
+from airlight.render.pixels.render_tables import render_tables
+from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
+from airlight.render.pixels.sky_view_window import SkyViewWindow, sky_view_window
+from airlight.render.pixels.view_uniforms import (
     checked_samples,
     cpu_view_uniforms,
     observer_from,
@@ -23,8 +23,8 @@ from airlight.pixels.view_uniforms import (
 from airlight.scene import Scene
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
-from airlight.solvers.moments.march_tables import new_workspace
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.march_tables import new_workspace
+from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -7,12 +7,12 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.pixels.eclipsed_pixel import render_eclipsed
 from airlight.render.cpu_renderer import CpuRenderer, color_weights
+from airlight.render.pixels.eclipsed_pixel import render_eclipsed
 from airlight.scene import Scene
-from airlight.solvers.eclipsed.shadow_tables import new_shadow_workspace
-from airlight.solvers.eclipsed.solution import EclipsedSolution
-from airlight.solvers.moments.march_tables import new_workspace
+from airlight.solver.eclipsed.shadow_tables import new_shadow_workspace
+from airlight.solver.eclipsed.solution import EclipsedSolution
+from airlight.solver.moments.march_tables import new_workspace
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -13,16 +13,16 @@ from airlight.kernel.cost import LINES, timed
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.pixels.polarising_filter import ALONG, ASLANT
-from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.cpu_renderer import CpuRenderer
+from airlight.render.pixels.polarising_filter import ALONG, ASLANT
+from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
-from airlight.solvers import Solution, solve
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver import Solution, solve
+from airlight.solver.moments.solution import MomentsSolution
 
 Float32Array = NDArray[np.float32]
 

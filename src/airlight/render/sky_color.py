@@ -8,11 +8,11 @@ from typing import Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.color.display import to_display
-from airlight.color.exposure import DEFAULT_EXPOSURE
-from airlight.color.spectral import rgb_weights
-from airlight.color.xyz import chromaticity, rgb_to_xyz
-from airlight.constants import LUMINOUS_EFFICACY
+from airlight.image.display import to_display
+from airlight.image.exposure import DEFAULT_EXPOSURE
+from airlight.image.spectral import rgb_weights
+from airlight.image.xyz import chromaticity, rgb_to_xyz
+from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 
@@ -70,7 +70,7 @@ def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> t
     ParameterError
         If the planet's range does not include the visible.
     """
-    from airlight.solvers import solve
+    from airlight.solver import solve
 
     nm = picture_wavelengths(planet, _WAVELENGTHS)
     solution = solve(planet, wavelengths=nm, quality="preview", cache=cache, progress=progress)

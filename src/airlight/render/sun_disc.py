@@ -7,8 +7,8 @@ from math import pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
+from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.render.sun_disc import leaving_direction
-from airlight.solvers.lines_of_sight import enter_shell
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.tables.columns import columns
+from airlight.solver.lines_of_sight import enter_shell
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 

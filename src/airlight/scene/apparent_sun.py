@@ -9,7 +9,7 @@ import numpy as np
 
 from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.planets.medium import Medium
-from airlight.solvers.refracted_geometry import RefractedGeometry
+from airlight.solver.refracted_geometry import RefractedGeometry
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ConflictError, ParameterError
+from airlight.physics.units import Measured, measured, values_in
 from airlight.scene.directions import camera_axes, filter_axis
 from airlight.scene.limits import HIGHEST_ALTITUDE, within
 from airlight.scene.projections import PROJECTIONS, Projection
 from airlight.scene.projections.projected import projected_rays
-from airlight.units import Measured, measured, values_in
 
 #: Longest side of a picture: a strip of six 8192² faces fits. [pixel]
 LONGEST_SIDE = 65536

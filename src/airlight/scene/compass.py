@@ -6,10 +6,10 @@ import re
 from typing import Final
 
 from airlight.errors import ParameterError
+from airlight.physics.units import Measure
 from airlight.planets.schema.field import Wavelengths
 from airlight.planets.schema.toml_table import TomlTable
 from airlight.scene.limits import within
-from airlight.units import Measure
 
 #: Sixteen points of the compass, clockwise from north.
 POINTS: Final = (

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.exposure import automatic_exposure
-from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
+from airlight.image.exposure import automatic_exposure
+from airlight.image.xyz import luminance
 from airlight.scene.metering import scene_exposure
 from airlight.scene.scene import Scene
 
@@ -58,7 +58,7 @@ class Frame:
 
     @property
     def lens(self) -> dict[str, Any]:
-        """Lens arguments of ``airlight.color.to_display``, also for a cropped frame."""
+        """Lens arguments of ``airlight.image.to_display``, also for a cropped frame."""
         return {"pixel_angle": self.pixel_angle, "circle": self.circle, "origin": self.origin}
 
     @property

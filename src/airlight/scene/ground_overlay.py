@@ -13,8 +13,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.texels import CHANNELS
 from airlight.errors import FileError
+from airlight.image.texels import CHANNELS
 from airlight.planets.cloud_cover import cloud_pixels
 from airlight.planets.map_picture import map_pixels
 from airlight.scene.map_cache import cached_levels

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import atan2, cos, floor, log2, pi, sin, sqrt
 
-from airlight.color.texels import CHANNELS, channel_of
+from airlight.image.texels import CHANNELS, channel_of
 from airlight.kernel import inlined, kernel
 from airlight.scene.map_levels import level_place
 
@@ -108,7 +108,7 @@ def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at
     Parameters
     ----------
     texels : array of uint8, flat
-        Texels of ``airlight.color.texels`` of all mip levels, one level after another.
+        Texels of ``airlight.image.texels`` of all mip levels, one level after another.
     rows, columns, levels : int
         Size of the full map, and number of levels.
     latitude, longitude : float

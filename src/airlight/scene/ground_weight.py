@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.planets.medium import Medium
-from airlight.tables.columns import columns
+from airlight.solver.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from airlight.errors import ParameterError
-from airlight.units import Measure, quantity
+from airlight.physics.units import Measure, quantity
 
 #: Largest altitude of an observer, and one below every known basin. [m]
 HIGHEST_ALTITUDE: Final = 1e12
@@ -20,7 +20,7 @@ def within(field: str, value: Measure, low: float, high: float, unit: str) -> fl
     field : str
         Field named in the error.
     value : float, str or quantity
-        Value to check, see ``airlight.units.quantity``; a bool is not a number.
+        Value to check, see ``airlight.physics.units.quantity``; a bool is not a number.
     low, high : float
         Allowed range, both ends included. [unit]
     unit : str

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.physics.units import Measure
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.local_ground import GroundMeans, LocalGround
 from airlight.planets.medium import Medium
@@ -18,7 +19,6 @@ from airlight.scene.ground_weight import ground_distances
 from airlight.scene.limits import HIGHEST_ALTITUDE, within
 from airlight.scene.observer import planet_frame
 from airlight.scene.surface_map import SurfaceMap, surface_map
-from airlight.units import Measure
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet

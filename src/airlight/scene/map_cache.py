@@ -14,7 +14,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.input_files import LARGEST_MAP, check_input
+from airlight.files.input_files import LARGEST_MAP, check_input
 from airlight.kernel import disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.scene.map_levels import Levels

@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.texels import CHANNELS, channel_of, code_of
+from airlight.image.texels import CHANNELS, channel_of, code_of
 from airlight.kernel import compiled_loop, kernel
 
 #: Texels of which a mean is made along an axis: two, or one and parts of two others.
@@ -27,7 +27,7 @@ class Levels(NamedTuple):
     rows, columns : int
         Size of the full map.
     flat : array of uint8, shape (4·n,)
-        Texels of ``airlight.color.texels``, one level after another.
+        Texels of ``airlight.image.texels``, one level after another.
     """
 
     rows: int
@@ -159,7 +159,7 @@ def reduced(
     Parameters
     ----------
     texels : array of uint8, shape (h, w, 4)
-        Texels of ``airlight.color.texels``.
+        Texels of ``airlight.image.texels``.
     rows, columns : int
         New size, at most the old one.
     out : array of uint8, shape (rows, columns, 4), optional

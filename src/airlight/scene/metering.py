@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.exposure import exposure_with_stars, night_exposure, sampled, sampling_step
-from airlight.color.xyz import luminance
+from airlight.image.exposure import exposure_with_stars, night_exposure, sampled, sampling_step
+from airlight.image.xyz import luminance
 from airlight.kernel import compiled_loop, kernel
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.projected import projected_ray
@@ -153,7 +153,7 @@ def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: floa
     """Automatic exposure of a frame, independent of its size.
 
     Pixels away from the discs of the lights determine ``automatic_exposure``. A disc in view limits
-    it, see ``airlight.color.exposure.star_limited``; in a frame of space, or of a disc alone, the
+    it, see ``airlight.image.exposure.star_limited``; in a frame of space, or of a disc alone, the
     disc determines the exposure.
 
     Parameters

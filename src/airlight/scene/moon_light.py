@@ -10,11 +10,11 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.ephemeris.sky import MoonSighting
-from airlight.optics.moon_phase import moon_albedo, moon_brightness
+from airlight.geometry.ephemeris.sky import MoonSighting
+from airlight.physics.optics.moon_phase import moon_albedo, moon_brightness
+from airlight.physics.units import Measured, measured
 from airlight.planets.light_source import LightSource
 from airlight.scene.light_position import LightPosition
-from airlight.units import Measured, measured
 
 FloatArray = npt.NDArray[np.float64]
 

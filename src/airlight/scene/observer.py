@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.physics.units import Measure, quantity
 from airlight.scene.compass import bearing, compass_bearing
 from airlight.scene.limits import within
-from airlight.units import Measure, quantity
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet

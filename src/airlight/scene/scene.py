@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.ephemeris.instant import universal_time
 from airlight.errors import ConflictError, ParameterError
+from airlight.geometry.ephemeris.instant import universal_time
+from airlight.physics.units import Measure, Measured, measured, quantity
 from airlight.scene.camera import Camera
 from airlight.scene.compass import bearing
 from airlight.scene.ground_detail import GROUNDS
@@ -19,7 +20,6 @@ from airlight.scene.light_position import LightPosition
 from airlight.scene.limits import DEEPEST_ALTITUDE, HIGHEST_ALTITUDE, within
 from airlight.scene.observer import look_at as angles_of
 from airlight.scene.observer import planet_frame
-from airlight.units import Measure, Measured, measured, quantity
 
 if TYPE_CHECKING:
     from airlight.planets.reading.reader import PlanetLike
@@ -134,7 +134,7 @@ class Scene:
             Place, north and east positive: on Earth geographic, elsewhere planetocentric. [deg]
         time : datetime or str
             Instant with its zone, or a text such as ``"2026-06-21T22:10+02:00"`` or
-            ``"2026-06-21 sunset"``; see ``airlight.ephemeris.time_text.read_time``.
+            ``"2026-06-21 sunset"``; see ``airlight.geometry.ephemeris.time_text.read_time``.
         zone, season : optional
             Zone and longitude Ls of the sun [deg] that a text refers to; see ``read_time``.
         altitude : float, optional
@@ -162,9 +162,9 @@ class Scene:
         >>> f"{scene.sun_zenith:.2f} {scene.sun_azimuth:.1f} {scene.camera.look_azimuth:.1f}"
         '90.97 323.9 36.1'
         """
-        from airlight.ephemeris.instant import days_of
-        from airlight.ephemeris.sky import Place, moon_after, sun_after
-        from airlight.ephemeris.time_text import read_time
+        from airlight.geometry.ephemeris.instant import days_of
+        from airlight.geometry.ephemeris.sky import Place, moon_after, sun_after
+        from airlight.geometry.ephemeris.time_text import read_time
         from airlight.planets.reading.reader import load_planet
         from airlight.scene.moon_light import MoonLight
 

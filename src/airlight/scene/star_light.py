@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from airlight.errors import ParameterError
+from airlight.physics.units import Measure, quantity
 from airlight.planets.light_source import LightSource
 from airlight.planets.star import Star
 from airlight.scene.light_position import LightPosition
 from airlight.scene.limits import within
-from airlight.units import Measure, quantity
 
 
 @dataclass(frozen=True, kw_only=True)

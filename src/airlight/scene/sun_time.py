@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from airlight.ephemeris.sun_formula import days_of_date, point_below_sun
+from airlight.geometry.ephemeris.sun_formula import days_of_date, point_below_sun
 from airlight.scene.great_circle import DEGREE, RADIAN, bearing_of
 
 #: Rotation of the sky in an hour. [deg]
@@ -67,7 +67,7 @@ def sun_on_date(
     Parameters
     ----------
     world : float
-        Index in ``airlight.ephemeris.sun_formula.NUMBERED``.
+        Index in ``airlight.geometry.ephemeris.sun_formula.NUMBERED``.
     latitude, longitude : float
         Place, north and east positive. [deg]
     year, day, hour : float

@@ -11,8 +11,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.color.texels import CHANNELS, DECODED, decoded_texels
 from airlight.errors import FileError
+from airlight.image.texels import CHANNELS, DECODED, decoded_texels
 from airlight.planets.map_picture import map_pixels
 from airlight.scene.map_cache import cached_levels
 from airlight.scene.map_levels import Levels, empty_levels, fill_levels, level_views, reduced
@@ -38,7 +38,7 @@ class SurfaceMap:
     rows, columns : int
         Size of the full map.
     flat : array, shape (4·n,)
-        Texels of ``airlight.color.texels``: sRGB reflectance and water fraction, of all levels in
+        Texels of ``airlight.image.texels``: sRGB reflectance and water fraction, of all levels in
         the layout of ``map_color``.
     """
 

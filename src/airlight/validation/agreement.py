@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from airlight.errors import Cancelled
 from airlight.planets import load_planet
-from airlight.solvers import solve
-from airlight.solvers.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
-from airlight.solvers.montecarlo.solution import MonteCarloSolution
+from airlight.solver import solve
+from airlight.solver.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
+from airlight.solver.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
 from airlight.validation.finite_disc import with_point_star
 from airlight.validation.metrics import in_standard_errors, relative_errors

@@ -7,13 +7,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.spectral import default_wavelengths, rgb_weights
-from airlight.color.xyz import luminance
 from airlight.errors import Cancelled
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.image.spectral import default_wavelengths, rgb_weights
+from airlight.image.xyz import luminance
 from airlight.planets import Constituent, Planet, load_planet, replace
-from airlight.plots.figure import GREY, PALETTE, grid, new_figure
-from airlight.solvers import Solution, solve
+from airlight.solver import Solution, solve
+from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.validation.cie_clear_sky import angle_to_sun, relative_luminance
 from airlight.validation.metrics import log_ratio_rms
 from airlight.validation.suite import Cancel, Progress, ReportPicture, ReportTable, Suite

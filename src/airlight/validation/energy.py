@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from airlight.errors import Cancelled
 from airlight.planets import Planet
-from airlight.plots.figure import PALETTE, grid, new_figure
-from airlight.solvers import Solution, solve
+from airlight.solver import Solution, solve
+from airlight.studies.plots.figure import PALETTE, grid, new_figure
 from airlight.validation.energy_planets import VAST, flat_earth, furnace, round_earth
 from airlight.validation.fluxes import absorbed_by_air, level_fluxes, pieces, star_through
 from airlight.validation.order_convergence import ORDER_SOLVERS, order_convergence

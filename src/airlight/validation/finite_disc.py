@@ -13,8 +13,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from airlight.planets import Planet, load_planet, replace
-from airlight.solvers import solve
-from airlight.solvers.montecarlo.solution import MonteCarloSolution
+from airlight.solver import solve
+from airlight.solver.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
 from airlight.validation.metrics import relative_errors
 from airlight.validation.suite import Cancel, ReportTable

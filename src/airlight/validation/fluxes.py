@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.solvers import Solution
+from airlight.solver import Solution
 
 FloatArray = NDArray[np.float64]
 

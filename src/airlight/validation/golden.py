@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from airlight.errors import Cancelled
 from airlight.kernel import vectorized
 from airlight.planets import Medium, load_planet
-from airlight.solvers import Solution, solve
+from airlight.solver import Solution, solve
 from airlight.validation.cases import CaseLines
 from airlight.validation.cie_clear_sky import relative_luminance
 from airlight.validation.golden_numbers import (
@@ -119,52 +119,52 @@ def _table(group: Group, compared: Sequence[GoldenComparison]) -> ReportTable:
 
 
 def _sun_color(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.color.spectral import sun_color
+    from airlight.image.spectral import sun_color
 
     return [sun_color() for _ in rows]
 
 
 def _sun_xyz(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.color.spectral import sun_color
-    from airlight.color.xyz import rgb_to_xyz
+    from airlight.image.spectral import sun_color
+    from airlight.image.xyz import rgb_to_xyz
 
     return [rgb_to_xyz(sun_color()) for _ in rows]
 
 
 def _sun_lux(rows: Sequence[GoldenRow]) -> list[Any]:
-    from airlight.color.spectral import sun_color
-    from airlight.color.xyz import luminance
-    from airlight.constants import LUMINOUS_EFFICACY
+    from airlight.image.spectral import sun_color
+    from airlight.image.xyz import luminance
+    from airlight.physics.constants import LUMINOUS_EFFICACY
 
     return [LUMINOUS_EFFICACY * luminance(sun_color()) for _ in rows]
 
 
 def _sky_factors(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.color.spectral import sky_factors
+    from airlight.image.spectral import sky_factors
 
     return [sky_factors(WAVELENGTHS) for _ in rows]
 
 
 def _hable(rows: Sequence[GoldenRow]) -> list[Any]:
-    from airlight.color.tone_maps import hable
+    from airlight.image.tone_maps import hable
 
     return [hable(np.ones(3))[0] for _ in rows]
 
 
 def _air_refractivity(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.optics.refractive_index import air_refractivity_peck1972
+    from airlight.physics.optics.refractive_index import air_refractivity_peck1972
 
     return [1e8 * air_refractivity_peck1972(row.at["nm"]) for row in rows]
 
 
 def _co2_refractivity(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.optics.refractive_index import co2_refractivity_bideau_mehu1973
+    from airlight.physics.optics.refractive_index import co2_refractivity_bideau_mehu1973
 
     return [1e8 * co2_refractivity_bideau_mehu1973(row.at["nm"]) for row in rows]
 
 
 def _king_factor(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.optics.king_factor import king_factor_air_bates1984
+    from airlight.physics.optics.king_factor import king_factor_air_bates1984
 
     return [king_factor_air_bates1984(row.at["nm"]) for row in rows]
 
@@ -175,8 +175,8 @@ def _rayleigh(rows: Sequence[GoldenRow]) -> list[FloatArray]:
 
 def _rayleigh_set(at: Any) -> FloatArray:
     """Scattering coefficients from the inputs stated by a source. [m⁻¹]"""
-    from airlight.optics import rayleigh, refractive_index
-    from airlight.optics.king_factor import king_factor_air_bates1984
+    from airlight.physics.optics import rayleigh, refractive_index
+    from airlight.physics.optics.king_factor import king_factor_air_bates1984
 
     nm = np.array(at["nm"])
     if at["set"] == "reference":
@@ -206,14 +206,14 @@ def _rayleigh_set(at: Any) -> FloatArray:
 
 
 def _scale_height(rows: Sequence[GoldenRow]) -> list[Any]:
-    from airlight.optics.rayleigh import scale_height
+    from airlight.physics.optics.rayleigh import scale_height
 
     return [scale_height(**row.at) for row in rows]
 
 
 def _ozone(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.optics.gas_absorption import column_from_dobson
-    from airlight.spectra.ozone import ozone_cross_section
+    from airlight.physics.optics.gas_absorption import column_from_dobson
+    from airlight.physics.spectra.ozone import ozone_cross_section
 
     section = ozone_cross_section(WAVELENGTHS)
     both = {"cross-section": 1e26 * section, "depth": section * column_from_dobson(345.0)}
@@ -221,8 +221,8 @@ def _ozone(rows: Sequence[GoldenRow]) -> list[FloatArray]:
 
 
 def _phase_functions(rows: Sequence[GoldenRow]) -> list[Any]:
-    from airlight.optics.phase_functions import cornette_shanks
-    from airlight.optics.phase_functions import rayleigh as gas
+    from airlight.physics.optics.phase_functions import cornette_shanks
+    from airlight.physics.optics.phase_functions import rayleigh as gas
 
     def mean_cosine() -> float:
         nodes, weights = np.polynomial.legendre.leggauss(200)
@@ -248,7 +248,7 @@ def _cosine(at: Any, medium: Medium) -> float:
 
 
 def _columns(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.tables.columns import columns
+    from airlight.solver.tables.columns import columns
 
     medium = _corrected_medium()
     bottom = medium.bottom_radius
@@ -294,7 +294,7 @@ def _printed_solution() -> Solution:
 
 
 def _scattered_once(rows: Sequence[GoldenRow], constituent: int) -> list[FloatArray]:
-    from airlight.solvers.single_scattering import single_scattering
+    from airlight.solver.single_scattering import single_scattering
 
     solution = _printed_solution()
     lines, _ = solution.lines_of_sight(**_geometry(rows))
@@ -309,7 +309,7 @@ def _first_order(rows: Sequence[GoldenRow]) -> list[FloatArray]:
 
 def _regions(altitude: float) -> tuple[float, float, float]:
     """Weights w_L and w_S and the horizon's cosine at an altitude of AP2's Earth. [1]"""
-    from airlight.mappings import power, weighted_power
+    from airlight.geometry.mappings import power, weighted_power
 
     medium = _corrected_medium()
     u = power.altitude_coordinate(altitude, medium.thickness, 2.0)
@@ -326,7 +326,7 @@ def _weighted_power(rows: Sequence[GoldenRow]) -> list[FloatArray]:
 
 
 def _weighted_power_ends(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.mappings.weighted_power import view_coordinate, view_from_coordinate
+    from airlight.geometry.mappings.weighted_power import view_coordinate, view_from_coordinate
 
     out = []
     for row in rows:

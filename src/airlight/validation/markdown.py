@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from airlight.reports.markdown import escaped, files_of, part_lines, row_lines, strong
+from airlight.studies.reports.markdown import escaped, files_of, part_lines, row_lines, strong
 from airlight.validation.report import ValidationReport, result_word
 from airlight.validation.suite import Part, ReportTable, Suite, Text
 

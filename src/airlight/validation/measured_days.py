@@ -7,8 +7,8 @@ from typing import Final
 
 import numpy as np
 
-from airlight.fit.pictures import dome_pictures, residual_curves
-from airlight.fit.residuals import Residuals
+from airlight.studies.fit.pictures import dome_pictures, residual_curves
+from airlight.studies.fit.residuals import Residuals
 from airlight.validation.kider.day import Day, DayRow, compute_day, day_files
 from airlight.validation.kider.planets import PUBLISHED_INPUTS, AngstromLaw
 from airlight.validation.kider.scans import MILLI, symmetric_part, total_rmse

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import Cancelled
-from airlight.plots.figure import GREY, PALETTE, grid, new_figure
-from airlight.solvers import Solution, solve
-from airlight.solvers.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
-from airlight.solvers.montecarlo.solution import MonteCarloSolution
+from airlight.solver import Solution, solve
+from airlight.solver.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
+from airlight.solver.montecarlo.solution import MonteCarloSolution
+from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.validation.cases import Case, CaseLines, geometry
 from airlight.validation.energy_planets import round_earth
 from airlight.validation.suite import Cancel, Part, Progress, ReportPicture, ReportTable

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from airlight.planets import Constituent, Ground, Medium, Planet, Star, load_planet, replace
 from airlight.planets.matter.phases import HenyeyGreenstein, PhaseFunction, Rayleigh
 from airlight.planets.matter.profiles import Exponential, Tent
-from airlight.solvers import Solution
+from airlight.solver import Solution
 from airlight.validation.energy_planets import VAST
 from airlight.validation.finite_disc import with_point_star
 from airlight.validation.published.row import solver

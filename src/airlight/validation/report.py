@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from airlight.reports.html import page_html, part_html, table_html
+from airlight.studies.reports.html import page_html, part_html, table_html
 from airlight.validation.suite import Suite, Threshold
 
 

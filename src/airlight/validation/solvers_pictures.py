@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from airlight.plots.figure import GREY, PALETTE, grid, new_figure
+from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.validation.agreement import Agreement
 from airlight.validation.cases import Case
 from airlight.validation.suite import ReportPicture

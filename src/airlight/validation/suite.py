@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from airlight.kernel.threads import Cancel, Progress
-from airlight.reports.parts import Cell, Mark, Part, ReportPicture, ReportTable, Text
+from airlight.studies.reports.parts import Cell, Mark, Part, ReportPicture, ReportTable, Text
 
 __all__ = [
     "Threshold",

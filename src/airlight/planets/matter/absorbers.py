@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
-from airlight.optics.gas_absorption import reference_coefficient, small_particle_absorption
+from airlight.physics.optics.gas_absorption import reference_coefficient, small_particle_absorption
 from airlight.planets.matter.matter import Absorber
 from airlight.planets.matter.state_keys import density_key, radius_key
 from airlight.planets.parameters import MISSING, parameters
@@ -82,7 +82,7 @@ class OzoneAbsorption(Absorber):
         vertical_column : float
             Integral ∫ relative density dh over the shell. [m]
         """
-        from airlight.spectra.ozone import ozone_cross_section
+        from airlight.physics.spectra.ozone import ozone_cross_section
 
         return reference_coefficient(self.column, vertical_column, ozone_cross_section(wavelengths))
 
@@ -94,7 +94,7 @@ def _read_cross_section(section: TomlTable, name: str, wavelengths: Wavelengths)
     field = section.name_of(name)
     if not isinstance(value, str):
         return spectral_of(value, "m^2", field, wavelengths)
-    from airlight.spectra.tables import spectrum_names
+    from airlight.physics.spectra.tables import spectrum_names
 
     if value in spectrum_names():
         return value
@@ -106,8 +106,8 @@ def _read_cross_section(section: TomlTable, name: str, wavelengths: Wavelengths)
 
 
 def _from_file(section: TomlTable, name: str, field: str) -> PerWavelength:
-    from airlight.spectra.tables import read_spectrum_file
-    from airlight.units import quantity
+    from airlight.physics.spectra.tables import read_spectrum_file
+    from airlight.physics.units import quantity
 
     spectrum = read_spectrum_file(section.beside(name))
     unit = quantity(f"1 {spectrum.unit}", "m^2", f"unit of {field}")
@@ -123,7 +123,7 @@ def _from_file(section: TomlTable, name: str, field: str) -> PerWavelength:
 @cache
 def _areas() -> tuple[str, ...]:
     """Names of the tables of cross-sections in the package."""
-    from airlight.spectra.tables import read_spectrum, spectrum_names
+    from airlight.physics.spectra.tables import read_spectrum, spectrum_names
 
     tables = [read_spectrum(name) for name in spectrum_names()]
     return tuple(one.name for one in tables if one.unit == "m^2")
@@ -139,7 +139,7 @@ class CrossSectionAbsorption(Absorber):
     Parameters
     ----------
     cross_section : float, PerWavelength or str
-        Cross-section of one molecule, or the name of a table of ``airlight.spectra`` in m². [m²]
+        Cross-section of one molecule, or the name of a table of ``spectra`` in m². [m²]
     column : float, optional
         Number of molecules above an area of ground, which the profile spreads. [m⁻²]
     number_density : float, optional
@@ -226,7 +226,7 @@ class CrossSectionAbsorption(Absorber):
             Wavelengths. [nm]
         """
         if isinstance(self.cross_section, str):
-            from airlight.spectra.tables import read_spectrum
+            from airlight.physics.spectra.tables import read_spectrum
 
             return read_spectrum(self.cross_section).at(wavelengths)
         return power_law_at(self.cross_section, wavelengths)

@@ -11,8 +11,9 @@ import numpy.typing as npt
 from pydantic import BeforeValidator
 
 from airlight.errors import ConflictError, ParameterError
-from airlight.optics import lorentz_lorenz, rayleigh
-from airlight.optics.molecules import MOLECULES
+from airlight.physics.optics import lorentz_lorenz, rayleigh
+from airlight.physics.optics.molecules import MOLECULES
+from airlight.physics.units import values_in
 from airlight.planets.matter.gases import density_of_state, rayleigh_of
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import Rayleigh
@@ -36,7 +37,6 @@ from airlight.planets.spectral import (
     spectral_at,
     spectral_limits,
 )
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 

@@ -9,8 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
-from airlight.optics import king_factor, rayleigh, refractive_index
-from airlight.optics.lorentz_lorenz import refractivity_at
+from airlight.physics.optics import king_factor, rayleigh, refractive_index
+from airlight.physics.optics.lorentz_lorenz import refractivity_at
+from airlight.physics.units import values_in
 from airlight.planets.matter.matter import Scatterer
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.state_keys import (
@@ -32,7 +33,6 @@ from airlight.planets.spectral import (
     power_law_at,
     spectral_at,
 )
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 

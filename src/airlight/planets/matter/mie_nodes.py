@@ -27,14 +27,14 @@ from airlight.kernel import disk
 from airlight.kernel.cost import LONG, announce, duration, expected_seconds, timed
 from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress, run_blocks, thread_count
-from airlight.optics import mie, phase_table, ripples, size_distribution
-from airlight.optics.mie import Scattering
-from airlight.optics.ripples import ripple_means
-from airlight.optics.size_distribution import SizeNodes
+from airlight.physics.optics import mie, phase_table, ripples, size_distribution
+from airlight.physics.optics.mie import Scattering
+from airlight.physics.optics.ripples import ripple_means
+from airlight.physics.optics.size_distribution import SizeNodes
+from airlight.physics.units import values_in
 from airlight.planets.matter.particle_index import ParticleIndex
 from airlight.planets.matter.particle_sizes import ParticleSizes
 from airlight.planets.spectral import Limits
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 

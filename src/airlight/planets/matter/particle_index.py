@@ -9,8 +9,8 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.optics.effective_medium import maxwell_garnett
-from airlight.optics.index_table import read_index
+from airlight.physics.optics.effective_medium import maxwell_garnett
+from airlight.physics.optics.index_table import read_index
 from airlight.planets.parameters import instance_of, parameters
 from airlight.planets.schema.field import Field, Wavelengths
 from airlight.planets.schema.tagged_union import Alternatives
@@ -53,7 +53,7 @@ class ParticleIndex(TomlModel, ABC):
 @cache
 def index_words() -> tuple[str, ...]:
     """Names of the tables of indices in the package."""
-    from airlight.optics.index_table import index_names
+    from airlight.physics.optics.index_table import index_names
 
     return tuple(index_names())
 
@@ -147,7 +147,7 @@ class TableIndex(ParticleIndex):
     Parameters
     ----------
     table : str
-        Name or path that ``optics.index_table.read_index`` accepts.
+        Name or path that ``physics.optics.index_table.read_index`` accepts.
     """
 
     table: str

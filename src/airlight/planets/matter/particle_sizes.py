@@ -6,8 +6,8 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from typing import Annotated, Any, Final
 
-from airlight.optics import size_distribution as distribution
-from airlight.optics.size_distribution import SizeNodes
+from airlight.physics.optics import size_distribution as distribution
+from airlight.physics.optics.size_distribution import SizeNodes
 from airlight.planets.matter.state_keys import radius_key
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field

@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.optics import anomalous_diffraction
+from airlight.physics.optics import anomalous_diffraction
+from airlight.physics.units import values_in
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.mie_nodes import (
     NARROW_SPACING,
@@ -30,7 +31,6 @@ from airlight.planets.parameters import MISSING, instance_of, parameters
 from airlight.planets.schema.field import Field, Wavelengths, always
 from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import Limits, narrowest
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 

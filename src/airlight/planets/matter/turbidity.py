@@ -8,13 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
+from airlight.physics.units import values_in
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.state_keys import albedo_key, depth_key
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Field, always
 from airlight.planets.spectral import EVERYWHERE, Limits
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 

@@ -6,9 +6,9 @@ import re
 from functools import cache
 from typing import Any, Final
 
-from airlight.constants import AVOGADRO
 from airlight.errors import ParameterError
-from airlight.units import quantities, quantity
+from airlight.physics.constants import AVOGADRO
+from airlight.physics.units import quantities, quantity
 
 #: Unit of columns of gas.
 DOBSON = "DU"
@@ -51,7 +51,7 @@ def column_of_gas(value: Any, field: str, *, bare: bool = False) -> float:
     field : str
         Name in the error.
     bare : bool
-        As for ``airlight.units.quantity``.
+        As for ``airlight.physics.units.quantity``.
 
     Examples
     --------
@@ -62,7 +62,7 @@ def column_of_gas(value: Any, field: str, *, bare: bool = False) -> float:
     """
     allowed = f"a column with a unit such as {COLUMN_UNITS}"
     if isinstance(value, str) and (match := _COLUMN.fullmatch(value)):
-        from airlight.optics.gas_absorption import column_from_dobson
+        from airlight.physics.optics.gas_absorption import column_from_dobson
 
         thickness = quantity(match[1], "1", field, allowed=allowed)
         return column_from_dobson(_THICKNESS[match[2]] * thickness)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import Collector, ParameterError, changed
+from airlight.physics.units import quantities, quantity
 from airlight.planets.parameters import MISSING, numbers
 from airlight.planets.spectral import (
     LONGEST,
@@ -17,7 +18,6 @@ from airlight.planets.spectral import (
     Spectral,
     check_wavelength_list,
 )
-from airlight.units import quantities, quantity
 
 #: Longest list of a file.
 LONGEST_LIST = 10_000

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import Cancelled, FileError
-from airlight.fit.scans import Scans, read_scan_file
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
-from airlight.solvers.solve import solve
+from airlight.solver.solve import solve
+from airlight.studies.fit.scans import Scans, read_scan_file
 from airlight.validation.kider.fits import AerosolFit, AerosolModel
 from airlight.validation.kider.planets import (
     PUBLISHED_INPUTS,

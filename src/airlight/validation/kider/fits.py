@@ -9,13 +9,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.fit.least_squares import Data, FitResult, fit
-from airlight.fit.parameter import FitParameter
-from airlight.fit.scans import Scans
-from airlight.fit.sky_model import Nuisance, ObservedDirections, SkyModel
-from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.kernel.threads import Cancel
 from airlight.planets.planet import Planet
+from airlight.studies.fit.least_squares import Data, FitResult, fit
+from airlight.studies.fit.parameter import FitParameter
+from airlight.studies.fit.scans import Scans
+from airlight.studies.fit.sky_model import Nuisance, ObservedDirections, SkyModel
+from airlight.studies.fit.smooth_settings import smooth, smooth_near
 from airlight.validation.kider.planets import AngstromLaw
 
 FloatArray = NDArray[np.float64]

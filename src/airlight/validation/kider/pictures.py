@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.fit.scans import Scans
-from airlight.plots.figure import GREY, LINE_STYLES, PALETTE, grid, new_figure
+from airlight.studies.fit.scans import Scans
+from airlight.studies.plots.figure import GREY, LINE_STYLES, PALETTE, grid, new_figure
 from airlight.validation.kider.scans import MILLI, rmse_per_scan
 from airlight.validation.suite import ReportPicture
 

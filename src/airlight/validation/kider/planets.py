@@ -10,11 +10,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.constants import ASTRONOMICAL_UNIT
 from airlight.errors import FileError
-from airlight.fit.scans import Scans
-from airlight.optics.gas_absorption import column_from_dobson, ozone_profile_afgl1986
-from airlight.optics.legendre import phase_integral
+from airlight.physics.constants import ASTRONOMICAL_UNIT
+from airlight.physics.optics.gas_absorption import column_from_dobson, ozone_profile_afgl1986
+from airlight.physics.optics.legendre import phase_integral
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.absorbers import OzoneAbsorption
 from airlight.planets.matter.gases import GasScattering, RefractiveScattering
@@ -25,7 +25,7 @@ from airlight.planets.matter.phases import (
 )
 from airlight.planets.matter.profiles import Exponential, Tabulated
 from airlight.planets.spectral import PerWavelength
-from airlight.spectra.sun import solar_irradiance
+from airlight.studies.fit.scans import Scans
 
 FloatArray = NDArray[np.float64]
 
@@ -174,7 +174,7 @@ def air_refractivity_edlen1953(wavelengths: ArrayLike) -> FloatArray:
 
     Examples
     --------
-    >>> from airlight.optics.refractive_index import air_refractivity_peck1972
+    >>> from airlight.physics.optics.refractive_index import air_refractivity_peck1972
     >>> difference = air_refractivity_edlen1953(550.0) / air_refractivity_peck1972(550.0) - 1.0
     >>> bool(abs(difference) < 1e-4)  # two measurements of the same air
     True

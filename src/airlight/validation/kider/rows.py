@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import Cancelled
-from airlight.fit.scans import Scans
 from airlight.kernel.threads import Cancel, Progress
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.solve import solve
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.solve import solve
+from airlight.studies.fit.scans import Scans
 from airlight.validation.kider.fits import AerosolModel, fit_pointing
 from airlight.validation.kider.planets import (
     AERONET_AEROSOL,

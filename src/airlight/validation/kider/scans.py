@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.fit.scans import Scans, read_scan_file
+from airlight.studies.fit.scans import Scans, read_scan_file
 
 FloatArray = NDArray[np.float64]
 

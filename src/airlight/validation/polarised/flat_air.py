@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
-from airlight.solvers import Solution
+from airlight.solver import Solution
 from airlight.validation.published.row import Solve
 from airlight.validation.suite import Part, ReportTable, Threshold
 
@@ -42,7 +42,7 @@ class Values(NamedTuple):
     azimuth : array, shape (n,)
         Azimuth between line of sight and star. [deg]
     stokes : array, shape (n, 3)
-        I, Q and U in the frame of ``solvers.stokes_frame``, per irradiance of the star. [sr⁻¹]
+        I, Q and U in the frame of ``solver.stokes_frame``, per irradiance of the star. [sr⁻¹]
     """
 
     mu: FloatArray

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from airlight.errors import Cancelled
 from airlight.kernel.threads import Cancel
 from airlight.planets import Planet, load_planet, replace
-from airlight.solvers import solve
-from airlight.solvers.montecarlo.settings import MonteCarloSettings
-from airlight.solvers.montecarlo.solution import MonteCarloSolution
+from airlight.solver import solve
+from airlight.solver.montecarlo.settings import MonteCarloSettings
+from airlight.solver.montecarlo.solution import MonteCarloSolution
 from airlight.validation.agreement import LEAST_RADIANCE, NOISE
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
 from airlight.validation.finite_disc import with_point_star

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
-from airlight.observables.neutral_points import NEUTRAL_POINTS
-from airlight.observables.neutral_points import neutral_points as zeros
 from airlight.planets import load_planet
-from airlight.solvers import Solution
+from airlight.solver import Solution
+from airlight.studies.observables.neutral_points import NEUTRAL_POINTS
+from airlight.studies.observables.neutral_points import neutral_points as zeros
 from airlight.validation.published.row import Solve
 from airlight.validation.suite import Part, ReportTable, Threshold
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Layer, Layered
-from airlight.solvers import solve as solve_planet
-from airlight.solvers.montecarlo.settings import MonteCarloSettings
+from airlight.solver import solve as solve_planet
+from airlight.solver.montecarlo.settings import MonteCarloSettings
 from airlight.validation.metrics import summarise
 from airlight.validation.published.row import Solve
 from airlight.validation.suite import Part, ReportTable, Threshold

@@ -18,10 +18,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.color_temperature import correlated_color_temperature
-from airlight.color.spectral import rgb_weights
-from airlight.color.xyz import chromaticity, rgb_to_xyz
-from airlight.solvers import Solution
+from airlight.image.color_temperature import correlated_color_temperature
+from airlight.image.spectral import rgb_weights
+from airlight.image.xyz import chromaticity, rgb_to_xyz
+from airlight.solver import Solution
 from airlight.validation.published.row import PublishedRow, PublishedSection
 from airlight.validation.published.twilight import (
     ground_illuminance,

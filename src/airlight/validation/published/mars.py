@@ -14,8 +14,8 @@ from typing import Final
 
 import numpy as np
 
-from airlight.color.spectral import default_wavelengths, rgb_weights
-from airlight.color.xyz import chromaticity, rgb_to_xyz
+from airlight.image.spectral import default_wavelengths, rgb_weights
+from airlight.image.xyz import chromaticity, rgb_to_xyz
 from airlight.planets import load_planet
 from airlight.validation.published.row import PublishedRow, PublishedSection, Solve
 from airlight.validation.published.twilight import ground_light

@@ -23,11 +23,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.observables.disc import disc_reflectance
 from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
-from airlight.solvers import Solution
+from airlight.solver import Solution
+from airlight.studies.observables.disc import disc_reflectance
 from airlight.validation.energy_planets import VAST
 from airlight.validation.published.row import PublishedRow, PublishedSection, Solve
 from airlight.validation.suite import Threshold

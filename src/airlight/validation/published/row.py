@@ -10,7 +10,7 @@ from typing import Final, Literal, Protocol
 from airlight.errors import AirlightWarning
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import Planet
-from airlight.solvers import Solution
+from airlight.solver import Solution
 from airlight.validation.suite import Mark, ReportTable, Threshold
 
 
@@ -150,7 +150,7 @@ def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:
 
     Solutions are neither read from the disk nor kept there: a report says what this version does.
     """
-    from airlight.solvers import solve
+    from airlight.solver import solve
 
     def solved(
         planet: Planet, wavelengths: Sequence[float], quality: object, /, *,

@@ -15,7 +15,7 @@ import numpy as np
 
 from airlight.geometry.refraction import apparent_sun
 from airlight.planets import Medium, Planet, load_planet
-from airlight.solvers.refracted_geometry import RefractedGeometry
+from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.validation.published.row import PublishedRow, PublishedSection
 
 #: Angular diameter of the sun at 1 au. [deg]

@@ -26,13 +26,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
+from airlight.physics.constants import LUMINOUS_EFFICACY
+from airlight.physics.spectra.color_matching import cie_1931
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets import Planet, replace
 from airlight.planets.matter.profiles import Exponential
-from airlight.solvers import Solution
-from airlight.spectra.color_matching import cie_1931
-from airlight.spectra.sun import solar_irradiance
+from airlight.solver import Solution
 
 FloatArray = NDArray[np.float64]
 

@@ -23,9 +23,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets import load_planet
-from airlight.solvers import Solution
-from airlight.spectra.sun import solar_irradiance
+from airlight.solver import Solution
 from airlight.validation.published.row import PublishedRow, PublishedSection, Solve
 from airlight.validation.published.twilight import ground_light
 from airlight.validation.suite import Threshold

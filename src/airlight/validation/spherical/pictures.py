@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.plots.figure import GREY, PALETTE, grid, new_figure, wavelength_ink
+from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure, wavelength_ink
 from airlight.validation.reference_earth import WAVELENGTHS
 from airlight.validation.suite import ReportPicture
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import Cancelled, FileError
 from airlight.planets import load_planet
-from airlight.solvers import solve
+from airlight.solver import solve
 from airlight.validation.metrics import (
     ErrorSummary,
     beyond_noise,

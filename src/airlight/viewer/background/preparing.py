@@ -8,7 +8,7 @@ from typing import Final
 
 from airlight.kernel.compiling import Compiling
 from airlight.render.background_compilation import start_render_compiler
-from airlight.solvers.moments.loops import LOOPS
+from airlight.solver.moments.loops import LOOPS
 from airlight.viewer.background.solver_thread import SolverStatus
 
 #: Shortest time between two redraws, which compete for the CPU. [s]

@@ -13,13 +13,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Final, Protocol
 
-from airlight.color.spectral import rgb_weights
 from airlight.errors import Cancelled
+from airlight.image.spectral import rgb_weights
 from airlight.kernel.threads import Cancel, Progress
-from airlight.paint.solve_planet import PlanetSolver, live_solver
 from airlight.planets.picture_wavelengths import FloatArray, picture_wavelengths
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import read_tables
+from airlight.render.solve_planet import PlanetSolver, live_solver
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
 from airlight.viewer.session.solve_request import SolveRequest, Versions

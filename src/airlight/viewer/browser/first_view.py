@@ -7,7 +7,7 @@ import io
 from collections.abc import Mapping
 from typing import Any, Final
 
-from airlight.color.display import to_display
+from airlight.image.display import to_display
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render import render
 from airlight.viewer.parameters.parameter import Value

@@ -7,38 +7,38 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, Final
 
-from airlight.color.exposure import eased, exposure_with_stars
-from airlight.color.glare import glare_levels, glare_share
-from airlight.color.xyz import luminance_of
-from airlight.ephemeris import moon_formula, sun_formula
+from airlight.geometry.ephemeris import moon_formula, sun_formula
 from airlight.geometry.refraction import apparent_sun_cosine
-from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.javascript import JAVASCRIPT
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, ShaderTable, Value
-from airlight.optics.altitude_nodes import node_value
-from airlight.optics.moon_phase import moon_phase_factor
-from airlight.pixels.disc_shading import OCCULTER, SHADING, phase_shading
-from airlight.pixels.light_visibility import light_visibility
-from airlight.pixels.observer_uniforms import observer_uniforms
-from airlight.pixels.occulted_light import disc_factor, light_left
+from airlight.image.exposure import eased, exposure_with_stars
+from airlight.image.glare import glare_levels, glare_share
+from airlight.image.xyz import luminance_of
+from airlight.physics.optics.altitude_nodes import node_value
+from airlight.physics.optics.moon_phase import moon_phase_factor
+from airlight.render.gpu.emit.emitter import Emitter
+from airlight.render.gpu.emit.javascript import JAVASCRIPT
+from airlight.render.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, ShaderTable, Value
+from airlight.render.pixels.disc_shading import OCCULTER, SHADING, phase_shading
+from airlight.render.pixels.light_visibility import light_visibility
+from airlight.render.pixels.observer_uniforms import observer_uniforms
+from airlight.render.pixels.occulted_light import disc_factor, light_left
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of, filter_axis
 from airlight.scene.metering import left_out, metering_weight
 from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
-from airlight.solvers.moments.acceleration import combine
-from airlight.solvers.moments.convergence import (
+from airlight.solver.moments.acceleration import combine
+from airlight.solver.moments.convergence import (
     acceleration_weight,
     change_at,
     count_at,
     geometric_tail,
     is_near,
 )
-from airlight.solvers.moments.delta_m import delta_m_scaling
-from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.packing import floor_below, level_weight, optically_thick_weight
-from airlight.solvers.moments.synthetic_acceleration import lateral_diffusion_equations
+from airlight.solver.moments.delta_m import delta_m_scaling
+from airlight.solver.moments.elimination import factorise, substitute
+from airlight.solver.moments.packing import floor_below, level_weight, optically_thick_weight
+from airlight.solver.moments.synthetic_acceleration import lateral_diffusion_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
 #: Tables of a metered picture.

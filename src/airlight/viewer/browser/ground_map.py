@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.texels import DECODED
+from airlight.image.texels import DECODED
 from airlight.scene.map_levels import reduced
 from airlight.scene.surface_map import SurfaceMap
 

@@ -11,9 +11,9 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.display import to_display
-from airlight.paint.renderer import Renderer
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.image.display import to_display
+from airlight.render.renderer import Renderer
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.parameters.parameter import Value

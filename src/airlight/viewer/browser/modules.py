@@ -15,11 +15,11 @@ from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
-from airlight.gpu.device.flat import FORMATS
-from airlight.gpu.device.packed import PACKED_FORMAT
-from airlight.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
-from airlight.pixels.polarising_filter import ALONG, ASLANT, NONE
-from airlight.pixels.render_tables import WAVELENGTHS
+from airlight.render.gpu.device.flat import FORMATS
+from airlight.render.gpu.device.packed import PACKED_FORMAT
+from airlight.render.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
+from airlight.render.pixels.polarising_filter import ALONG, ASLANT, NONE
+from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.scene.ground_detail import NOMINAL_ROWS
 from airlight.viewer.browser.formulas import formulas_text
 from airlight.viewer.navigation import keys

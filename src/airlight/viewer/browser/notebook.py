@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import AirlightError
-from airlight.paint.rendering_gpu import any_gpu
-from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import texel_wavelengths
+from airlight.render.rendering_gpu import any_gpu
+from airlight.render.solve_planet import live_solver
 from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.browser.kernel_pictures import KernelPictures, Order
 from airlight.viewer.browser.modules import join_modules, web_file

@@ -12,39 +12,39 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.display import DEFAULT_TONE_MAP
-from airlight.color.gamut import PRIMARIES
-from airlight.color.xyz import rgb_to_xyz
-from airlight.constants import LUMINOUS_EFFICACY
-from airlight.gpu.device.flat import FORMATS
-from airlight.gpu.emit.shader_types import FLAT_WIDTH
-from airlight.gpu.picture.display_shaders import (
+from airlight.image.display import DEFAULT_TONE_MAP
+from airlight.image.gamut import PRIMARIES
+from airlight.image.xyz import rgb_to_xyz
+from airlight.physics.constants import LUMINOUS_EFFICACY
+from airlight.render.gpu.device.flat import FORMATS
+from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.render.gpu.picture.display_shaders import (
     added_shader,
     coarser_shader,
     display_shader,
     spread_shader,
 )
-from airlight.gpu.picture.gpu_renderer import (
+from airlight.render.gpu.picture.gpu_renderer import (
     MEDIUM_SKY_VIEW_SIZE,
     QUICK_SKY_VIEW_SIZE,
     SKY_VIEW_SIZE,
 )
-from airlight.gpu.picture.shaders import (
+from airlight.render.gpu.picture.shaders import (
     Shader,
     picture_shader,
     sky_air_shader,
     sky_peaks_shader,
     sky_polarised_shader,
 )
-from airlight.gpu.picture.solution_textures import SolutionTables
-from airlight.gpu.picture.uniforms import FRAME, LAYERS
-from airlight.pixels.render_tables import WAVELENGTHS
-from airlight.pixels.view_uniforms import ORDERS, display_uniforms, overlay_uniforms
+from airlight.render.gpu.picture.solution_textures import SolutionTables
+from airlight.render.gpu.picture.uniforms import FRAME, LAYERS
+from airlight.render.pixels.render_tables import WAVELENGTHS
+from airlight.render.pixels.view_uniforms import ORDERS, display_uniforms, overlay_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.metering import METERED
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.surface_map import surface_map
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.browser.ground_map import ground_map
 from airlight.viewer.browser.second_light_data import second_light_data
 from airlight.viewer.browser.web_shaders import CORNERS, web_shaders

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
-from airlight.exports.atomic_file import atomic_file, check_target
+from airlight.files.atomic_file import atomic_file, check_target
 from airlight.kernel.threads import Cancel, Progress
-from airlight.paint.solve_planet import solve_planet
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import texel_wavelengths
-from airlight.solvers.moments.harmonics import moment_count
+from airlight.render.solve_planet import solve_planet
+from airlight.solver.moments.harmonics import moment_count
 from airlight.viewer.browser.first_view import first_view as first_picture
 from airlight.viewer.browser.package import program, solution_package
 from airlight.viewer.browser.page_solver import MOST, solver_data

@@ -14,28 +14,28 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.gpu.solver.plan import SolverPlan
-from airlight.gpu.solver.planning import plan_for
-from airlight.gpu.solver.solver import THICKEST
-from airlight.optics.reflection import largest_albedo
-from airlight.pixels.render_tables import WAVELENGTHS
+from airlight.physics.optics.reflection import largest_albedo
 from airlight.planets.medium import REFRACTION_COLUMN
-from airlight.solvers.moments import convergence
-from airlight.solvers.moments.delta_m import Optics
-from airlight.solvers.moments.iterate import POLARISED_OVER_RELAXATION
-from airlight.solvers.moments.levels import finer_weights
-from airlight.solvers.moments.packing import filled
-from airlight.solvers.moments.settings import QUALITIES, MomentsSettings
-from airlight.solvers.moments.setup import (
+from airlight.render.gpu.solver.plan import SolverPlan
+from airlight.render.gpu.solver.planning import plan_for
+from airlight.render.gpu.solver.solver import THICKEST
+from airlight.render.pixels.render_tables import WAVELENGTHS
+from airlight.solver.moments import convergence
+from airlight.solver.moments.delta_m import Optics
+from airlight.solver.moments.iterate import POLARISED_OVER_RELAXATION
+from airlight.solver.moments.levels import finer_weights
+from airlight.solver.moments.packing import filled
+from airlight.solver.moments.settings import QUALITIES, MomentsSettings
+from airlight.solver.moments.setup import (
     LATERAL_THRESHOLD,
     NUMERICAL_DIFFUSION,
     OPTICALLY_DEEP,
     TRANSPORT_DEPTH_SCALE,
 )
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.moments.stopping import SWEEP_ITERATES, Stopping
-from airlight.solvers.moments.synthetic_acceleration import DEGREE, ORDER
-from airlight.solvers.refracted_geometry import RefractedGeometry
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.stopping import SWEEP_ITERATES, Stopping
+from airlight.solver.moments.synthetic_acceleration import DEGREE, ORDER
+from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.browser.web_shaders import solver_shaders
 

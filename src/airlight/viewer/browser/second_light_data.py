@@ -7,10 +7,10 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.pixels.render_tables import WAVELENGTHS
+from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.scene.moon_light import MoonLight
 from airlight.scene.star_light import StarLight
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

@@ -5,22 +5,22 @@ from __future__ import annotations
 from functools import cache
 from typing import Any, Final
 
-from airlight.gpu.device.fragment_pass import declared_bindings
-from airlight.gpu.emit.glsl import GLSL
-from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.display_shaders import (
+from airlight.render.gpu.device.fragment_pass import declared_bindings
+from airlight.render.gpu.emit.glsl import GLSL
+from airlight.render.gpu.emit.wgsl import WGSL
+from airlight.render.gpu.picture.display_shaders import (
     added_shader,
     coarser_shader,
     display_shader,
     spread_shader,
 )
-from airlight.gpu.picture.shaders import (
+from airlight.render.gpu.picture.shaders import (
     picture_shader,
     sky_air_shader,
     sky_peaks_shader,
     sky_polarised_shader,
 )
-from airlight.gpu.solver.passes import PASSES, shader
+from airlight.render.gpu.solver.passes import PASSES, shader
 
 #: Vertex function of all passes.
 CORNERS: Final = "full_screen_triangle"

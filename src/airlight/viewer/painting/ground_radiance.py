@@ -7,13 +7,13 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.optics import water
-from airlight.optics.clouds import under_clouds
-from airlight.optics.cox_munk import mirrored_cosine
-from airlight.optics.reflection import WATER, brdf_diffuse, brdf_direct, cos_reflected
-from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
-from airlight.solvers.moments.radiance_parts import Parts
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.physics.optics import water
+from airlight.physics.optics.clouds import under_clouds
+from airlight.physics.optics.cox_munk import mirrored_cosine
+from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct, cos_reflected
+from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
+from airlight.solver.moments.radiance_parts import Parts
+from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

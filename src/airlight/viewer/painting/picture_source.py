@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol
 
-from airlight.color.exposure import DEFAULT_EXPOSURE
+from airlight.image.exposure import DEFAULT_EXPOSURE
 from airlight.scene import Scene
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.session.adaptation import Adaptation
 
 #: Orders of scattering that are shown.
@@ -34,7 +34,7 @@ class Request:
     held : bool
         Whether the automatic exposure is locked.
     tone_map : str
-        Name from ``airlight.color.tone_maps.TONE_MAPS``.
+        Name from ``airlight.image.tone_maps.TONE_MAPS``.
     glare : float
         Glare relative to a typical lens. [1]
     orders : str

@@ -13,25 +13,25 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.texels import CHANNELS
-from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
-from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
-from airlight.pixels.disc_shading import disc_powers, shading_uniforms
-from airlight.pixels.occulted_light import DARKEST
-from airlight.pixels.scenes_by_light import scenes_by_light
+from airlight.image.texels import CHANNELS
+from airlight.image.xyz import chromaticity, luminance, rgb_to_xyz
+from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.render.cpu_renderer import color_weights
+from airlight.render.pixels.disc_shading import disc_powers, shading_uniforms
+from airlight.render.pixels.occulted_light import DARKEST
+from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
 from airlight.scene.camera import Camera
 from airlight.scene.ground_place import map_color
 from airlight.scene.light_position import LightPosition
 from airlight.scene.surface_map import surface_map
-from airlight.solvers.lines_of_sight import LinesOfSight
-from airlight.solvers.moments.radiance_parts import radiance_parts
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.stokes_frame import to_meridian
-from airlight.tables.columns import columns
+from airlight.solver.lines_of_sight import LinesOfSight
+from airlight.solver.moments.radiance_parts import radiance_parts
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.stokes_frame import to_meridian
+from airlight.solver.tables.columns import columns
 from airlight.viewer.painting.ground_radiance import ground_radiance
 from airlight.viewer.painting.probed_clouds import probed_clouds
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.texels import CHANNELS
-from airlight.optics.clouds import layer_distance
+from airlight.image.texels import CHANNELS
+from airlight.physics.optics.clouds import layer_distance
 from airlight.scene import Scene
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level
 from airlight.scene.light_position import LightPosition
-from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
@@ -23,7 +23,7 @@ def probed_clouds(
     distance: float,
     position: LightPosition,
 ) -> tuple[float, float] | None:
-    """Cloud cover on a line of sight to the ground, as in ``pixels.ground``.
+    """Cloud cover on a line of sight to the ground, as in ``render.pixels.ground``.
 
     Parameters
     ----------

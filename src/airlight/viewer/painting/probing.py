@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from airlight.errors import Cancelled
-from airlight.paint.solve_planet import solve_planet
 from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.render.solve_planet import solve_planet
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.painting.picture_source import Request
 from airlight.viewer.painting.probe import Probe, probe_pixel

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator
 from time import perf_counter, sleep
 from typing import Any, Final
 
-from airlight.color.display import to_display
-from airlight.color.exposure import MOST_EXPOSURE
-from airlight.paint.renderer import LiveFrame, Renderer
+from airlight.image.display import to_display
+from airlight.image.exposure import MOST_EXPOSURE
+from airlight.render.renderer import LiveFrame, Renderer
 from airlight.scene.metering import METERED, scene_exposure
 from airlight.scene.picture_size import scaled
 from airlight.viewer.painting.picture_source import Picture, Request

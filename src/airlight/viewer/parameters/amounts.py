@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 from airlight.errors import AirlightError
-from airlight.optics.gas_absorption import dobson_from_column
-from airlight.optics.reflection import largest_albedo
+from airlight.physics.optics.gas_absorption import dobson_from_column
+from airlight.physics.optics.reflection import largest_albedo
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.matter.absorbers import OzoneAbsorption
@@ -183,7 +183,7 @@ def _ozone(one: Constituent, depth: float, thickness: float) -> float:
         return float(f"{one.amount * dobson_from_column(one.absorption.column):.12g}")
     if one.name != "ozone" or not depth > 0.0:
         return 0.0
-    from airlight.spectra.ozone import ozone_cross_section
+    from airlight.physics.spectra.ozone import ozone_cross_section
 
     return dobson_from_column(depth / float(ozone_cross_section([AT])[0]))
 

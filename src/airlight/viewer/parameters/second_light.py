@@ -6,8 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Final
 
-from airlight.ephemeris.moon_formula import moon_on_date
-from airlight.ephemeris.sun_formula import NUMBERED
+from airlight.geometry.ephemeris.moon_formula import moon_on_date
+from airlight.geometry.ephemeris.sun_formula import NUMBERED
 from airlight.scene.light_position import LightPosition
 from airlight.scene.moon_light import MoonLight
 from airlight.scene.star_light import StarLight

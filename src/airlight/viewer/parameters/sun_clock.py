@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from datetime import datetime, timedelta
 from typing import Final
 
-from airlight.ephemeris.sun_formula import NUMBERED, date_after
+from airlight.geometry.ephemeris.sun_formula import NUMBERED, date_after
 from airlight.scene.sun_time import sun_on_date
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.second_light import BY_DATE, with_moon

@@ -10,9 +10,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from airlight.color.exposure import DEFAULT_EXPOSURE
-from airlight.color.glare import MOST as MOST_GLARE
-from airlight.color.tone_maps import TONE_MAPS
+from airlight.image.exposure import DEFAULT_EXPOSURE
+from airlight.image.glare import MOST as MOST_GLARE
+from airlight.image.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
 from airlight.scene.flight import LOWEST_ALTITUDE
 from airlight.scene.ground_detail import GROUNDS

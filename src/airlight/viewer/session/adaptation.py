@@ -7,7 +7,7 @@ from collections.abc import Callable
 from time import monotonic
 from typing import Final
 
-from airlight.color.exposure import eased
+from airlight.image.exposure import eased
 
 #: Time in which all but 37 % of a change is gone: in 0.4 s all but 5 %. [s]
 TIME_CONSTANT: Final = 0.13

@@ -6,8 +6,8 @@ from typing import Final
 
 import numpy as np
 
-from airlight.constants import SOLAR_RADIUS
-from airlight.optics.phase_table import moments
+from airlight.physics.constants import SOLAR_RADIUS
+from airlight.physics.optics.phase_table import moments
 from airlight.planets.matter.phases import PHASES
 from airlight.planets.reading.declared_keys import key_at
 from airlight.planets.reading.nested_tables import Tables, get, put

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
-from airlight.exports.atomic_file import atomic_file
+from airlight.files.atomic_file import atomic_file
 from airlight.planets.planet import Planet
 from airlight.planets.reading.planet_file import planet_file
 from airlight.planets.reading.reader import read_tables

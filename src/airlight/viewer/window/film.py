@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from airlight.color.display import to_display
-from airlight.color.exposure import eased
 from airlight.errors import Cancelled, FileError
-from airlight.exports.atomic_file import atomic_file
+from airlight.files.atomic_file import atomic_file
+from airlight.image.display import to_display
+from airlight.image.exposure import eased
 from airlight.kernel.threads import Cancel, Progress
-from airlight.paint.renderer import Renderer
 from airlight.planets.parameters import replace
+from airlight.render.renderer import Renderer
 from airlight.scene import Scene
 from airlight.scene.sun_time import sun_at, time_of
 from airlight.viewer.painting.picture_source import Picture

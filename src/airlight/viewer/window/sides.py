@@ -6,8 +6,8 @@ from collections.abc import Callable
 from time import perf_counter
 from typing import Final, cast
 
-from airlight.paint.solve_planet import PlanetSolver
 from airlight.planets.planet import Planet
+from airlight.render.solve_planet import PlanetSolver
 from airlight.viewer.background.solver_thread import SolverResult, SolverStatus, SolverThread
 from airlight.viewer.painting.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.painting.picture_thread import PictureThread

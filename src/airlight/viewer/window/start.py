@@ -12,13 +12,13 @@ from typing import Final
 import numpy as np
 
 from airlight.errors import FileError
-from airlight.exports.atomic_file import check_target
-from airlight.gpu.device.device import Device, NoDevice, open_device
+from airlight.files.atomic_file import check_target
 from airlight.kernel.background_compiler import BackgroundCompiler
-from airlight.paint.renderer import Renderer
-from airlight.paint.rendering_gpu import Choice, live_gpu
-from airlight.paint.solve_planet import live_solver
 from airlight.planets.reading.reader import read_tables
+from airlight.render.gpu.device.device import Device, NoDevice, open_device
+from airlight.render.renderer import Renderer
+from airlight.render.rendering_gpu import Choice, live_gpu
+from airlight.render.solve_planet import live_solver
 from airlight.scene import look_at
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.first_view import first_view
@@ -211,7 +211,7 @@ def renderer_by(
 
 def _photograph(window: Window, canvas: OffscreenCanvas, path: Path) -> None:
     """Draw until all requests are displayed, and write a screenshot."""
-    from airlight.exports.png import write_png
+    from airlight.image.png import write_png
 
     until = time.monotonic() + _PATIENCE
     canvas.run(window.draw)

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from time import perf_counter
 from typing import Any, Final
 
-from airlight.paint.solve_planet import PlanetSolver
+from airlight.render.solve_planet import PlanetSolver
 from airlight.viewer.background.error_line import Faults
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.flight import Flight

@@ -8,9 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.kernel import vectorized
-from airlight.optics import phase_functions
-from airlight.optics.phase_functions import INV_4PI
-from airlight.optics.phase_matrix import anisotropy
+from airlight.physics.optics import phase_functions
+from airlight.physics.optics.phase_functions import INV_4PI
+from airlight.physics.optics.phase_matrix import anisotropy
 from airlight.planets.matter.phases.phase_function import FormulaPhase
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field, always

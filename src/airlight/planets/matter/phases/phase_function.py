@@ -11,12 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.kernel import vectorized
-from airlight.optics.legendre import legendre_moments
-from airlight.optics.phase_matrix import unpolarising_ratio
-from airlight.optics.phase_table import interpolated
+from airlight.physics.optics.legendre import legendre_moments
+from airlight.physics.optics.phase_matrix import unpolarising_ratio
+from airlight.physics.optics.phase_table import interpolated
+from airlight.physics.units import values_in
 from airlight.planets.schema.toml_model import TomlModel, fields_of
 from airlight.planets.spectral import Limits, PerWavelength, spectral_at, spectral_limits
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -96,7 +96,7 @@ class PhaseFunction(TomlModel, ABC):
         section 2.8: their β₁, α₂ and α₃ of degree 2, over 5, and their α₂ + α₃ of degree 5, over
         22. β₁ couples radiance and even polarised light, α₂ keeps the even, α₃ the odd.
         The last is the part of polarised light that counts as not scattered, see
-        ``solvers.moments.delta_m``.
+        ``solver.moments.delta_m``.
         """
         return np.array(
             [polarising_moments_of(self.sampled(float(nm))) for nm in np.atleast_1d(wavelengths)]

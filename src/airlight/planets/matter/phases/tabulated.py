@@ -13,8 +13,9 @@ from pydantic import BeforeValidator
 
 from airlight.errors import ParameterError
 from airlight.kernel import vectorized
-from airlight.optics.phase_matrix import unpolarising_ratio
-from airlight.optics.phase_table import interpolated, moments
+from airlight.physics.optics.phase_matrix import unpolarising_ratio
+from airlight.physics.optics.phase_table import interpolated, moments
+from airlight.physics.units import values_in
 from airlight.planets.matter.phases.phase_function import (
     INTEGRAL_TOLERANCE,
     PhaseFunction,
@@ -31,7 +32,6 @@ from airlight.planets.spectral import (
     PerWavelength,
     check_wavelength_list,
 )
-from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -278,7 +278,7 @@ class TabulatedPhase(PhaseFunction):
         return np.asarray((interpolated(*self._table, angle) * across) @ self._weights(wavelengths))
 
     def moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
-        """Legendre moments as ``optics.legendre`` defines them, shape (nl, degree + 1). [1]
+        """Legendre moments as ``physics.optics.legendre`` defines them, shape (nl, degree + 1). [1]
 
         Integrated between the table's own angles, so that no ripple lies between the nodes.
         """

@@ -7,7 +7,7 @@ from typing import Annotated, Final
 import numpy as np
 
 from airlight.errors import ParameterError
-from airlight.optics.density_profile import Row
+from airlight.physics.optics.density_profile import Row
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import instance_of, parameters
 
@@ -41,7 +41,7 @@ class Continued(Profile):
     depth: float
 
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
         edges, pieces = self.profile.row(thickness - self.depth)
         a, b, c, d = (float(one) for one in pieces[0])
         density = max(a + d, 0.0)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from airlight.optics import density_profile
-from airlight.optics.density_profile import Row
-from airlight.optics.rayleigh import scale_height
+from airlight.physics.optics import density_profile
+from airlight.physics.optics.density_profile import Row
+from airlight.physics.optics.rayleigh import scale_height
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field, Wavelengths
@@ -121,7 +121,7 @@ class Exponential(Profile):
     ]
 
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
         return density_profile.exponential(self.scale_height, thickness)
 
 
@@ -163,7 +163,7 @@ class Tent(Profile):
     ]
 
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
         return density_profile.tent(self.center, self.half_width, thickness)
 
 
@@ -174,5 +174,5 @@ class Uniform(Profile):
     keyword = "uniform"
 
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
         return density_profile.uniform(thickness)

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import Annotated, Any
 
 from airlight.errors import ParameterError
-from airlight.optics import density_profile
-from airlight.optics.density_profile import LayerTerms, Row
+from airlight.physics.optics import density_profile
+from airlight.physics.optics.density_profile import LayerTerms, Row
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field, Wavelengths, always
@@ -103,7 +103,7 @@ class Layered(Profile):
                 raise ParameterError(f"layers[{index}].width", layer.width, "more than 0 m")
 
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
         terms = [
             LayerTerms(
                 width=layer.width,

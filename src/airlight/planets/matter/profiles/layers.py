@@ -10,8 +10,12 @@ from typing import Annotated, Any, Final
 import numpy as np
 
 from airlight.errors import ParameterError
-from airlight.optics.density_profile import Row
-from airlight.optics.hydrostatic import HydrostaticLayers, mass_per_length, thickness_of_layer
+from airlight.physics.optics.density_profile import Row
+from airlight.physics.optics.hydrostatic import (
+    HydrostaticLayers,
+    mass_per_length,
+    thickness_of_layer,
+)
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.matter.profiles.weight_keys import (
     gravity_key,
@@ -181,7 +185,7 @@ class Layers(Profile):
         return tuple(found)
 
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
         return self.air.row(thickness)
 
     @classmethod

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 
-from airlight.optics import density_profile
-from airlight.optics.density_profile import Row
+from airlight.physics.optics import density_profile
+from airlight.physics.optics.density_profile import Row
 from airlight.planets.schema.toml_model import TomlModel
 
 
@@ -18,7 +18,7 @@ class Profile(TomlModel, ABC):
 
     @abstractmethod
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
 
     def column(self, thickness: float) -> float:
         """Vertical column over a shell of this thickness [m]. [m]"""

@@ -8,8 +8,12 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Final
 
 from airlight.errors import ConflictError, ParameterError
-from airlight.optics.density_profile import Row
-from airlight.optics.hydrostatic import HydrostaticLayers, mass_per_length, thickness_between
+from airlight.physics.optics.density_profile import Row
+from airlight.physics.optics.hydrostatic import (
+    HydrostaticLayers,
+    mass_per_length,
+    thickness_between,
+)
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.matter.profiles.weight_keys import (
     gravity_key,
@@ -46,7 +50,7 @@ class Sounding(Profile):
 
     Notes
     -----
-    See ``optics.tabulated_profile`` for densities between the rows and beyond them.
+    See ``physics.optics.tabulated_profile`` for densities between the rows and beyond them.
 
     Examples
     --------
@@ -189,8 +193,8 @@ class Sounding(Profile):
         return tuple((ratios / ratios[0]).tolist())
 
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
-        from airlight.optics.tabulated_profile import tabulated
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
+        from airlight.physics.optics.tabulated_profile import tabulated
 
         air = self.air
         if air is not None and (self.altitudes is None or self.altitudes[0] == 0.0):

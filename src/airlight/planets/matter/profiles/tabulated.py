@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 
 from airlight.errors import ParameterError
-from airlight.optics.density_profile import Row
+from airlight.physics.optics.density_profile import Row
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import ascending, parameters
 from airlight.planets.schema.field import Field, Wavelengths
@@ -94,8 +94,8 @@ class Tabulated(Profile):
             raise ParameterError("altitudes", self.altitudes, "steps of at least 1 mm")
 
     def row(self, thickness: float) -> Row:
-        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
-        from airlight.optics.tabulated_profile import tabulated
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
+        from airlight.physics.optics.tabulated_profile import tabulated
 
         return tabulated(self.altitudes, self.densities, thickness)
 
@@ -104,7 +104,7 @@ class Tabulated(Profile):
         """Altitudes and densities, given or from a table of the package."""
         if "table" not in section:
             return super().read_values(section, wavelengths)
-        from airlight.optics.gas_absorption import ozone_profile_afgl1986
+        from airlight.physics.optics.gas_absorption import ozone_profile_afgl1986
 
         section.choice("table", (OZONE_TABLE,))
         altitudes, densities = ozone_profile_afgl1986()

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Final
 
 from airlight.errors import AirlightError
-from airlight.exports.picture import picture_suffix, write_picture
-from airlight.paint.renderer import Renderer
 from airlight.plain_text import plain
+from airlight.render.picture import picture_suffix, write_picture
+from airlight.render.renderer import Renderer
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
 from airlight.viewer.background.error_line import one_line

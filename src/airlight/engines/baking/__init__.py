@@ -1,0 +1,7 @@
+"""Files of pictures and of baked tables, written whole or not at all."""
+
+from __future__ import annotations
+
+from airlight.render.picture import write_picture
+
+__all__ = ["write_picture"]

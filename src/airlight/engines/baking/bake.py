@@ -1,0 +1,503 @@
+"""``bake``: tables for engines, computed from a solution, with their error against it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.engines.baking import table_errors
+from airlight.engines.baking.air_light import AirLight, described_orders, lines_of_sight
+from airlight.engines.baking.labelled_tables import Labels, facts, transmittance, unscattered
+from airlight.engines.baking.packing import (
+    FIT_AZIMUTHS,
+    ScatteringGroups,
+    SeparatedLight,
+    colours_of,
+    combine,
+    fit_azimuths,
+    scattering_groups,
+    separate_orders,
+)
+from airlight.engines.baking.smooth_light import smooth_phases
+from airlight.engines.baking.table_errors import ERROR_POINTS, SEED, TableErrors
+from airlight.engines.baking.texel_values import balanced, fill_angles, of_views
+from airlight.errors import ConflictError, ParameterError
+from airlight.kernel import vectorized
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.physics.optics.phase_functions import rayleigh
+from airlight.physics.units import Measure
+from airlight.planets.reading.reader import PlanetLike
+from airlight.scene.limits import within
+from airlight.solver.refracted_geometry import require_no_refraction
+from airlight.solver.solution import Solution
+from airlight.solver.solve import solution_of
+from airlight.solver.tables.atmosphere_plus import AtmospherePlusLayout
+from airlight.solver.tables.bruneton import BrunetonLayout
+from airlight.solver.tables.layout import Positions, TableLayout
+from airlight.solver.tables.scattered_light import PhaseFunctions, ScatteredLight
+from airlight.solver.tables.table import Table
+
+FloatArray = NDArray[np.float64]
+
+#: Names of the layouts of scattered light.
+LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
+#: Texels per block of work.
+_BLOCK: Final = 1 << 13
+#: Largest number of points at which the sky's irradiance is compared.
+_SKIES: Final = 256
+#: Divisors of the smooth light, by the name of the phase function.
+_DIVISORS: Final = {
+    "smooth": "the phase function smooth",
+    "rayleigh": "Rayleigh's phase function",
+    "gas": "the gas's phase function",
+}
+#: Quantity of the tables of scattered light.
+_AIR: Final = "radiance of the air alone, without the ground's, per irradiance of the star"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Baked:
+    """Tables of one planet.
+
+    Attributes
+    ----------
+    light : ScatteredLight
+        Radiance of the air from ``tables``.
+    tables : dict of str to Table
+        ``transmittance``, ``irradiance``, ``scattering``, and ``single-<name>`` or ``particles``;
+        ``higher-order`` if asked for.
+    about : dict
+        Planet, fingerprint, solver, orders, wavelengths, irradiance of the star.
+    errors : dict of str to TableErrors
+        Errors by the name of what was compared.
+    """
+
+    light: ScatteredLight
+    tables: dict[str, Table]
+    about: dict[str, Any]
+    errors: dict[str, TableErrors]
+
+    def __repr__(self) -> str:
+        return f"<Baked tables of {self.about['planet']}: {', '.join(self.tables)}>"
+
+
+def bake(
+    solution: Solution | PlanetLike,
+    layout: str = "bruneton",
+    *,
+    mapping: str = "weighted-power",
+    packing: str | None = None,
+    azimuth: Measure = 0.0,
+    size: tuple[int, ...] | None = None,
+    precision: str = "single",
+    order: int | None = None,
+    cumulative: bool = False,
+    mu_s_min: Measure | None = None,
+    higher_orders: bool = False,
+    smooth_phase: str = "own",
+    balance: bool = True,
+    points: int = ERROR_POINTS,
+    seed: int = SEED,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Baked:
+    """Fill tables from a solution of any solver, and measure their errors.
+
+    Parameters
+    ----------
+    solution : Solution, Planet, str or Path
+        Solution to bake; a planet, the name of a preset or a path is solved at its own wavelengths.
+    layout : str
+        ``bruneton``: (r, mu, mu_s, nu). ``atmosphere-plus``: (altitude, mu, mu_s).
+    mapping : str
+        Mapping of ``atmosphere-plus``: ``linear``, ``power`` or ``weighted-power``.
+    packing : str, optional
+        ``bruneton``: ``separate`` (the default: particles' single light in a table of its own) or
+        ``combined`` (in alpha, colours restored at look-up). ``atmosphere-plus``: ``rgba`` (the
+        default: particles in alpha, grey), ``separate`` or ``phase-included`` (at ``azimuth``).
+    azimuth : float
+        Azimuth of a ``phase-included`` table; 0 looks to the sun's side. [deg]
+    size : tuple of int, optional
+        Texels along each axis; (32, 128, 32, 8) or (32, 256, 32) if left out.
+    precision : str
+        Precision ``single`` or ``half``; transmittance is always single.
+    order : int, optional
+        Number of scatterings or reflections to include alone.
+    cumulative : bool
+        Whether all orders up to ``order`` are included.
+    mu_s_min : float, optional
+        Lowest cosine of the sun's zenith angle in a ``bruneton`` table, -1 to 0; if left out, the
+        end of twilight on this planet. [1]
+    higher_orders : bool
+        Whether a ``bruneton`` bake has the table ``higher-order`` too: the light scattered or
+        reflected more than once, which ``scattering`` holds as well, divided by Rayleigh's phase
+        function, so that it can be looked up alone.
+    smooth_phase : str
+        Divisor of the table ``scattering`` of a ``bruneton`` bake, by which a look-up multiplies:
+        ``own``, the shape of this light itself (``baking.smooth_light``), or ``rayleigh``, by
+        which shaders with Bruneton's own look-up multiply, and which loses the wide forward peak of
+        light scattered more than once in dusty air.
+    balance : bool
+        Whether values of a ``bruneton`` bake are such that errors along r and mu_s average to
+        nothing (``baking.texel_values``); otherwise texels are exact, and places between them,
+        almost all of them too bright, err by twice as much.
+    points, seed : int
+        Number and seed of the random points at which errors are measured; of few points, none may
+        look to the sky, or to the ground, and there is then no error of that name.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Baked
+
+    Raises
+    ------
+    ParameterError
+        For an unknown or impossible choice, an order that the solution does not keep, or a planet
+        that bends light.
+    Cancelled
+        If ``cancel`` returned True.
+    """
+    solution = solution_of(solution, progress=progress, cancel=cancel)
+    require_no_refraction(solution.medium, "tables, whose look-ups draw straight lines")
+    azimuth = within("azimuth", azimuth, -360.0, 360.0, "deg")
+    lowest = None if mu_s_min is None else within("mu_s_min", mu_s_min, -1.0, 0.0, "1")
+    where = _layout(solution, layout, mapping, azimuth, size, lowest)
+    if higher_orders and layout != "bruneton":
+        raise ConflictError("higher_orders", "requires layout bruneton")
+    packing = _packing(layout, packing)
+    if smooth_phase not in ("own", "rayleigh"):
+        raise ParameterError("smooth_phase", smooth_phase, "own, rayleigh")
+    if smooth_phase != "own" and layout != "bruneton":
+        raise ConflictError("smooth_phase", "requires layout bruneton")
+    if precision not in ("single", "half"):
+        raise ParameterError("precision", precision, "single, half")
+    if points < 1:
+        raise ParameterError("points", points, "1 or more")
+    # What peaks scatter again has the shape of the higher orders' light, which Rayleigh's phase
+    # function as divisor would lose.
+    air = AirLight(solution, order, cumulative=cumulative, peaks_once=smooth_phase == "rayleigh")
+    step = _Steps(progress, cancel)
+    medium = solution.medium
+    groups = scattering_groups(medium, each=layout == "bruneton" and packing == "separate")
+    if packing == "separate" and not air.has_first:  # nothing is left for tables of their own
+        gas = PhaseFunctions(groups.phases.names[:1], groups.phases.values[:1])
+        groups = ScatteringGroups((), groups.gas, gas)
+    reference = int(np.argmax(medium.wavelengths))
+    colours = colours_of(medium, groups, reference)
+    phases, rest_shape = groups.phases, np.ones_like(groups.phases.values[0])
+    if layout == "bruneton":
+        phases, rest_shape = smooth_phases(
+            air, groups, each=packing == "separate", rayleigh=smooth_phase == "rayleigh"
+        )
+    orders = described_orders(order, cumulative)
+    label = Labels(medium, {"solver": solution.report.provenance, "orders": orders})
+    tables = unscattered(solution, label, precision)
+    for name, values, quantity, unit in _scattering(
+        air,
+        where,
+        groups,
+        phases,
+        rest_shape,
+        packing,
+        (colours, reference),
+        step,
+        higher_orders=higher_orders,
+        balance=balance,
+    ):
+        tables[name] = label.table(name, quantity, unit, where, values, precision)
+    light = ScatteredLight(
+        packing=packing, tables=tables, phases=phases, colours=colours, reference=reference
+    )
+    azimuth_of = azimuth if packing == "phase-included" else None
+    errors = _errors(air, light, azimuth_of, points, seed, step)
+    return Baked(light=light, tables=tables, about=facts(solution, orders), errors=errors)
+
+
+def _layout(
+    solution: Solution,
+    layout: str,
+    mapping: str,
+    azimuth: float,
+    size: tuple[int, ...] | None,
+    mu_s_min: float | None,
+) -> TableLayout:
+    if layout not in LAYOUT_NAMES:
+        raise ParameterError("layout", layout, ", ".join(LAYOUT_NAMES))
+    wanted = 4 if layout == "bruneton" else 3
+    if size is not None and len(size) != wanted:
+        names = "r, mu, mu_s, nu" if wanted == 4 else "altitude, mu, mu_s"
+        raise ParameterError("size", size, f"{wanted} numbers of texels: {names}")
+    shell: dict[str, Any] = {
+        "bottom_radius": solution.medium.bottom_radius,
+        "top_radius": solution.medium.top_radius,
+    }
+    if layout == "bruneton":
+        sizes = dict(zip(("radii", "views", "suns", "angles"), size or (), strict=False))
+        return BrunetonLayout(**shell, **sizes, mu_s_min=mu_s_min)
+    if mu_s_min is not None:
+        raise ConflictError("mu_s_min", "requires layout bruneton")
+    sizes = dict(zip(("altitudes", "views", "suns"), size or (), strict=False))
+    return AtmospherePlusLayout(**shell, **sizes, mapping=mapping, azimuth=azimuth)
+
+
+def _packing(layout: str, packing: str | None) -> str:
+    allowed: tuple[str, ...] = ("separate", "combined")
+    if layout == "atmosphere-plus":
+        allowed = ("rgba", "separate", "phase-included")
+    if packing is None:
+        return allowed[0]
+    if packing not in allowed:
+        raise ParameterError("packing", packing, f"{', '.join(allowed)} for {layout}")
+    return packing
+
+
+class _Steps:
+    """Run blocks on all cores, with progress and cancellation."""
+
+    def __init__(self, progress: Progress | None, cancel: Cancel | None) -> None:
+        self.progress, self.cancel = progress, cancel
+
+    def run(
+        self, positions: Positions, make: Callable[[Positions], list[FloatArray]], message: str
+    ) -> list[FloatArray]:
+        """Values of ``make`` at all points, block by block; equal neighbours are computed once."""
+        fresh = np.ones(len(positions), bool)
+        for array in (positions.r, positions.mu, positions.mu_s, positions.nu, positions.to_ground):
+            fresh[1:] &= array[1:] == array[:-1]
+        fresh[1:] = ~fresh[1:]
+        index = np.cumsum(fresh) - 1
+        unique = positions[fresh]
+        count = -(-len(unique) // _BLOCK)
+        made: list[list[FloatArray]] = [[] for _ in range(count)]
+
+        def run(block: int) -> None:
+            made[block] = make(unique[block * _BLOCK : (block + 1) * _BLOCK])
+
+        run_blocks(run, count, cancel=self.cancel, progress=self.progress, message=message)
+        found = [np.concatenate(blocks) for blocks in zip(*made, strict=True)]
+        out = [np.empty((len(index), *values.shape[1:])) for values in found]
+
+        def repeat(block: int) -> None:
+            rows = slice(block * _BLOCK, (block + 1) * _BLOCK)
+            for values, all_values in zip(found, out, strict=True):
+                np.take(values, index[rows], axis=0, out=all_values[rows], mode="clip")
+
+        run_blocks(repeat, -(-len(index) // _BLOCK))
+        return out
+
+
+def _scattering(
+    air: AirLight,
+    where: TableLayout,
+    groups: ScatteringGroups,
+    phases: PhaseFunctions,
+    rest_shape: FloatArray,
+    packing: str,
+    colours: tuple[FloatArray, int],
+    step: _Steps,
+    *,
+    higher_orders: bool,
+    balance: bool,
+) -> list[tuple[str, FloatArray, str, str]]:
+    """Name, values, quantity and unit of each table of scattered light."""
+    medium = air.solution.medium
+    positions = where.positions()
+    smooth_is = f"{_AIR}, divided by {_DIVISORS[phases.names[0]]}"
+    dust_is = f"{_AIR}: the particles' part, divided by their phase function"
+    if packing == "phase-included":
+        values = step.run(
+            positions, lambda p: [air.at_sun_angles(lines_of_sight(p, medium))], "scattering"
+        )[0]
+        return [("scattering", values, _AIR, "sr-1")]
+    if isinstance(where, AtmospherePlusLayout):
+        grey = packing == "rgba"
+
+        def fit(block: Positions) -> list[FloatArray]:
+            smooth, mie = fit_azimuths(air, block, groups, grey=grey)
+            return [np.concatenate([smooth, mie], axis=-1)] if grey else [smooth, mie]
+
+        fitted = step.run(positions, fit, "scattering")
+        note = f"; best fit over {FIT_AZIMUTHS} azimuths"
+        if grey:
+            return [("scattering", fitted[0], f"{smooth_is}; {dust_is}, grey{note}", "1")]
+        out = [("scattering", fitted[0], smooth_is + note, "1")]
+        if groups.particles:
+            out.append(("particles", fitted[1], dust_is + note, "1"))
+        return out
+
+    def apart(block: Positions) -> list[FloatArray]:
+        separated: SeparatedLight = separate_orders(air, block, groups, each=packing == "separate")
+        mie = (separated.mie[:, k] for k in range(separated.mie.shape[1]))
+        return [
+            separated.rayleigh,
+            separated.remainder,
+            *([separated.multiple] if higher_orders else []),
+            *mie,
+        ]
+
+    shapes = PhaseFunctions(
+        (*phases.names, "gas", "rest"),
+        np.stack([*phases.values, groups.phases.values[0], rest_shape]),
+    )
+    # A texel whose angle no view and sun can have holds the light at the nearest possible angle,
+    # brought to its own by the light's shape.
+    angles = np.linspace(-1.0, 1.0, where.shape[-1])
+    by_rayleigh = vectorized(rayleigh)(angles, 0.0)[:, None]
+    divisor, of_gas, of_rest = (
+        shapes.at(name, angles) for name in (phases.names[0], "gas", "rest")
+    )
+
+    def texels(
+        nu: FloatArray, gas: FloatArray, rest: FloatArray, *others: FloatArray
+    ) -> list[FloatArray]:
+        shape = shapes.at("rest", nu)
+        near = rest / shape
+        there = fill_angles(near, nu)
+        turned = np.divide(there, near, out=np.ones_like(near), where=near > 0.0) * of_rest / shape
+        smooth = kept((gas * of_gas + rest * turned) / divisor)
+        made = [smooth]
+        if higher_orders:
+            higher, others = others[0], others[1:]
+            # Where the first order ends, the smooth light is shifted by more than the higher orders
+            # in it, which are no more than all of it.
+            made.append(
+                np.minimum(kept(higher * turned / by_rayleigh), smooth * divisor / by_rayleigh)
+            )
+        return [*made, *(kept(values) for values in others)]
+
+    def kept(values: FloatArray) -> FloatArray:
+        return balanced(values) if balance else values
+
+    made = step.run(positions, apart, "scattering")
+    smooth, *mie = of_views(texels, where.shape, positions.nu, *made)
+    apart_too = []
+    if higher_orders:
+        part, *mie = mie
+        quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
+        apart_too.append(("higher-order", part, quantity, "1"))
+    if packing == "combined":
+        if not mie:
+            mie = [np.zeros_like(smooth)]
+        p_mie = shapes.at(phases.names[-1], angles)
+        light = smooth * divisor + mie[0] * p_mie
+        values = combine(light, mie[0], divisor, p_mie, *colours)
+        nm = medium.wavelengths[colours[1]]
+        quantity = f"{smooth_is}; {dust_is}, scattered once, at {nm:g} nm"
+        return [("scattering", values, quantity, "1"), *apart_too]
+    out = [("scattering", smooth, smooth_is, "1")]
+    out += [
+        (name, values, f"{dust_is}, scattered once", "1")
+        for name, values in zip(groups.phases.names[1:], mie, strict=True)
+    ]
+    return out + apart_too
+
+
+def _peaked(
+    air: AirLight, light: ScatteredLight, points: int, seed: int, step: _Steps
+) -> dict[str, TableErrors]:
+    """Errors where light is peaked, by region, with a search for the largest of each."""
+    medium = air.solution.medium
+    shell = (medium.bottom_radius, medium.top_radius)
+
+    def compared(where: Positions) -> list[FloatArray]:
+        own, whole = air.path_and_total_radiance(lines_of_sight(where, medium))
+        return [light.relative_radiance(where), own, whole]
+
+    def size(made: FloatArray, exact: FloatArray, whole: FloatArray) -> FloatArray:
+        off = np.abs(made - exact) / np.maximum(whole, table_errors.DIM)
+        return np.asarray(np.where(whole > table_errors.DIM, off, 0.0).max(axis=-1))
+
+    positions = table_errors.peaked_positions(*shell, table_errors.PEAKED * points, seed)
+    sample = step.run(positions, compared, "errors")
+    errors = {}
+    for name, rows in table_errors.regions(positions, shell[0]).items():
+        if not rows.any():
+            continue
+
+        def belongs(where: Positions, name: str = name) -> NDArray[np.bool_]:
+            return table_errors.regions(where, shell[0])[name]
+
+        own = [values[rows] for values in sample]
+        worse = table_errors.search_worst(
+            positions[rows], size(*own), belongs, lambda where: size(*compared(where)), *shell, seed
+        )
+        made, exact, whole = (
+            np.concatenate(both) for both in zip(own, compared(worse), strict=True)
+        )
+        errors[name] = table_errors.judge(
+            made, exact, positions[rows].joined(worse), medium, seed=seed,
+            quantity="radiance of the air; relative to all light", floor=table_errors.DIM,
+            per=whole, sampled=int(rows.sum()),
+            where="views dense about the sun and the horizon, half of the suns from 75 to "
+            f"{table_errors.LOWEST_SUN:g} deg; the largest error by a search about the worst",
+        )  # fmt: skip
+    return errors
+
+
+def _errors(
+    air: AirLight,
+    light: ScatteredLight,
+    azimuth: float | None,
+    points: int,
+    seed: int,
+    step: _Steps,
+) -> dict[str, TableErrors]:
+    medium, solution = air.solution.medium, air.solution
+    drawn = (
+        "altitude: thickness times the square of an even x; zenith angles even, view 0 to 180, "
+        f"sun 0 to {table_errors.LOWEST_SUN:g} deg"
+    )
+    errors = {}
+    for name, given in (("sky", None), ("sky at its azimuth", azimuth)):
+        if name != "sky" and given is None:
+            continue
+        positions = table_errors.random_positions(medium, points, seed, given)
+        exact, whole = step.run(
+            positions, lambda p: [*air.path_and_total_radiance(lines_of_sight(p, medium))], "errors"
+        )
+        turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
+        made = light.relative_radiance(positions)
+        for of, rows, quantity in (
+            ("", ~positions.to_ground, "radiance of the air in views of the sky; relative"),
+            (
+                " before the ground",
+                positions.to_ground,
+                "radiance of the air in views of the ground; relative to the ground's and its own",
+            ),
+        ):
+            seen = positions[rows]
+            if not len(seen):  # of a few points none may look that way
+                continue
+            errors[name.replace("sky", "air") + of if of else name] = table_errors.judge(
+                made[rows], exact[rows], seen, medium, quantity=quantity, seed=seed,
+                floor=table_errors.DARK, per=whole[rows], where=f"{drawn}; azimuth {turned}",
+            )  # fmt: skip
+    if azimuth is None:
+        errors |= _peaked(air, light, points, seed, step)
+    # Some solvers integrate the sky for each sun.
+    positions = table_errors.random_positions(medium, min(points, _SKIES), seed)
+    for name, r in (
+        ("irradiance on the ground", np.full(len(positions), medium.bottom_radius)),
+        ("irradiance aloft", positions.r),
+    ):
+        spots = Positions(r, positions.mu, positions.mu_s, positions.nu, positions.to_ground)
+        errors[name] = table_errors.judge(
+            light.tables["irradiance"].at(spots),
+            solution.relative_sky_irradiance(spots.r, spots.mu_s), spots, medium,
+            quantity="irradiance of level ground by the sky; relative", seed=seed,
+            floor=table_errors.DARK_GROUND, where=drawn,
+        )  # fmt: skip
+    positions = table_errors.random_positions(medium, points, seed)
+    up = table_errors.above_horizon(positions, medium)
+    errors["transmittance"] = table_errors.judge(
+        light.tables["transmittance"].at(up), transmittance(solution, up), up, medium,
+        quantity="transmittance to the top; absolute", seed=seed, relative=False,
+        where="altitude as for light; zenith angle even from 0 to the horizon",
+    )  # fmt: skip
+    return errors

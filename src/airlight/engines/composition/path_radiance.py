@@ -1,0 +1,94 @@
+"""Path radiance and transmittance between the camera and surfaces, by marching."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.render.pixels.march_points import march_points
+from airlight.render.pixels.render_tables import render_tables
+from airlight.scene import Scene
+from airlight.solver.lines_of_sight import enter_shell
+from airlight.solver.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+
+#: Longest stretch in which nothing is seen of the air. [m]
+_NOTHING = 1e-6
+#: Length up to which nodes lie below the ground, over the length to it.
+_BELOW = 2.5
+
+
+class PathRadiance:
+    """Atmosphere in front of an observer under one light.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution, lit by that light.
+    scene : Scene
+        Observer, with the light at azimuth 0.
+    """
+
+    def __init__(self, solution: MomentsSolution, scene: Scene) -> None:
+        self.solution = solution
+        medium = solution.medium
+        self._bottom, self._top = medium.bottom_radius, medium.top_radius
+        self._r, self._sun = medium.bottom_radius + scene.altitude, scene.sun_direction
+        points = march_points(solution)
+        self._tables = render_tables(
+            solution, peaks=False, points=points.points, panels=points.panels
+        )
+
+    @property
+    def inside(self) -> bool:
+        """Whether the observer is inside the atmosphere."""
+        return self._r < self._top
+
+    def before(
+        self, directions: FloatArray, distances: FloatArray, *, below: bool = False
+    ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+        """Path radiance and transmittance to points.
+
+        Parameters
+        ----------
+        directions : array, shape (n, 3)
+            Unit vectors in the observer's local frame, as they are seen where light is bent. [1]
+        distances : array, shape (n,)
+            Distances of the points, along the ray; may be infinite. [m]
+        below : bool
+            Whether points below the ground are reached, through air as dense as at the ground:
+            nodes of a table, which is then smooth above it.
+
+        Returns
+        -------
+        radiance, transmittance : array, shape (n, nl)
+            Light of the air per irradiance of the light [sr⁻¹], and its transmittance [1].
+        whole : array of bool, shape (n,)
+            Whether a point lies at the end of its line in the air, or beyond.
+        """
+        geometry = self.solution.geometry
+        mu, sine = directions[:, 2], np.hypot(directions[:, 0], directions[:, 1])
+        nu = np.clip(directions @ self._sun, -1.0, 1.0)
+        r, mu_s = np.full_like(mu, self._r), np.full_like(mu, self._sun[2])
+        entered = enter_shell(r, mu, sine, mu_s, nu, self._bottom, self._top)
+        lines = geometry.optical_lines(entered)
+        way = np.zeros_like(mu)
+        if not self.inside:
+            chord = np.sqrt(np.maximum(self._top**2 - np.square(r * sine), 0.0))
+            way = np.where(entered.length > 0.0, -r * mu - chord, 0.0)
+        wanted = np.minimum(np.maximum(distances - way, 0.0), 1e3 * self._top)
+        asked = geometry.optical_length(lines.r, lines.mu, wanted, lines.length, quick=True)
+        longest = np.where(below & lines.to_ground, _BELOW * lines.length, lines.length)
+        length = np.minimum(asked, longest)
+        radiance = np.zeros((mu.size, self.solution.wavelengths.size))
+        transmittance = np.ones_like(radiance)
+        some = length > _NOTHING
+        if some.any():
+            kept = type(lines)(
+                lines.r[some], lines.mu[some], lines.mu_s[some], lines.nu[some],
+                lines.length[some], lines.to_ground[some],
+            )  # fmt: skip
+            marched = self.solution.segments(kept, length[some], tables=self._tables)
+            radiance[some], transmittance[some] = marched
+        return radiance, transmittance, length >= longest

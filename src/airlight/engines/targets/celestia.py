@@ -1,0 +1,342 @@
+"""Layout ``celestia``: the atmosphere of a body for Celestia, as an ``.ssc`` file.
+
+Lengths are km, coefficients km⁻¹. Particles are grey, with Schlick's approximation of the
+Henyey-Greenstein function; what absorbs has their scale height. ``MieAsymmetry`` is negative for
+scattering forward, since versions before August 2026 measure the angle from where the light comes
+from; ``MieHGAnisotropy``, which later ones prefer, is positive.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from scipy.optimize import brentq
+
+from airlight.engines.targets.fits.fit_errors import findings
+from airlight.engines.targets.fits.formula_planet import (
+    ABSORBER,
+    MOLECULES,
+    PARTICLES,
+    FormulaPlanet,
+    Formulas,
+    formula_planet,
+    name_of,
+)
+from airlight.engines.targets.fits.lobe import LobeForm
+from airlight.engines.targets.kilometres import per_km, per_metre, rounded, scale_height_km
+from airlight.engines.targets.target import ExportReport, Target
+from airlight.errors import ParameterError
+from airlight.kernel import kernel, vectorized
+from airlight.kernel.threads import Progress
+from airlight.physics.optics.phase_functions import INV_4PI
+from airlight.planets.constituent import Constituent
+from airlight.planets.ground import Ground
+from airlight.planets.matter.phases import Rayleigh, TabulatedPhase
+from airlight.planets.matter.profiles import Exponential
+from airlight.planets.planet import RED_GREEN_BLUE, Planet
+from airlight.planets.spectral import PerWavelength
+from airlight.planets.star import Star
+from airlight.solver.solution import Solution
+
+FILE: Final = "atmosphere.ssc"
+#: Name and parent of a body in Celestia's catalogue by ``Planet.body``.
+_BODIES: Final = {
+    "earth": ("Earth", "Sol"),
+    "mars": ("Mars", "Sol"),
+    "titan": ("Titan", "Sol/Saturn"),
+}
+#: Number of angles of the table of Schlick's function.
+_ANGLES: Final = 721
+#: Largest asymmetry: beyond 0.937 k is above 1. [1]
+_LARGEST_G: Final = 0.93
+
+Value = float | list[float]
+
+
+@kernel
+def schlick(nu: float, g: float) -> float:
+    r"""Schlick's approximation of the Henyey-Greenstein function, as Celestia uses it. [sr⁻¹]
+
+    .. math:: p = \frac{1}{4\pi}\,\frac{1-k^2}{(1-k\nu)^2}, \qquad k = 1.55 g - 0.55 g^3
+
+    Its mean cosine is larger than g: 0.76 at g = 0.7.
+
+    Parameters
+    ----------
+    nu : float
+        Cosine of the scattering angle. [1]
+    g : float
+        Asymmetry of the catalogue. [1]
+
+    References
+    ----------
+    Blasi, Le Saec & Schlick (1993), A Rendering Algorithm for Discrete Volume Density Objects,
+    Computer Graphics Forum 12, 201.
+
+    Examples
+    --------
+    >>> schlick(0.3, 0.0) == INV_4PI
+    True
+    """
+    k = g * (1.55 - 0.55 * g * g)
+    base = 1.0 - k * nu
+    return INV_4PI * (1.0 - k * k) / (base * base)
+
+
+def g_of_schlick(mean_cosine: float) -> float:
+    r"""Asymmetry g of Schlick's function with a mean cosine. [1]
+
+    .. math:: \frac{1}{k} + \frac{1-k^2}{2k^2} \ln\frac{1-k}{1+k}, \qquad k = 1.55 g - 0.55 g^3
+
+    Parameters
+    ----------
+    mean_cosine : float
+        Mean cosine, at most 0.993 either way. [1]
+
+    Raises
+    ------
+    ParameterError
+        If the lobe is narrower than Celestia's can be.
+
+    Examples
+    --------
+    >>> f"{g_of_schlick(0.76):.2f}"
+    '0.70'
+    """
+
+    def mean(g: float) -> float:
+        k = g * (1.55 - 0.55 * g * g)
+        if abs(k) < 1e-3:
+            return 2.0 * k / 3.0  # the first term of its series
+        return 1.0 / k + 0.5 * (1.0 - k * k) / (k * k) * math.log((1.0 - k) / (1.0 + k))
+
+    most = mean(_LARGEST_G)
+    if not abs(mean_cosine) <= most:
+        raise ParameterError("mean cosine", mean_cosine, f"-{most:.3g} to {most:.3g}")
+    return float(brentq(lambda g: mean(g) - mean_cosine, -_LARGEST_G, _LARGEST_G))
+
+
+def schlick_table(g: float) -> TabulatedPhase:
+    """Schlick's function as the phase function of a planet, by its asymmetry g."""
+    angles = np.linspace(0.0, 180.0, _ANGLES)
+    values = vectorized(schlick)(np.cos(np.radians(angles)), g)
+    return TabulatedPhase(angles=tuple(angles.tolist()), rows=(tuple(values.tolist()),))
+
+
+SCHLICK: Final = LobeForm("Schlick", schlick, g_of_schlick, schlick_table)
+
+
+def atmosphere_of(fit: FormulaPlanet) -> dict[str, Value]:
+    """Keys of ``Atmosphere``, of a planet by formulas.
+
+    Parameters
+    ----------
+    fit : FormulaPlanet
+        Fit by exponentials and Schlick's lobe, with grey particles, at 680, 550 and 440 nm.
+    """
+    planet = fit.planet
+    parts = {one.name: one for one in planet.constituents}
+    molecules, particles = parts.get(MOLECULES), parts.get(PARTICLES)
+    absorber = parts.get(ABSORBER)
+    mie = 0.0 if particles is None else per_km(particles.scattering)[1]
+    g = rounded(fit.g)
+    takes = particles if absorber is None else absorber
+    return {
+        "Height": rounded(planet.thickness / 1e3),
+        "Rayleigh": [0.0] * 3 if molecules is None else per_km(molecules.scattering),
+        "RayleighScaleHeight": scale_height_km(molecules),
+        "Mie": mie,
+        "MieScaleHeight": scale_height_km(takes),
+        "MieAsymmetry": -g,
+        "MieHGAnisotropy": g,
+        "Absorption": [0.0] * 3 if takes is None else per_km(takes.absorption),
+    }
+
+
+def planet_from_celestia(
+    atmosphere: dict[str, Value], star: Star, radius: float, albedo: Any, name: str
+) -> Planet:
+    """Planet of the keys of ``Atmosphere``.
+
+    Parameters
+    ----------
+    atmosphere : dict
+        Keys as ``read_atmosphere`` gives them.
+    star : Star
+        Light source.
+    radius : float
+        Radius of the body, which its own definition has. [m]
+    albedo : float or PerWavelength
+        Albedo of its ground, which Celestia does not know. [1]
+    name : str
+        Name of the planet.
+
+    Raises
+    ------
+    ParameterError
+        If a key is missing, or a value is impossible.
+    """
+    try:
+        height = 1e3 * _number(atmosphere, "Height")
+        rayleigh, absorbed = (_triple(atmosphere, key) for key in ("Rayleigh", "Absorption"))
+        mie, mie_height = (_number(atmosphere, key) for key in ("Mie", "MieScaleHeight"))
+        gas_height = _number(atmosphere, "RayleighScaleHeight")
+        # The sign of MieAsymmetry is that of older versions.
+        g = _number(atmosphere, "MieHGAnisotropy")
+    except KeyError as error:
+        raise ParameterError(str(error.args[0]), "missing", "a key of Atmosphere") from None
+    constituents = []
+    if any(rayleigh.values):
+        constituents.append(
+            Constituent(
+                name=MOLECULES,
+                profile=Exponential(scale_height=1e3 * gas_height),
+                scattering=rayleigh,
+                phase_function=Rayleigh(),
+            )
+        )
+    if mie > 0.0 or any(absorbed.values):
+        constituents.append(
+            Constituent(
+                name=PARTICLES,
+                profile=Exponential(scale_height=1e3 * mie_height),
+                scattering=1e-3 * mie,
+                absorption=absorbed,
+                phase_function=schlick_table(g),
+            )
+        )
+    return Planet(
+        name=name,
+        bottom_radius=radius,
+        top_radius=radius + height,
+        ground=Ground(albedo=albedo),
+        star=star,
+        constituents=tuple(constituents),
+        default_wavelengths=RED_GREEN_BLUE,
+    )
+
+
+def ssc_of(atmosphere: dict[str, Value], planet: Planet | None) -> str:
+    """Text of the catalogue file, which changes a body's atmosphere.
+
+    Parameters
+    ----------
+    atmosphere : dict
+        Keys of ``atmosphere_of``.
+    planet : Planet, optional
+        Planet whose name and body it has.
+    """
+    own = name_of(planet)
+    body, parent = _BODIES.get((planet.body or "") if planet else "", (own, "Sol"))
+    lines = "\n".join(f"\t\t{key} {_ssc(value)}" for key, value in atmosphere.items())
+    return (
+        f"# Atmosphere of {planet.name if planet else own} for Celestia, written by airlight.\n"
+        "# Lengths in km, coefficients in 1/km at 680, 550 and 440 nm.\n"
+        "# MieAsymmetry, negative forward, is for older versions, MieHGAnisotropy for later ones.\n"
+        "# Versions before August 2026 know MieScaleHeight alone, for molecules too.\n"
+        f'Modify "{body}" "{parent}"\n{{\n\tAtmosphere\n\t{{\n{lines}\n\t}}\n}}\n'
+    )
+
+
+def read_atmosphere(text: str) -> dict[str, Value]:
+    """Keys of the first ``Atmosphere`` of a catalogue file.
+
+    Parameters
+    ----------
+    text : str
+        Text of an ``.ssc`` file.
+
+    Returns
+    -------
+    dict of str to float or list of float
+        Numbers and triples; texts such as the names of maps are left out.
+
+    Raises
+    ------
+    ParameterError
+        If there is no atmosphere.
+
+    Examples
+    --------
+    >>> read_atmosphere('"A" "Sol" { Atmosphere { Height 60 Rayleigh [ 1 2 3 ] CloudMap "a.*" } }')
+    {'Height': 60.0, 'Rayleigh': [1.0, 2.0, 3.0]}
+    """
+    plain = re.sub(r"#[^\n]*", "", text)
+    found = re.search(r"\bAtmosphere\s*\{([^}]*)\}", plain)
+    if found is None:
+        raise ParameterError("Atmosphere", "missing", "a block of that name")
+    values: dict[str, Value] = {}
+    number = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+    pattern = rf"([A-Za-z]\w*)\s+(?:\[([^\]]*)\]|({number}))"
+    for key, triple, single in re.findall(pattern, found[1]):
+        values[key] = float(single) if single else [float(one) for one in triple.split()]
+    return values
+
+
+def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> ExportReport:
+    """Write the catalogue file; see ``Target``."""
+    own = name_of(solution.planet)
+    fit = formula_planet(
+        solution.medium,
+        own,
+        Formulas(lobe=SCHLICK, absorber="with particles", grey=True),
+    )
+    atmosphere = atmosphere_of(fit)
+    text = ssc_of(atmosphere, solution.planet)
+    (folder / FILE).write_text(text, encoding="utf-8")
+    held = planet_from_celestia(
+        read_atmosphere(text), fit.planet.star, fit.planet.bottom_radius,
+        fit.planet.ground.albedo, own,
+    )  # fmt: skip
+    notes = (
+        "Celestia draws light scattered once, and none from the ground",
+        *_of_older(atmosphere),
+    )
+    return findings(solution, fit, held, notes=notes, progress=progress)
+
+
+def _of_older(atmosphere: dict[str, Value]) -> tuple[str, ...]:
+    """Note about versions with a single scale height, for a planet with two."""
+    gas, mie = (_number(atmosphere, key) for key in ("RayleighScaleHeight", "MieScaleHeight"))
+    if gas == mie or not any(_triple(atmosphere, "Rayleigh").values):
+        return ()
+    line = (
+        f"versions before August 2026 read MieScaleHeight, {mie:.3g} km, for molecules too, whose "
+        f"optical depth there is {mie / gas:.0%} of the planet's; all errors are of later versions"
+    )
+    return (line,)
+
+
+def _number(atmosphere: dict[str, Value], key: str) -> float:
+    value = atmosphere[key]
+    if isinstance(value, list):
+        raise ParameterError(key, value, "a number")
+    return value
+
+
+def _triple(atmosphere: dict[str, Value], key: str) -> PerWavelength:
+    """Coefficients from km⁻¹. [m⁻¹]"""
+    value = atmosphere[key]
+    if not isinstance(value, list) or len(value) != len(RED_GREEN_BLUE):
+        raise ParameterError(key, value, "three numbers")
+    return per_metre(value)
+
+
+def _ssc(value: Value) -> str:
+    if isinstance(value, list):
+        return "[ " + " ".join(f"{one:.8g}" for one in value) + " ]"
+    return f"{value:.8g}"
+
+
+TARGET: Final = Target(
+    name="celestia",
+    program="Celestia",
+    version="of August 2026",
+    fill=fill,
+    files=(FILE,),
+    wavelengths=RED_GREEN_BLUE,
+)

@@ -1,0 +1,336 @@
+"""Planet of at most three constituents by formulas, as programs for real time know them.
+
+Molecules and particles thin out exponentially, absorbing gases are one exponential or one tent. All
+that scatters like molecules is merged into the first, all else that scatters into the second, with
+its absorption; what only absorbs, and what molecules absorb, into the third. Vertical optical
+depths stay what they are at each wavelength.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.engines.baking.air_light import groups
+from airlight.engines.targets.fits.lobe import Lobe, LobeForm, particles_lobe
+from airlight.engines.targets.fits.vertical_profile import (
+    VerticalProfile,
+    fit_exponential,
+    fit_tent,
+)
+from airlight.engines.targets.target import FittedFormula
+from airlight.planets.constituent import Constituent
+from airlight.planets.ground import Ground
+from airlight.planets.matter.phases import PhaseFunction, Rayleigh
+from airlight.planets.matter.profiles import Profile
+from airlight.planets.medium import Medium
+from airlight.planets.planet import Planet
+from airlight.planets.spectral import PerWavelength
+from airlight.planets.star import Star
+
+FloatArray = NDArray[np.float64]
+
+#: Names of the constituents.
+MOLECULES: Final = "molecules"
+PARTICLES: Final = "particles"
+ABSORBER: Final = "absorber"
+#: Optical depth that is no absorption. [1]
+_NOTHING: Final = 1e-12
+
+
+@dataclass(frozen=True, kw_only=True)
+class Formulas:
+    """Formulas that a program has.
+
+    Attributes
+    ----------
+    lobe : LobeForm
+        Phase function of its particles.
+    absorber : str
+        ``tent``, ``exponential``, ``with particles`` (of their scale height), or ``none``.
+    grey : bool
+        Whether particles scatter all wavelengths alike.
+    one_albedo : bool
+        Whether particles have one single scattering albedo for all wavelengths.
+    """
+
+    lobe: LobeForm
+    absorber: Literal["tent", "exponential", "with particles", "none"]
+    grey: bool = False
+    one_albedo: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class FormulaPlanet:
+    """Planet by formulas, and the fitted formulas.
+
+    Attributes
+    ----------
+    planet : Planet
+        Constituents ``molecules``, ``particles`` and ``absorber``, those that it has.
+    fitted : tuple of FittedFormula
+        Fits with their errors.
+    notes : tuple of str
+        Omitted properties.
+    g : float
+        Parameter of the particles' lobe; 0 without particles. [1]
+    """
+
+    planet: Planet
+    fitted: tuple[FittedFormula, ...]
+    notes: tuple[str, ...]
+    g: float
+
+
+def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlanet:
+    """Fit a medium by formulas.
+
+    Parameters
+    ----------
+    medium : Medium
+        Air without refraction.
+    name : str
+        Name of the planet.
+    formulas : Formulas
+        Formulas of the program.
+    """
+    gas, particles = groups(medium)
+    others = [index for index in range(len(medium.names)) if index not in particles]
+    columns = medium.columns[:, None]
+    fitted: list[FittedFormula] = []
+    notes = _left_out(medium)
+    constituents: list[Constituent] = []
+    scattered = (medium.scattering * columns)[gas].sum(axis=0)
+    absorbed = (medium.absorption * columns)[others].sum(axis=0)
+    none, g = np.zeros_like(absorbed), 0.0
+    if particles:
+        profile = _fitted_profile(
+            medium, particles, medium.extinction, PARTICLES, "exponential", fitted
+        )
+        held, taken, surplus = _limited(
+            (medium.scattering * columns)[particles].sum(axis=0),
+            (medium.absorption * columns)[particles].sum(axis=0),
+            formulas,
+            fitted,
+        )
+        if formulas.absorber == "with particles":
+            taken, absorbed = taken + absorbed, none
+        lobe = particles_lobe(medium, formulas.lobe)
+        assert lobe is not None
+        fitted.append(_fitted_formula(lobe))
+        g = lobe.g
+        phase = formulas.lobe.phase_function(g)
+        constituents.append(layer(PARTICLES, profile, medium, held, taken, phase))
+        scattered = scattered + surplus
+    if gas:
+        profile = _fitted_profile(medium, gas, medium.scattering, MOLECULES, "exponential", fitted)
+        fitted.append(_rayleigh(medium, gas))
+    if scattered.any():
+        constituents.insert(0, layer(MOLECULES, profile, medium, scattered, none, Rayleigh()))
+    if absorbed.max() > _NOTHING:
+        if formulas.absorber == "none":
+            share = float(absorbed.max())
+            notes.append(f"absorption by gases is left out: optical depth {share:.3g} at most")
+        else:
+            form: Literal["exponential", "tent"] = (
+                "tent" if formulas.absorber == "tent" else "exponential"
+            )
+            profile = _fitted_profile(medium, others, medium.absorption, ABSORBER, form, fitted)
+            constituents.append(layer(ABSORBER, profile, medium, none, absorbed, None))
+    ground = medium.ground
+    albedo = ground.cover * ground.cloud_albedo + (1.0 - ground.cover) * medium.ground_albedo
+    planet = Planet(
+        name=name,
+        bottom_radius=medium.bottom_radius,
+        top_radius=medium.top_radius,
+        ground=Ground(albedo=per_wavelength(medium.wavelengths, albedo)),
+        star=Star(
+            irradiance=per_wavelength(medium.wavelengths, medium.solar_irradiance),
+            angular_radius=math.degrees(medium.star_angular_radius),
+        ),
+        constituents=tuple(constituents),
+        default_wavelengths=tuple(medium.wavelengths.tolist()),
+    )
+    return FormulaPlanet(planet=planet, fitted=tuple(fitted), notes=tuple(notes), g=g)
+
+
+def name_of(planet: Planet | None) -> str:
+    """Name of a planet for a file: letters and digits, the first a letter.
+
+    Examples
+    --------
+    >>> name_of(None)
+    'Planet'
+    """
+    words = (
+        "".join(one if one.isascii() and one.isalnum() else " " for one in planet.name).split()
+        if planet
+        else []
+    )
+    name = "".join(word[:1].upper() + word[1:] for word in words)
+    return name if name[:1].isalpha() else f"Planet{name}"
+
+
+def per_wavelength(wavelengths: FloatArray, values: FloatArray) -> PerWavelength:
+    """Values as a parameter of a planet."""
+    return PerWavelength(
+        wavelengths=tuple(float(nm) for nm in wavelengths),
+        values=tuple(float(value) for value in values),
+    )
+
+
+def layer(
+    name: str,
+    profile: Profile,
+    medium: Medium,
+    scattered: FloatArray,
+    absorbed: FloatArray,
+    phase: PhaseFunction | None,
+) -> Constituent:
+    """Constituent of given vertical optical depths.
+
+    Parameters
+    ----------
+    name : str
+        Name of the constituent.
+    profile : Profile
+        Density.
+    medium : Medium
+        Air whose wavelengths and thickness it has.
+    scattered, absorbed : array, shape (nl,)
+        Vertical optical depths of scattering and absorption. [1]
+    phase : PhaseFunction or None
+        Phase function, if it scatters.
+    """
+    column = profile.column(medium.thickness)
+    nm = medium.wavelengths
+    return Constituent(
+        name=name,
+        profile=profile,
+        scattering=per_wavelength(nm, scattered / column) if phase is not None else 0.0,
+        absorption=per_wavelength(nm, absorbed / column),
+        phase_function=phase,
+    )
+
+
+def _fitted_profile(
+    medium: Medium,
+    members: Sequence[int],
+    coefficients: FloatArray,
+    name: str,
+    form: Literal["exponential", "tent"],
+    fitted: list[FittedFormula],
+) -> Profile:
+    """Density of several constituents together, weighted by coefficients of all wavelengths."""
+    weights = coefficients[list(members)].mean(axis=1)
+    whole = VerticalProfile.sampled(
+        lambda h: weights @ medium.density.at(h)[list(members)],
+        medium.thickness,
+        medium.bottom_radius,
+    )
+    profile: Profile
+    if form == "tent":
+        tent = fit_tent(whole)
+        parameters = {"centre [km]": tent.center / 1e3, "half width [km]": tent.half_width / 1e3}
+        profile = tent
+    else:
+        exponential = fit_exponential(whole)
+        parameters = {"scale height [km]": exponential.scale_height / 1e3}
+        profile = exponential
+    names = " + ".join(medium.names[index] for index in members if coefficients[index].any())
+    fitted.append(
+        FittedFormula(
+            name=f"{names}: density",
+            form=f"{form}, as {name}",
+            parameters=parameters,
+            errors=whole.errors(profile),
+            where=f"0 to {medium.thickness / 1e3:g} km; the vertical column is kept",
+        )
+    )
+    return profile
+
+
+def _fitted_formula(lobe: Lobe) -> FittedFormula:
+    return FittedFormula(
+        name=f"{PARTICLES}: phase function",
+        form=lobe.form.name,
+        parameters={"g": lobe.g, "mean cosine": lobe.mean_cosine},
+        errors=lobe.errors,
+        where="the mean cosine is kept, averaged over wavelengths by optical depth",
+    )
+
+
+def _rayleigh(medium: Medium, gas: Sequence[int]) -> FittedFormula:
+    """Rayleigh's function without depolarisation for that of the molecules."""
+    nu = np.linspace(-1.0, 1.0, 181)
+    own = medium.phase_function(nu)[:, list(gas)]
+    plain = Rayleigh().values(nu, medium.wavelengths)[:, None, :]
+    return FittedFormula(
+        name=f"{MOLECULES}: phase function",
+        form="Rayleigh without depolarisation",
+        parameters={},
+        errors={"largest, relative": float(np.abs(plain / own - 1.0).max())},
+        where="0 to 180 deg",
+    )
+
+
+def _limited(
+    scattered: FloatArray, absorbed: FloatArray, formulas: Formulas, fitted: list[FittedFormula]
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Optical depths of particles as a program represents them, and the remaining scattering.
+
+    One albedo: the scattering is kept, which gives the better colours of Mars and Titan. Grey: the
+    least of the wavelengths, so that the rest can be molecules, and no optical depth changes.
+    """
+    nothing = np.zeros_like(scattered)
+    if formulas.grey and scattered.max() > scattered.min():
+        held = np.full_like(scattered, scattered.min())
+        moved = scattered - held
+        errors = {"scattered as molecules, largest share": float((moved / scattered).max())}
+        _note_color(fitted, "grey scattering, the rest as molecules", errors)
+        return held, absorbed, moved
+    if formulas.one_albedo:
+        albedo = float(scattered.sum() / (scattered + absorbed).sum())
+        extinction = scattered / albedo
+        error = float(np.abs(extinction / (scattered + absorbed) - 1.0).max())
+        errors = {"optical depth, largest, relative": error}
+        _note_color(fitted, "one single scattering albedo", errors, {"albedo": albedo})
+        return scattered, extinction - scattered, nothing
+    return scattered, absorbed, nothing
+
+
+def _note_color(
+    fitted: list[FittedFormula],
+    form: str,
+    errors: dict[str, float],
+    parameters: dict[str, float] | None = None,
+) -> None:
+    fitted.append(
+        FittedFormula(
+            name=f"{PARTICLES}: colour",
+            form=form,
+            parameters=parameters or {},
+            errors=errors,
+            where="the wavelengths of the program",
+        )
+    )
+
+
+def _left_out(medium: Medium) -> list[str]:
+    notes = []
+    if medium.surface.map is not None:
+        notes.append("the map of the ground is left out: give the program its own")
+    if medium.surface.lights is not None:
+        notes.append("lights of towns are left out")
+    if medium.surface.clouds is not None:
+        notes.append(
+            f"clouds are part of the ground's albedo: cover {medium.ground.cover:.2g}, no layer"
+        )
+    if medium.ground.law != 0 or medium.ground.wet:
+        notes.append("the ground reflects alike into all directions, without a glint")
+    return notes

@@ -1,0 +1,211 @@
+"""Phase function by one lobe, Cornette-Shanks or Henyey-Greenstein, of the same mean cosine.
+
+A lobe has one number, g. It is chosen so that the mean cosine is kept, on which light scattered
+often depends. Least squares of the logarithm over the sphere give nearly the same: 0.717 in place
+of 0.705 for the dust of Mars at 550 nm, which changes colours far less than the fit errs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
+
+from airlight.engines.baking.air_light import groups
+from airlight.errors import ParameterError
+from airlight.kernel import vectorized
+from airlight.physics.optics.phase_functions import cornette_shanks, henyey_greenstein
+from airlight.planets.matter.phases import CornetteShanks, HenyeyGreenstein, PhaseFunction
+from airlight.planets.medium import Medium
+
+FloatArray = NDArray[np.float64]
+
+#: Largest ``|g|`` of a fit: where a planet file ends too.
+LARGEST_G: Final = 0.999
+#: Angles nearer to the star are left out of the comparison: the lobe of diffraction. [deg]
+AUREOLE: Final = 10.0
+#: Nodes of the comparison, evenly over the solid angle.
+_NODES: Final = 2001
+
+
+def mean_cosine_of_cornette_shanks(g: float) -> float:
+    """Mean cosine of a Cornette-Shanks function, 3g(4 + g²)/(5(2 + g²)). [1]
+
+    Examples
+    --------
+    >>> f"{mean_cosine_of_cornette_shanks(0.8):.4f}"
+    '0.8436'
+    """
+    return 3.0 * g * (4.0 + g * g) / (5.0 * (2.0 + g * g))
+
+
+def g_of_cornette_shanks(mean_cosine: float) -> float:
+    """Parameter g of the Cornette-Shanks function with a mean cosine. [1]
+
+    Parameters
+    ----------
+    mean_cosine : float
+        Mean cosine, above -1 and below 1. [1]
+
+    Examples
+    --------
+    >>> f"{g_of_cornette_shanks(0.709):.4f}"  # clean continental aerosol
+    '0.6468'
+    """
+    return float(brentq(lambda g: mean_cosine_of_cornette_shanks(g) - mean_cosine, -1.0, 1.0))
+
+
+@dataclass(frozen=True)
+class LobeForm:
+    """Formula of one lobe.
+
+    Attributes
+    ----------
+    name : str
+        Name of the formula.
+    formula : callable
+        Kernel of nu and g. [sr⁻¹]
+    g_of : callable
+        Parameter g of a mean cosine.
+    phase_function : callable
+        Phase function of a planet by its parameter g.
+    """
+
+    name: str
+    formula: Callable[[float, float], float]
+    g_of: Callable[[float], float]
+    phase_function: Callable[[float], PhaseFunction]
+
+
+CORNETTE_SHANKS: Final = LobeForm(
+    "Cornette-Shanks", cornette_shanks, g_of_cornette_shanks, lambda g: CornetteShanks(asymmetry=g)
+)
+HENYEY_GREENSTEIN: Final = LobeForm(
+    "Henyey-Greenstein", henyey_greenstein, float, lambda g: HenyeyGreenstein(asymmetry=g)
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lobe:
+    """Fitted lobe, one for all wavelengths.
+
+    Attributes
+    ----------
+    form : LobeForm
+        Formula.
+    g : float
+        Its parameter, positive forward. [1]
+    mean_cosine : float
+        Mean cosine that is kept, weighted over wavelengths. [1]
+    scatter : float
+        Root mean square of the logarithm of lobe over phase function, over solid angle beyond
+        ``AUREOLE`` and wavelengths: 0.1 is a tenth. [1]
+    largest : float
+        Largest factor between the two there. [1]
+    forward : float
+        Lobe over phase function straight forward. [1]
+    """
+
+    form: LobeForm
+    g: float
+    mean_cosine: float
+    scatter: float
+    largest: float
+    forward: float
+
+    def values(self, nu: ArrayLike) -> FloatArray:
+        """Phase function of the lobe, shape of nu. [sr⁻¹]"""
+        formula: Any = vectorized(self.form.formula)
+        return np.asarray(formula(np.asarray(nu, float), self.g))
+
+    @property
+    def errors(self) -> dict[str, float]:
+        """Errors by quantity, for ``FittedFormula``."""
+        return {
+            f"root mean square of the logarithm beyond {AUREOLE:g} deg": self.scatter,
+            f"largest factor beyond {AUREOLE:g} deg": self.largest,
+            "lobe over phase function straight forward": self.forward,
+        }
+
+
+def fit_lobe(
+    phase: Callable[[FloatArray], FloatArray],
+    mean_cosines: ArrayLike,
+    form: LobeForm,
+    weights: ArrayLike | None = None,
+) -> Lobe:
+    """Lobe of the same mean cosine as a phase function, averaged over wavelengths.
+
+    Parameters
+    ----------
+    phase : callable
+        Phase function of cosines, shape (n,) to (n, nl). [sr⁻¹]
+    mean_cosines : array, shape (nl,)
+        Its mean cosine at each wavelength. [1]
+    form : LobeForm
+        Formula, such as ``CORNETTE_SHANKS`` or ``HENYEY_GREENSTEIN``.
+    weights : array, shape (nl,), optional
+        Weights of the wavelengths, such as scattering optical depths; even if left out.
+
+    Raises
+    ------
+    ParameterError
+        If the phase function has no mean cosine that a lobe can have.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> isotropic = fit_lobe(lambda nu: np.full((nu.size, 1), 1 / (4 * np.pi)), [0.0],
+    ...                      HENYEY_GREENSTEIN)
+    >>> isotropic.g, isotropic.largest
+    (0.0, 1.0)
+    """
+    cosines = np.atleast_1d(np.asarray(mean_cosines, float))
+    shares = np.ones(cosines.size) if weights is None else np.asarray(weights, float)
+    mean = float(np.average(cosines, weights=shares))
+    if not abs(mean) < LARGEST_G:
+        raise ParameterError("mean cosine", mean, f"-{LARGEST_G:g} to {LARGEST_G:g}")
+    g = min(max(form.g_of(mean), -LARGEST_G), LARGEST_G)
+    formula: Any = vectorized(form.formula)
+    nu = np.linspace(-1.0, np.cos(np.radians(AUREOLE)), _NODES)
+    ratio = np.log(formula(nu, g)[:, None] / np.maximum(phase(nu), 1e-12))
+    ahead = phase(np.ones(1))[0]
+    return Lobe(
+        form=form,
+        g=g,
+        mean_cosine=mean,
+        scatter=float(np.sqrt(np.average((ratio**2).mean(axis=0), weights=shares))),
+        largest=float(np.exp(np.abs(ratio).max())),
+        forward=float(np.average(formula(1.0, g) / np.maximum(ahead, 1e-12), weights=shares)),
+    )
+
+
+def particles_lobe(medium: Medium, form: LobeForm) -> Lobe | None:
+    """Lobe of all particles of a medium together; None if only molecules scatter.
+
+    Constituents and wavelengths are weighted by their vertical scattering optical depth.
+
+    Parameters
+    ----------
+    medium : Medium
+        The air.
+    form : LobeForm
+        Formula of the lobe.
+    """
+    _, particles = groups(medium)
+    if not particles:
+        return None
+    depth = (medium.scattering * medium.columns[:, None])[particles]
+    total = depth.sum(axis=0)
+    share = np.divide(depth, total, out=np.zeros_like(depth), where=total > 0.0)
+    cosines = (share * medium.phase_moments(1)[particles, :, 1]).sum(axis=0)
+
+    def phase(nu: FloatArray) -> FloatArray:
+        own = medium.phase_function(nu)[:, particles]
+        return np.asarray((share * own).sum(axis=1))
+
+    return fit_lobe(phase, cosines, form, weights=total)

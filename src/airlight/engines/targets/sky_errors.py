@@ -1,0 +1,146 @@
+"""Errors of a program's sky against the solution, at random points and views."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.engines.baking.air_light import AirLight, lines_of_sight
+from airlight.engines.baking.labelled_tables import transmittance
+from airlight.engines.baking.table_errors import SEED, above_horizon, random_positions
+from airlight.engines.targets.target import ErrorRow
+from airlight.planets.medium import Medium
+from airlight.solver.solution import Solution
+from airlight.solver.tables.layout import Positions
+
+FloatArray = NDArray[np.float64]
+#: Radiance of the air by position, shape (n,) to (n, nl). [W m⁻² sr⁻¹ nm⁻¹]
+Radiance = Callable[[Positions], FloatArray]
+
+#: Radiance per irradiance of the star below which light is not compared. [sr⁻¹]
+DARK: Final = 1e-5
+#: Irradiance of level ground per the star's below which it is not compared. [1]
+DARK_GROUND: Final = 1e-5
+#: Lowest cosine of the sun's zenith angle by day: 2 deg below level. [1]
+DAY: Final = float(np.cos(np.radians(92.0)))
+#: Half of the points look this near to the sun, evenly in the logarithm of the angle. [deg]
+_NEAR: Final = (0.3, 60.0)
+_POINTS: Final = 4096
+
+
+def sky_positions(medium: Medium, count: int = _POINTS, seed: int = SEED) -> Positions:
+    """Random points and views: half of them even in angle, half dense near the sun.
+
+    Altitudes are the square of an even distribution over the shell, the sun's zenith angles even
+    from 0 to 96 deg.
+    """
+    even = random_positions(medium, count - count // 2, seed)
+    rng = np.random.default_rng(seed + 1)
+    x, sun, away, roll = rng.random((4, count // 2))
+    low, high = np.log(_NEAR)
+    psi = np.radians(np.exp(low + (high - low) * away))
+    zenith = np.radians(96.0 * sun)
+    mu_s = np.cos(zenith)
+    # Spherical triangle of zenith, sun and view, whose angle at the sun is 2 pi roll.
+    mu = mu_s * np.cos(psi) + np.sin(zenith) * np.sin(psi) * np.cos(2.0 * np.pi * roll)
+    near = Positions.of(
+        medium.bottom_radius + medium.thickness * x**2,
+        np.clip(mu, -1.0, 1.0),
+        mu_s,
+        np.cos(psi),
+        bottom_radius=medium.bottom_radius,
+    )
+    join = np.concatenate
+    return Positions(
+        join([even.r, near.r]),
+        join([even.mu, near.mu]),
+        join([even.mu_s, near.mu_s]),
+        join([even.nu, near.nu]),
+        join([even.to_ground, near.to_ground]),
+    )
+
+
+def sky_errors(
+    solution: Solution, radiance: Radiance, *, name: str = "", count: int = _POINTS
+) -> list[ErrorRow]:
+    """Errors of the light of the sky and of the air before the ground, by day and in twilight.
+
+    Parameters
+    ----------
+    solution : Solution
+        Solution.
+    radiance : callable
+        Radiance of the air alone, as the program looks it up.
+    name : str
+        Text appended to the names of the rows.
+    count : int
+        Number of points.
+    """
+    medium = solution.medium
+    air = AirLight(solution)
+    positions = sky_positions(medium, count)
+    irradiance = medium.lights[0].irradiance
+    lines = lines_of_sight(positions, medium)
+    own, whole = air.path_and_total_radiance(lines)
+    error = (radiance(positions) / irradiance - own) / np.maximum(whole, 1e-300)
+    bright = (whole > DARK).all(axis=-1)
+    day = positions.mu_s > DAY
+    ground = positions.to_ground
+    drawn = "half of the views within 60 deg of the sun, dense near it"
+    rows = []
+    for label, rule, where in (
+        ("sky", day & ~ground, f"sun above -2 deg; {drawn}"),
+        ("air before the ground", day & ground, f"per all light; sun above -2 deg; {drawn}"),
+        ("sky in twilight", ~day & ~ground, f"sun from -2 to -6 deg; {drawn}"),
+    ):
+        judged = rule & bright
+        if judged.any():
+            rows.append(ErrorRow.of(label + name, error[judged], where=where))
+    return rows
+
+
+def level_errors(
+    solution: Solution, irradiance_at: Radiance, transmittance_at: Radiance, count: int = _POINTS
+) -> list[ErrorRow]:
+    """Errors of the sky's irradiance of level ground and of the transmittance to the top."""
+    medium = solution.medium
+    positions = random_positions(medium, count, SEED)
+    light = medium.lights[0].irradiance
+    spots = Positions(
+        np.full(count, medium.bottom_radius),
+        positions.mu, positions.mu_s, positions.nu, positions.to_ground,
+    )  # fmt: skip
+    exact = solution.relative_sky_irradiance(spots.r, spots.mu_s)
+    day = (spots.mu_s > DAY) & (exact > DARK_GROUND).all(axis=-1)
+    rows = []
+    if day.any():
+        error = (irradiance_at(spots) / light)[day] / exact[day] - 1.0
+        rows.append(ErrorRow.of("irradiance of the ground by the sky", error,
+                                where="sun above -2 deg"))  # fmt: skip
+    up = above_horizon(positions, medium)
+    rows.append(
+        ErrorRow.of(
+            "transmittance to the top",
+            transmittance_at(up) - transmittance(solution, up),
+            where="zenith angles even from 0 to the horizon",
+            measure="absolute",
+        )
+    )
+    return rows
+
+
+def half_losses(arrays: dict[str, NDArray[Any]]) -> tuple[str, ...]:
+    """Notes on values below the range of half floats, 3e-8, that become 0."""
+    notes = []
+    for name, values in arrays.items():
+        lost = int(((values != 0.0) & (values.astype(np.float16) == 0.0)).sum())
+        if lost:
+            share = 100.0 * lost / values.size
+            notes.append(
+                f"{name}: {lost} of {values.size} values ({share:.2g} %) are below 3e-8, where "
+                "half floats end, and become 0"
+            )
+    return tuple(notes)

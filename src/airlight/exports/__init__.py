@@ -1,7 +1,0 @@
-"""Files of pictures and of baked tables, written whole or not at all."""
-
-from __future__ import annotations
-
-from airlight.exports.picture import write_picture
-
-__all__ = ["write_picture"]

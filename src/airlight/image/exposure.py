@@ -1,0 +1,384 @@
+"""Exposure: factor from radiance to display, explicit, by camera settings, or metered."""
+
+from __future__ import annotations
+
+import math
+from math import log2
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.image.glare import COARSEST, FINEST, TOTAL
+from airlight.image.xyz import luminance
+from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel.large_arrays import release
+from airlight.physics.constants import LUMINOUS_EFFICACY
+
+#: Exposure suited to the sunlit Earth, where it is not measured. [EV]
+DEFAULT_EXPOSURE: Final = -4.0
+#: Exposures are allowed up to this, either way. [EV]
+MOST_EXPOSURE: Final = 100.0
+
+#: Light as which the key of a sunlit picture is shown, and at most its bright quarter, from where
+#: that begins, and its highlights. [1]
+_KEY: Final = 0.35
+_BRIGHT: Final = 0.55
+_HIGHLIGHT: Final = 1.5
+#: Shares of the picture below the bright quarter and the highlights, and its darkest part, which
+#: the key leaves out.
+_QUARTER: Final = 0.75
+_BRIGHT_SHARE: Final = 0.98
+_SHADE: Final = 0.25
+#: Pixels darker than this fraction of the bright end do not count: the black of space.
+_DARK: Final = 1e-4
+#: Luminance below which the picture follows the eye's adaptation into the dark: that of a sky half
+#: an hour after sunset, which is to look like dusk. [cd m⁻²]
+_PHOTOPIC: Final = 30.0
+#: Factor of the key where little of the picture is not black space, and exponent of the share that
+#: is not: as photographers expose a planet, a dark picture of which some is bright. [1]
+_LOW_KEY: Final = 0.6
+_LIT: Final = 1.0 / 3.0
+#: Exponent of brightness as a function of luminance. [Stevens & Stevens 1963]
+_BRIGHTNESS: Final = 1.0 / 3.0
+#: Share of the picture that the glare of a star may fill with light of ``_HIGHLIGHT``. [1]
+_GLOW: Final = 0.04
+#: Stops that are taken away once more, at most, where that makes the surroundings darker. [EV]
+_SUBJECT: Final = 8.0
+#: Light as which the brightest of a disc is shown that is the subject. [1]
+_DISC: Final = 0.8
+#: Radiance that glare spreads at an angle, times its square, per irradiance, see ``glare``. [1]
+_SPREAD: Final = TOTAL / (2.0 * math.pi * math.log(COARSEST / FINEST))
+#: Luminance of a night without moon or stars; nothing makes a picture of less brighter. [cd m⁻²]
+_NIGHT: Final = 1e-4
+#: Approximate number of pixels sampled, every k-th row and column.
+SAMPLE: Final = 32_768
+#: Rows that are sampled before the memory of a large picture is released.
+_ROWS: Final = 8
+#: Exposure at which a sensor of ISO 1 saturates [lx s], and the light that passes a lens.
+_SATURATION: Final = 78.0
+_LENS: Final = 0.65
+
+
+def exposure_factor(exposure: float) -> float:
+    """Factor of the light: 2^EV.
+
+    Parameters
+    ----------
+    exposure : float
+        Exposure, -100 to 100. [EV]
+
+    Returns
+    -------
+    float
+        Factor. [1]
+
+    Raises
+    ------
+    ParameterError
+        If it is outside that range, or not a number.
+
+    Examples
+    --------
+    >>> exposure_factor(-2.0)
+    0.25
+    """
+    limits = -MOST_EXPOSURE <= exposure <= MOST_EXPOSURE if _is_number(exposure) else False
+    if not limits:
+        raise ParameterError("exposure", exposure, '-100 to 100 EV, or "auto"')
+    return math.pow(2.0, float(exposure))
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float, np.number))
+
+
+def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
+    r"""Saturation-based exposure of a camera: sensor saturation is 1.
+
+    .. math:: L_\mathrm{sat} = \frac{78}{S} \frac{N^2}{q\,t}, \quad q = 0.65
+
+    Parameters
+    ----------
+    iso : float
+        Sensitivity S. [ISO]
+    aperture : float
+        Focal length over the diameter of the lens, N. [1]
+    shutter : float
+        Time t for which it is open. [s]
+
+    Returns
+    -------
+    float
+        Exposure, within ±100. [EV]
+
+    Raises
+    ------
+    ParameterError
+        If a number is not above 0.
+
+    References
+    ----------
+    ISO 12232:2019, saturation-based speed, and its q for a lens that lets 0.9 of the light pass.
+
+    Examples
+    --------
+    >>> f"{camera_exposure(iso=100.0, aperture=16.0, shutter=1 / 100):.2f}"  # "sunny 16"
+    '-5.49'
+    """
+    for name, value in (("iso", iso), ("aperture", aperture), ("shutter", shutter)):
+        if not (_is_number(value) and 0.0 < value < math.inf):
+            raise ParameterError(name, value, "above 0, finite")
+    saturating = _SATURATION / iso * aperture**2 / (_LENS * shutter)
+    return min(max(log2(LUMINOUS_EFFICACY / saturating), -MOST_EXPOSURE), MOST_EXPOSURE)
+
+
+@inlined
+def weighted_index(weight, first, share):
+    """Index at which the cumulative weight from ``first`` on reaches a fraction of the total."""
+    total = 0.0
+    for i in range(first, weight.size):
+        total += weight[i]
+    reached = 0.0
+    for i in range(first, weight.size):
+        reached += weight[i]
+        if reached >= share * total:
+            return i
+    return weight.size - 1
+
+
+@kernel
+def adapted_key(bright):
+    """Light as which the key of a picture is shown, to an eye that has adapted to it. [1]
+
+    Parameters
+    ----------
+    bright : float
+        Luminance of the key. [cd m⁻²]
+    """
+    return _KEY / (1.0 + _PHOTOPIC / max(bright, _NIGHT)) ** _BRIGHTNESS
+
+
+@compiled_loop
+def exposure_of(bright, weight, black):
+    """Exposure of a picture, see ``automatic_exposure``. [EV]
+
+    Parameters
+    ----------
+    bright : array, shape (n,)
+        Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
+    weight : array, shape (n,)
+        Weights of these pixels. [1]
+    black : float
+        Weight of all others. [1]
+    """
+    first = 0
+    dark = _DARK * bright[weighted_index(weight, first, 0.99)]
+    while bright[first] < dark:
+        first += 1
+    quarter = bright[weighted_index(weight, first, _QUARTER)]
+    high = bright[weighted_index(weight, first, _BRIGHT_SHARE)]
+    total, count = 0.0, 0.0
+    for i in range(weighted_index(weight, first, _SHADE), bright.size):
+        total += weight[i] * log2(bright[i])
+        count += weight[i]
+    key = 2.0 ** (total / max(count, 1e-300))
+    lit, whole = 0.0, black
+    for i in range(bright.size):
+        whole += weight[i]
+        if i >= first:
+            lit += weight[i]
+    shown = adapted_key(LUMINOUS_EFFICACY * key)
+    dimmed = max((lit / max(whole, 1e-300)) ** _LIT, _LOW_KEY)
+    factor = dimmed * shown / max(key, _NIGHT / LUMINOUS_EFFICACY)
+    factor = min(factor, shown / _KEY * min(_BRIGHT / quarter, _HIGHLIGHT / high))
+    return min(max(log2(factor), -MOST_EXPOSURE), MOST_EXPOSURE)
+
+
+@kernel
+def star_limited(exposure, brightest, irradiance, picture):
+    r"""Exposure of a picture with a star in view. [EV]
+
+    The star's glare, a E / θ², may have 1.5 times white on a 25th of the picture,
+
+    .. math:: 2^\mathrm{EV} \le \frac{1.5 \cdot 0.04\, Ω}{π a E}.
+
+    Where that makes the surroundings darker by some stops, they are lost, and the star becomes the
+    subject: as many stops again are taken away, at most eight, until its disc is 0.8 of white.
+
+    Parameters
+    ----------
+    exposure : float
+        Exposure of what is away from the star. [EV]
+    brightest : float
+        Largest luminance near the star. [W m⁻² sr⁻¹]
+    irradiance : float
+        Light E of the star and of what is near it, above 0. [W m⁻²]
+    picture : float
+        Solid angle Ω of the picture. [sr]
+
+    Examples
+    --------
+    >>> f"{2.0 ** star_limited(100.0, 2e6, 136.0, 1e-4) * 2e6:.2f}"  # the sun through a telescope
+    '0.80'
+    """
+    glow = log2(_HIGHLIGHT * _GLOW * picture / (math.pi * _SPREAD * irradiance))
+    lost = exposure - glow
+    if lost <= 0.0:
+        return exposure
+    return min(glow, max(glow - min(lost, _SUBJECT), log2(_DISC / brightest)))
+
+
+@compiled_loop
+def exposure_with_stars(bright, weight, near, light, lights, black, picture):
+    """Exposure of a picture with stars in view. [EV]
+
+    What is away from them is exposed as ``exposure_of`` says, and each star limits that, see
+    ``star_limited``. Where no light is away from them, as in space, that limit is the exposure;
+    where nothing is away from them, through a telescope, their neighbourhood is the picture.
+
+    Parameters
+    ----------
+    bright : array, shape (n,)
+        Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
+    weight, near : array, shape (n,)
+        Solid angles of these pixels, one of the two 0: the second near a star. [sr]
+    light : array, shape (n,)
+        Number of the star, where there is one. [1]
+    lights : int
+        Number of stars.
+    black : float
+        Solid angle of all others that are not near a star. [sr]
+    picture : float
+        Solid angle of the picture. [sr]
+    """
+    away, around = 0.0, 0.0
+    for i in range(bright.size):
+        away += weight[i]
+        around += near[i]
+    exposure = MOST_EXPOSURE
+    if away > 0.0:
+        exposure = exposure_of(bright, weight, black)
+    elif black <= 0.0 or around <= 0.0:
+        exposure = max(exposure_of(bright, near, 0.0), log2(_DISC / bright[bright.size - 1]))
+    limit = exposure
+    for k in range(lights):
+        brightest, irradiance = 0.0, 0.0
+        for i in range(bright.size):
+            if near[i] > 0.0 and abs(light[i] - k) < 0.5:
+                brightest = bright[i]
+                irradiance += near[i] * bright[i]
+        if irradiance > 0.0:
+            limit = min(limit, star_limited(exposure, brightest, irradiance, picture))
+    return min(max(limit, -MOST_EXPOSURE), MOST_EXPOSURE)
+
+
+def sampling_step(height: int, width: int) -> int:
+    """Step between the rows and columns of a picture that are measured. [pixel]"""
+    return max(1, math.isqrt(height * width // SAMPLE))
+
+
+def sampled(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
+    """Every so many rows and columns of a picture.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Picture.
+    step : int
+        Step between them. [pixel]
+
+    Returns
+    -------
+    array, shape (ceil(height / step), ceil(width / step), 3)
+        Copy.
+    """
+    rows = rgb[::step, ::step]
+    out = np.empty(rows.shape)
+    for number, row in enumerate(rows):
+        out[number] = row
+        if number % _ROWS == 0:  # a row of a large picture brings its neighbours into memory
+            release(rgb)
+    return out
+
+
+def automatic_exposure(
+    rgb: NDArray[np.floating], weights: NDArray[np.floating] | None = None
+) -> float:
+    r"""Exposure that shows a picture as an eye sees it that has adapted to it.
+
+    Pixels below 1e-4 of the picture's bright end are left out, so that black space does not
+    overexpose the planet. Of the others, with the key :math:`\bar L`, the geometric mean of the
+    brightest three quarters, and the luminances :math:`L_{75}` and :math:`L_{98}` below which 75
+    and 98 % lie,
+
+    .. math:: 2^\mathrm{EV} = a(\bar L)\,\min\left(
+              \frac{0.35\,d}{\bar L}, \frac{0.55}{L_{75}}, \frac{1.5}{L_{98}}\right),
+              \quad a(L) = \left(1 + \frac{30\ \mathrm{cd\,m^{-2}}}
+              {\max(L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
+
+    where :math:`\bar L` is no less than 1e-4 cd m⁻² either, and :math:`d` is the third root of the
+    share of the picture that is not black space, at least 0.6. By day a is 1, and light k times as
+    strong gives the same picture. In the dark the picture darkens as brightness does, with the
+    third power of luminance; without moon or stars it is black.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB; of a large picture some 30 000 pixels on a regular grid are used.
+        [W m⁻² sr⁻¹]
+    weights : array, shape (height, width), optional
+        Weights of the pixels, such as their solid angles; by default all the same.
+
+    Returns
+    -------
+    float
+        Exposure, -100 to 100; the night's for a black picture. [EV]
+
+    References
+    ----------
+    Reinhard et al. (2002), ACM Trans. Graph. 21, 267, on the key; Krawczyk, Myszkowski & Seidel
+    (2005), SCCG, 195, on keys that fall with the luminance; Stevens & Stevens (1963), J. Opt. Soc.
+    Am. 53, 375, on the third power. The numbers are ours.
+
+    Examples
+    --------
+    >>> grey = np.full((2, 2, 3), 10.0)
+    >>> f"{automatic_exposure(0.5 * grey) - automatic_exposure(grey):.2f}"  # half the light
+    '1.00'
+    """
+    height, width = rgb.shape[:2]
+    step = sampling_step(height, width)
+    bright = luminance(sampled(rgb, step)).ravel()
+    weight = np.ones(bright.size) if weights is None else weights[::step, ::step].ravel()
+    counted = np.isfinite(bright) & (bright > 0.0) & (weight > 0.0)
+    black = float(weight[np.isfinite(bright) & ~counted].sum())
+    bright, weight = bright[counted], np.asarray(weight[counted], dtype=np.float64)
+    if bright.size == 0:
+        return night_exposure()
+    order = np.argsort(bright)
+    return float(exposure_of(bright[order], weight[order], black))
+
+
+def night_exposure() -> float:
+    """Exposure of a picture without any light: that of a night without moon or stars. [EV]"""
+    return float(exposure_of(np.full(1, _NIGHT / LUMINOUS_EFFICACY), np.ones(1), 0.0))
+
+
+@kernel
+def eased(before, wanted, seconds, time_constant):
+    """Exposure that approaches another, as an eye adapts: by e^{-t/τ}. [EV]
+
+    Parameters
+    ----------
+    before, wanted : float
+        Exposure at first, and approached. [EV]
+    seconds : float
+        Time since. [s]
+    time_constant : float
+        Time τ in which all but 37 % is gone; 0 for at once. [s]
+    """
+    if time_constant <= 0.0:
+        return wanted
+    return wanted + (before - wanted) * math.exp(-seconds / time_constant)

@@ -1,0 +1,325 @@
+"""Gamut of a display: colours beyond it lose chroma at their hue and lightness, softly.
+
+In OKLab, along the straight line from a colour to the grey of its lightness. The last fifth of the
+way to the edge of the gamut takes up all that lies beyond, so that gradients stay gradients.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.errors import ParameterError
+from airlight.image.floating import BRIGHTEST, each_pixel
+from airlight.image.oklab import RGB_TO_CONES, cone_roots_of, lightness_of, rgb_of_cones
+from airlight.image.xyz import RGB_TO_XYZ
+from airlight.kernel import compiled_loop, kernel
+
+#: Primaries of displays by name, with their chromaticities of red, green and blue; white is D65.
+#: [IEC 61966-2-1:1999; SMPTE EG 432-1:2010, with white D65]
+PRIMARIES: Final[dict[str, tuple[tuple[float, float], ...]]] = {
+    "srgb": ((0.64, 0.33), (0.30, 0.60), (0.15, 0.06)),
+    "display-p3": ((0.68, 0.32), (0.265, 0.69), (0.15, 0.06)),
+}
+#: Chromaticity of D65, their white. [IEC 61966-2-1:1999]
+WHITE: Final = (0.3127, 0.3290)
+#: Share of the way from grey to the edge of the gamut up to which chroma is kept. [1]
+KNEE: Final = 0.8
+#: Share that lies at infinity: what is far beyond the gamut stays a step off its edge, so that no
+#: channel is 0 or 255 over a whole sunset. [1]
+EDGE: Final = 0.96
+#: Most Newton steps to the chroma of a given share; three or four are usual, ten happen.
+_STEPS: Final = 14
+#: Relative change at which they end; the error left is of the order of its square.
+_CLOSE: Final = 1e-6
+#: Least distance of the grey from white and from black, by which shares are divided: a hundred
+#: times the rounding of single precision. [1]
+_LEAST: Final = 1e-5
+#: Least slope of the share that Newton's method divides by. [1]
+_FLAT: Final = 1e-6
+
+
+def _rgb_to(name: str) -> NDArray[np.float64]:
+    """Linear sRGB to linear light of these primaries, with the same white."""
+    xyz = np.array([[x / y, 1.0, (1.0 - x - y) / y] for x, y in PRIMARIES[name]]).T
+    white = RGB_TO_XYZ.sum(axis=1)
+    to_xyz = xyz * np.linalg.solve(xyz, white)
+    return np.asarray(np.linalg.solve(to_xyz, RGB_TO_XYZ), np.float64)
+
+
+#: Linear sRGB to linear Display P3.
+RGB_TO_P3: Final[NDArray[np.float64]] = _rgb_to("display-p3")
+RGB_TO_P3.flags.writeable = False
+
+# The same numbers as arguments of the kernels.
+(_RR, _RG, _RB), (_GR, _GG, _GB), (_BR, _BG, _BB) = RGB_TO_P3.tolist()
+_CONES_TO_P3: Final = np.linalg.solve(RGB_TO_CONES.T, RGB_TO_P3.T).T
+(_RL, _RM, _RS), (_GL, _GM, _GS), (_BL, _BM, _BS) = _CONES_TO_P3.tolist()
+
+
+def primaries_number(name: str) -> int:
+    """Index of primaries in ``PRIMARIES``.
+
+    Raises
+    ------
+    ParameterError
+        If there are no such primaries.
+    """
+    if name not in PRIMARIES:
+        raise ParameterError("primaries", name, ", ".join(PRIMARIES))
+    return list(PRIMARIES).index(name)
+
+
+@kernel
+def signed_light(light):
+    """Light of any sign clamped to ±``BRIGHTEST``; NaN is 0."""
+    if light > 0.0:
+        return light if light < BRIGHTEST else BRIGHTEST
+    if light < 0.0:
+        return light if light > -BRIGHTEST else -BRIGHTEST
+    return 0.0
+
+
+@kernel
+def with_primaries(primaries, red, green, blue):
+    """Linear light of the display's primaries, of linear sRGB."""
+    if primaries == 0:
+        return red, green, blue
+    return (
+        _RR * red + _RG * green + _RB * blue,
+        _GR * red + _GG * green + _GB * blue,
+        _BR * red + _BG * green + _BB * blue,
+    )
+
+
+@kernel
+def light_of_cones(primaries, long, medium, short):
+    """Linear light of the display's primaries, of the responses of the three cones."""
+    if primaries == 0:
+        return rgb_of_cones(long, medium, short)
+    return (
+        _RL * long + _RM * medium + _RS * short,
+        _GL * long + _GM * medium + _GS * short,
+        _BL * long + _BM * medium + _BS * short,
+    )
+
+
+@kernel
+def softened(share):
+    """Share of the gamut that is shown: the identity up to the knee, then towards the edge. [1]"""
+    if share <= KNEE:
+        return share
+    return KNEE + (EDGE - KNEE) * (1.0 - math.exp((KNEE - share) / (EDGE - KNEE)))
+
+
+@kernel
+def to_white(grey, bounded):
+    """Reciprocal of a grey's distance to white; 0 for light, which has no bound. [1]"""
+    return 1.0 / max(1.0 - grey, _LEAST) if bounded else 0.0
+
+
+@kernel
+def gamut_share(grey, up, red, green, blue):
+    """Chroma relative to the gamut boundary at the same lightness and hue. [1]
+
+    Parameters
+    ----------
+    grey : float
+        Light of the grey of equal lightness, above 0. [1]
+    up : float
+        Reciprocal of its distance to white, from ``to_white``. [1]
+    red, green, blue : float
+        The colour, in linear light of the display's primaries. [1]
+
+    Returns
+    -------
+    float
+        Largest share of the channels, each of its way to 0 or to 1; 1 on the edge. [1]
+    """
+    above = max(red, max(green, blue)) - grey
+    below = grey - min(red, min(green, blue))
+    return max(above * up, below / max(grey, _LEAST))
+
+
+@kernel
+def share_at(primaries, lightness, up, by_long, by_medium, by_short, amount):
+    """Share of the gamut at an amount of the chroma, and its derivative by the amount.
+
+    Parameters
+    ----------
+    primaries : int
+        Index in ``PRIMARIES``.
+    lightness : float
+        Lightness in OKLab, above 0. [1]
+    up : float
+        Argument of ``gamut_share``.
+    by_long, by_medium, by_short : float
+        Cube roots of the cones' responses, less the lightness, at an amount of 1. [1]
+    amount : float
+        Factor of the chroma. [1]
+
+    Returns
+    -------
+    (float, float)
+        Share of ``gamut_share``, and its derivative. [1]
+    """
+    x = lightness + amount * by_long
+    y = lightness + amount * by_medium
+    z = lightness + amount * by_short
+    red, green, blue = light_of_cones(primaries, x * x * x, y * y * y, z * z * z)
+    by_red, by_green, by_blue = light_of_cones(
+        primaries, 3.0 * x * x * by_long, 3.0 * y * y * by_medium, 3.0 * z * z * by_short
+    )
+    grey = lightness * lightness * lightness
+    down = -1.0 / max(grey, _LEAST)
+    scale = up if red > grey else down
+    share, slope = (red - grey) * scale, by_red * scale
+    scale = up if green > grey else down
+    if (green - grey) * scale > share:
+        share, slope = (green - grey) * scale, by_green * scale
+    scale = up if blue > grey else down
+    if (blue - grey) * scale > share:
+        share, slope = (blue - grey) * scale, by_blue * scale
+    return share, slope
+
+
+@kernel
+def amount_of_share(primaries, lightness, up, by_long, by_medium, by_short, wanted, start, most):
+    """Factor of the chroma at which a colour reaches a relative chroma. [1]
+
+    Parameters
+    ----------
+    primaries, lightness, up, by_long, by_medium, by_short :
+        Arguments of ``share_at``.
+    wanted : float
+        Share to reach. [1]
+    start : float
+        Amount from which Newton's method starts, above 0. [1]
+    most : float
+        Amount whose share is larger than the wanted one. [1]
+    """
+    least, amount = 0.0, start
+    for _step in range(_STEPS):
+        share, slope = share_at(primaries, lightness, up, by_long, by_medium, by_short, amount)
+        if share > wanted:
+            most = amount
+        else:
+            least = amount
+        step = (wanted - share) / max(slope, _FLAT)
+        amount = amount + step
+        if abs(step) < _CLOSE * amount:
+            break
+        # A deep blue's share does not grow all the way: halved where Newton's method would leave,
+        # by more than single precision rounds.
+        if not 0.999 * least < amount < 1.001 * most:
+            amount = 0.5 * (least + most)
+    return amount
+
+
+@kernel
+def within_gamut(primaries, lightness, up, by_long, by_medium, by_short, red, green, blue, soft):
+    """Colour brought softly into the gamut at its hue and lightness.
+
+    Parameters
+    ----------
+    primaries, lightness, up, by_long, by_medium, by_short :
+        Arguments of ``share_at``.
+    red, green, blue : float
+        The colour, in linear light of the display's primaries. [1]
+    soft : bool
+        Whether colours near the edge make room for those beyond, which else lie on the edge.
+
+    Returns
+    -------
+    red, green, blue : float
+        Linear light of the primaries, not below 0; bounded by 1 unless ``up`` is 0. [1]
+    """
+    share = gamut_share(lightness * lightness * lightness, up, red, green, blue)
+    if share > (KNEE if soft else 1.0):
+        wanted = softened(share) if soft else 1.0
+        # The share grows about in proportion to the chroma.
+        start = wanted / share
+        amount = amount_of_share(
+            primaries, lightness, up, by_long, by_medium, by_short, wanted, start, 1.0
+        )
+        x, y = lightness + amount * by_long, lightness + amount * by_medium
+        z = lightness + amount * by_short
+        red, green, blue = light_of_cones(primaries, x * x * x, y * y * y, z * z * z)
+    most = 1.0 if up > 0.0 else BRIGHTEST
+    return min(max(red, 0.0), most), min(max(green, 0.0), most), min(max(blue, 0.0), most)
+
+
+@kernel
+def into_gamut(primaries, bounded, soft, red, green, blue):
+    """Scalar form of ``in_gamut``."""
+    long, medium, short = cone_roots_of(signed_light(red), signed_light(green), signed_light(blue))
+    lightness = lightness_of(long, medium, short)
+    if not lightness > 0.0:
+        return 0.0, 0.0, 0.0
+    up = to_white(lightness * lightness * lightness, bounded)
+    if bounded and up >= 1.0 / _LEAST:
+        return 1.0, 1.0, 1.0
+    r, g, b = with_primaries(primaries, signed_light(red), signed_light(green), signed_light(blue))
+    return within_gamut(
+        primaries,
+        lightness,
+        up,
+        long - lightness,
+        medium - lightness,
+        short - lightness,
+        r,
+        g,
+        b,
+        soft,
+    )
+
+
+@compiled_loop
+def gamut_pixels(colors, out, primaries, bounded, soft):
+    """Apply ``into_gamut`` to every colour."""
+    for i in range(colors.shape[0]):
+        out[i, 0], out[i, 1], out[i, 2] = into_gamut(
+            primaries, bounded, soft,
+            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
+        )  # fmt: skip
+
+
+def in_gamut(
+    rgb: ArrayLike, primaries: str = "srgb", *, bounded: bool = True, soft: bool = True
+) -> NDArray[Any]:
+    r"""Bring colours into a display's gamut at their hue and lightness, by less chroma.
+
+    With the share :math:`s` of the way from the grey to the edge of the gamut, a colour beyond
+    :math:`k = 0.8` gets the chroma whose share is :math:`k + (e - k)(1 - e^{-(s-k)/(e-k)})`, where
+    :math:`e = 0.96`.
+
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB; channels may be negative. [1]
+    primaries : str
+        Name from ``PRIMARIES``.
+    bounded : bool
+        Whether 1 is an edge as 0 is: of a display's values, not of light.
+    soft : bool
+        Whether colours near the edge make room for those beyond, which else lie on the edge.
+
+    Returns
+    -------
+    array, shape (..., 3)
+        Linear light of those primaries, same floating type. [1]
+
+    References
+    ----------
+    Ottosson (2021), "sRGB gamut clipping", on the way to the grey; the soft edge is ours.
+
+    Examples
+    --------
+    >>> in_gamut([[0.2, 0.3, 0.4], [1.0, -0.2, 0.1]]).round(3)
+    array([[0.2  , 0.3  , 0.4  ],
+           [0.423, 0.005, 0.111]])
+    """
+    return each_pixel(gamut_pixels, rgb, primaries_number(primaries), bounded, soft)

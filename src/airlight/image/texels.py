@@ -1,0 +1,77 @@
+"""RGBA8 texels: sRGB-encoded colours, and a linear alpha.
+
+A map in this form takes a quarter of the memory of single precision and keeps every value of the
+pictures from which maps are made. The CPU decodes them by a table of the 256 values, a shader
+by the formula.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.image.encoding import srgb_curve, srgb_curve_inverse
+from airlight.kernel import inlined
+
+#: Channels of a texel.
+CHANNELS: Final = 4
+_COLOR = [srgb_curve_inverse.py_func(value / 255.0) for value in range(256)]
+#: Linear value of each of the 256 values of a channel, shape (4, 256). [1]
+DECODED: Final = np.array([_COLOR, _COLOR, _COLOR, [v / 255.0 for v in range(256)]], np.float32)
+#: Number of steps by which linear values are looked up for encoding: less than a sixth of the
+#: finest difference between two values of sRGB, which is 1/3295.
+_STEPS: Final = 20_000
+_CODES: Final = np.array([round(255.0 * srgb_curve.py_func(i / _STEPS)) for i in range(_STEPS + 1)],
+                         np.uint8)  # fmt: skip
+
+
+@inlined
+def channel_of(texels, texel, channel):
+    """Decode a channel of a texel. [1]
+
+    A shader has the component of the texel, 0 to 1, and decodes it by ``srgb_curve_inverse``.
+
+    Parameters
+    ----------
+    texels : array of uint8, flat
+        Texels, four values each.
+    texel : int
+        Index of the texel.
+    channel : int
+        0 to 2 of the colours, 3 of the share.
+    """
+    return DECODED[channel, texels[CHANNELS * texel + channel]]
+
+
+@inlined
+def code_of(value, channel):
+    """Encode a linear value, 0 to 1, of a channel: the number of eight bits nearest to it. [1]"""
+    if channel == CHANNELS - 1:
+        return np.uint8(255.0 * value + 0.5)
+    return _CODES[int(value * _STEPS + 0.5)]
+
+
+def decoded_texels(texels: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Decode texels.
+
+    Parameters
+    ----------
+    texels : array of uint8, shape (..., 4)
+        Texels.
+
+    Returns
+    -------
+    array, shape (..., 4)
+        Linear values. [1]
+
+    Examples
+    --------
+    >>> decoded_texels(np.array([0, 118, 255, 51], np.uint8)).round(4)
+    array([0.    , 0.1812, 1.    , 0.2   ], dtype=float32)
+    """
+    out = np.empty(texels.shape, np.float32)
+    for channel in range(CHANNELS):
+        out[..., channel] = DECODED[channel][texels[..., channel]]
+    return out

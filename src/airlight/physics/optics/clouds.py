@@ -1,0 +1,84 @@
+"""Thin cloud layer above the ground: intersection with lines of sight, and effective reflectance.
+
+Clouds are Lambertian. On the line of sight, the cover hides its fraction of the ground; on the
+direct beam, it shadows its fraction, and transmits as diffuse light what it does not reflect.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from airlight.kernel import kernel
+
+
+@kernel
+def layer_distance(cosine, bottom, altitude):
+    r"""Distance from the ground to the layer along a straight line. [m]
+
+    .. math:: s = \frac{h (2R + h)}{\sqrt{R^2\mu^2 + h (2R + h)} + R\mu}
+
+    which is h/μ for a steep line and :math:`\sqrt{h (2R + h)}` for a horizontal one.
+
+    Parameters
+    ----------
+    cosine : float
+        Cosine μ of the line's zenith angle at the ground; 0 for a line from below. [1]
+    bottom, altitude : float
+        Radius R of the ground, and altitude h of the layer. [m]
+
+    Examples
+    --------
+    >>> layer_distance(1.0, 6.36e6, 4e3)
+    4000.0
+    >>> round(layer_distance(0.0, 6.36e6, 4e3))  # of 4 km the horizon is 226 km away
+    225601
+    """
+    level = bottom * max(cosine, 0.0)
+    power = altitude * (2.0 * bottom + altitude)
+    return power / max(sqrt(level * level + power) + level, 1e-6)
+
+
+@kernel
+def under_clouds(
+    seen, shaded, albedo, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored
+):  # fmt: skip
+    r"""Reflectance of the ground below clouds, from that of the same ground in clear sky.
+
+    .. math:: L = c_v A (E_\star + E_s) + (1 - c_v) \left[ (1 - c_s) f_\star E_\star
+              + f_s \left(E_s + c_s (1 - A) E_\star\right) \right]
+
+    with the reflectance factors f of the ground under direct and under diffuse light. Multiple
+    reflection between ground and cloud is neglected, as is the shadow of clouds in sky light:
+    ground of albedo a below a mean cover c reflects c (1 - c) A a less than the solver's mean
+    ground, at most 0.02 for the Earth's.
+
+    Parameters
+    ----------
+    seen, shaded : float
+        Cloud cover c_v on the line of sight, and c_s on the direct beam. [1]
+    albedo : float
+        Albedo A of the clouds. [1]
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored : float
+        Results of ``render.pixels.ground.ground_reflectances`` in clear sky. [1]
+
+    Returns
+    -------
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored : float
+        The same with clouds. [1]
+
+    Examples
+    --------
+    >>> under_clouds(1.0, 0.3, 0.6, 1.0, 0.0, 1.0, 0.0, 0.0)  # nothing but the cloud
+    (0.0, 0.6, 0.0, 0.6, 0.0)
+    >>> under_clouds(0.0, 1.0, 0.75, 1.0, 0.0, 1.0, 0.0, 0.0)  # in full shade
+    (0.25, 0.0, 1.0, 0.0, 0.0)
+    """
+    clear, lit, diffused = 1.0 - seen, 1.0 - shaded, shaded * (1.0 - albedo)
+    cloud = seen * albedo
+    return (
+        clear * (lit * star_diffuse + diffused * sky_diffuse),
+        clear * (lit * star_specular + diffused * (sky_specular + mirrored)) + cloud,
+        clear * sky_diffuse,
+        clear * sky_specular + cloud,
+        clear * mirrored,
+    )

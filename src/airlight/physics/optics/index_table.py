@@ -1,0 +1,144 @@
+"""Tables of complex refractive indices of particle materials: CSV with a cited header."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import FileError, ParameterError
+from airlight.files.input_files import read_text
+from airlight.physics.spectra.power_law import power_law
+from airlight.physics.units import values_in
+
+FloatArray = npt.NDArray[np.float64]
+ComplexArray = npt.NDArray[np.complex128]
+
+#: Range beyond a table's ends over which its end value is used. [nm]
+ALLOWANCE: Final = 10.0
+#: Prefix of the file names of the tables that ship with the package.
+_PREFIX: Final = "index-"
+#: First line after the header.
+_COLUMNS: Final = "wavelength_nm,real,imaginary"
+
+
+@dataclass(frozen=True, eq=False)
+class IndexTable:
+    """Refractive index over wavelength.
+
+    Parameters
+    ----------
+    name : str
+        Name of the table, or its path.
+    wavelengths : array, shape (n,)
+        Wavelengths, ascending. [nm]
+    real, imaginary : array, shape (n,)
+        n and k of n + ik, k 0 or more. [1]
+    source : str
+        Source of the values.
+    """
+
+    name: str
+    wavelengths: FloatArray
+    real: FloatArray
+    imaginary: FloatArray
+    source: str
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Wavelength range of the table, extended by 10 nm at both ends. [nm]"""
+        return float(self.wavelengths[0]) - ALLOWANCE, float(self.wavelengths[-1]) + ALLOWANCE
+
+    def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
+        """n + ik at wavelengths within ``limits`` [nm], shape (...).
+
+        n is linear between the rows; k, which varies over decades, is a power law, and linear next
+        to a row with k = 0.
+
+        Examples
+        --------
+        >>> table = read_index("water")
+        >>> f"{complex(table.at(589.3)).real:.2f}"
+        '1.33'
+        """
+        nm = values_in(wavelengths, "nm", "wavelengths")
+        real = np.interp(nm, self.wavelengths, self.real)
+        return np.asarray(real + 1j * power_law(nm, self.wavelengths, self.imaginary))
+
+
+@cache
+def index_names() -> tuple[str, ...]:
+    """Names of the tables that ship with the package.
+
+    Examples
+    --------
+    >>> "water" in index_names()
+    True
+    """
+    folder = resources.files("airlight.physics.optics") / "data"
+    found = [entry.name for entry in folder.iterdir() if entry.name.startswith(_PREFIX)]
+    return tuple(sorted(name.removeprefix(_PREFIX).removesuffix(".csv") for name in found))
+
+
+@cache
+def read_index(name: str) -> IndexTable:
+    """Refractive index table of the package, or from a CSV file of the same format.
+
+    Parameters
+    ----------
+    name : str
+        One of ``index_names()``, or the path to a file: lines that begin with ``#``, the line
+        ``wavelength_nm,real,imaginary``, then rows with ascending wavelengths [nm], n and k.
+
+    Returns
+    -------
+    IndexTable
+        Table with read-only arrays.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such table.
+    FileError
+        If the file cannot be read or is not of this format.
+    """
+    if name in index_names():
+        file = resources.files("airlight.physics.optics") / "data" / f"{_PREFIX}{name}.csv"
+        return _parsed(file.read_text(encoding="utf-8"), name)
+    path = Path(name)
+    if path.suffix != ".csv":
+        known = ", ".join(index_names())
+        raise ParameterError("index", name, f"{known}; or the path to a CSV file")
+    return _parsed(read_text(path), name)
+
+
+def _parsed(text: str, name: str) -> IndexTable:
+    lines = [line for line in text.splitlines() if line.strip()]
+    source = " ".join(
+        line.partition(":")[2].strip() for line in lines if line.startswith("# source:")
+    )
+    body = [line for line in lines if not line.startswith("#")]
+    if not body or body[0].replace(" ", "") != _COLUMNS:
+        raise FileError(name, f"is not a table of refractive indices: the first line is {_COLUMNS}")
+    try:
+        rows = np.array([line.split(",") for line in body[1:]], dtype=np.float64)
+    except ValueError as error:
+        raise FileError(name, f"is not a table of refractive indices: {error}") from None
+    if rows.ndim != 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
+        raise FileError(
+            name, "is not a table of refractive indices: it needs rows of three numbers"
+        )
+    nm, _, imaginary = rows.T
+    if not (np.diff(nm) > 0.0).all() or not nm[0] > 0.0:
+        raise FileError(name, "is not a table of refractive indices: wavelengths must ascend")
+    if not (imaginary >= 0.0).all():
+        row = int(np.argmax(imaginary < 0.0))
+        bad = f"{imaginary[row]:g} at {nm[row]:g} nm"
+        raise FileError(name, f"imaginary is {bad}; allowed: 0 or more")
+    rows.flags.writeable = False
+    return IndexTable(name, rows[:, 0], rows[:, 1], rows[:, 2], source)

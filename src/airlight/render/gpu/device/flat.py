@@ -1,0 +1,219 @@
+"""Flat textures: 1-D arrays in rows of ``FLAT_WIDTH`` texels, read by ``textureLoad``."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.errors import ParameterError
+from airlight.render.gpu.device.device import Device
+from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
+
+Float32Array = NDArray[np.float32]
+
+#: Number of rows that every browser allows.
+MAX_ROWS: Final = 8192
+#: Format of a flat texture by number of channels.
+FORMATS: Final = {1: "r32float", 4: "rgba32float"}
+#: Type and number of channels of the formats that can be read back.
+_CHANNELS: Final = {
+    "r32float": (np.float32, 1),
+    "rg32float": (np.float32, 2),
+    "rgba32float": (np.float32, 4),
+    "r16float": (np.float16, 1),
+    "rgba16float": (np.float16, 4),
+    "r8unorm": (np.uint8, 1),
+    "rgba8unorm": (np.uint8, 4),
+    "rgba8unorm-srgb": (np.uint8, 4),
+    "bgra8unorm": (np.uint8, 4),
+    "bgra8unorm-srgb": (np.uint8, 4),
+}
+
+
+def flat_rows(count: int) -> int:
+    """Number of rows of a flat texture that holds ``count`` texels; at least one.
+
+    Parameters
+    ----------
+    count : int
+        Number of texels.
+    """
+    return max(1, -(-count // FLAT_WIDTH))
+
+
+def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
+    """Flat texture from an array, zero-padded to full rows.
+
+    It can be read by a shader, rendered to, updated by ``update_flat`` and read back.
+
+    Parameters
+    ----------
+    device : Device
+        Device from ``open_device``.
+    array : array, shape (n,) or (n, 4)
+        Values, stored as float32: one channel, or four.
+    label : str
+        Label in messages of the device.
+
+    Returns
+    -------
+    wgpu.GPUTexture
+        ``r32float`` or ``rgba32float``, ``FLAT_WIDTH`` wide.
+
+    Raises
+    ------
+    ParameterError
+        If the shape differs, or the array exceeds the capacity of a texture (16.8 million texels).
+    """
+    values = _texels(array)
+    texture = empty_flat_texture(device, values.shape[0], values.shape[1], label)
+    update_flat(device, texture, 0, values)
+    return texture
+
+
+def empty_flat_texture(device: Device, count: int, channels: int, label: str = "") -> Any:
+    """Flat texture of zeros for ``count`` texels of one or four channels.
+
+    Parameters
+    ----------
+    device : Device
+        Device from ``open_device``.
+    count, channels : int
+        Number of texels, and of channels.
+    label : str
+        Label in messages of the device.
+
+    Returns
+    -------
+    wgpu.GPUTexture
+        ``r32float`` or ``rgba32float``.
+
+    Raises
+    ------
+    ParameterError
+        If the texels exceed the capacity of a texture, or the channels are not 1 or 4.
+    """
+    import wgpu
+
+    if channels not in FORMATS:
+        raise ParameterError("channels", channels, "1 or 4")
+    if not 0 <= count <= FLAT_WIDTH * MAX_ROWS:
+        raise ParameterError("count", count, f"at most {FLAT_WIDTH * MAX_ROWS} texels")
+    use = wgpu.TextureUsage
+    return device.device.create_texture(
+        label=label,
+        size=(FLAT_WIDTH, flat_rows(count), 1),
+        format=FORMATS[channels],
+        usage=use.TEXTURE_BINDING | use.COPY_DST | use.COPY_SRC | use.RENDER_ATTACHMENT,
+    )
+
+
+def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> None:
+    """Overwrite texels of a flat texture from index ``start`` on.
+
+    Parameters
+    ----------
+    device : Device
+        Device that made the texture.
+    texture : wgpu.GPUTexture
+        Texture from ``flat_texture``.
+    start : int
+        Index of the first texel; need not begin a row.
+    array : array, shape (n,) or (n, 4)
+        Values, with as many channels as the texture has.
+
+    Raises
+    ------
+    ParameterError
+        If the array does not fit.
+    """
+    values = _texels(array)
+    width, height = texture.size[:2]
+    if FORMATS[values.shape[1]] != texture.format:
+        raise ParameterError("array.shape", values.shape, f"texels of format {texture.format}")
+    if not 0 <= start <= width * height - values.shape[0]:
+        raise ParameterError(
+            "start", start, f"0 to {width * height - values.shape[0]}: {values.shape[0]} texels "
+            f"into {width * height}",
+        )  # fmt: skip
+    done, end = start, start + values.shape[0]
+    while done < end:  # the rest of a partly filled row, whole rows, the beginning of the last row
+        row, column = divmod(done, width)
+        whole = (end - done) // width if column == 0 else 0
+        take = whole * width if whole else min(width - column, end - done)
+        block = values[done - start : done - start + take]
+        shape = (width, whole, 1) if whole else (take, 1, 1)
+        device.device.queue.write_texture(
+            {"texture": texture, "origin": (column, row, 0)},
+            block,
+            {"bytes_per_row": shape[0] * 4 * values.shape[1], "rows_per_image": shape[1]},
+            shape,
+        )
+        done += take
+
+
+def read_texture(device: Device, texture: Any) -> Float32Array:
+    """Read back a two-dimensional texture.
+
+    Parameters
+    ----------
+    device : Device
+        Device that made the texture.
+    texture : wgpu.GPUTexture
+        Texture made with ``COPY_SRC``; floats of 16 or 32 bits, or 8-bit values.
+
+    Returns
+    -------
+    array, shape (height, width, channels)
+        Values; 8-bit values are divided by 255 and stay encoded; red always comes first.
+
+    Raises
+    ------
+    ParameterError
+        If the format is not supported.
+    """
+    if texture.format not in _CHANNELS:
+        raise ParameterError("texture.format", texture.format, ", ".join(_CHANNELS))
+    kind, channels = _CHANNELS[texture.format]
+    width, height = texture.size[:2]
+    row_bytes = width * channels * np.dtype(kind).itemsize
+    # The queue pads rows to the 256 bytes that a copy needs and removes the padding again.
+    read = device.device.queue.read_texture(
+        {"texture": texture},
+        {"bytes_per_row": row_bytes, "rows_per_image": height},
+        (width, height, 1),
+    )
+    values = np.frombuffer(read, kind).reshape(height, width, channels)
+    if kind is np.uint8:
+        values = (values / np.float32(255.0)).astype(np.float32)
+        if texture.format.startswith("bgra"):
+            values = values[..., [2, 1, 0, 3]]
+    return np.ascontiguousarray(values, np.float32)
+
+
+def read_flat(device: Device, texture: Any, count: int) -> Float32Array:
+    """Read back the first ``count`` texels of a flat texture, shape (count,) or (count, 4).
+
+    Parameters
+    ----------
+    device : Device
+        Device that made the texture.
+    texture : wgpu.GPUTexture
+        Texture from ``flat_texture``.
+    count : int
+        Number of texels.
+    """
+    values = read_texture(device, texture)
+    texels = values.reshape(-1, values.shape[2])[:count]
+    return texels[:, 0] if texels.shape[1] == 1 else texels
+
+
+def _texels(array: ArrayLike) -> Float32Array:
+    values = np.ascontiguousarray(array, np.float32)
+    if values.ndim == 1:
+        values = values[:, None]
+    if values.ndim != 2 or values.shape[1] not in FORMATS:
+        raise ParameterError("array.shape", np.shape(array), "(n,) or (n, 4)")
+    return values

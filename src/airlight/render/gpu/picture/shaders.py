@@ -1,0 +1,257 @@
+"""Shaders of rendering: sky-view LUT and pixels, with textures, functions and entry points.
+
+They are independent of the planet, as sizes are uniforms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Final
+
+from airlight.render.gpu.emit.dialect import ShaderDialect
+from airlight.render.gpu.emit.emitter import Emitted, Emitter
+from airlight.render.gpu.emit.shader_types import (
+    F32,
+    FLAT_WIDTH,
+    I32,
+    VEC4,
+    Constant,
+    LocalArray,
+    StructValue,
+)
+from airlight.render.gpu.emit.uniform_struct import Fixed
+from airlight.render.gpu.emit.wgsl import WGSL
+from airlight.render.gpu.picture.uniforms import CHANNELS, FRAME
+from airlight.render.pixels.ground import GROUND_VALUES
+from airlight.render.pixels.pixel import ViewUniforms
+from airlight.render.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
+from airlight.render.pixels.samples import light_of_centre, sampled_light
+from airlight.render.pixels.sky_view_lut import Observer, sky_view_texel
+from airlight.render.pixels.sky_view_window import SkyViewWindow
+from airlight.solver.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
+
+#: Angular distance from the star that no pixel exceeds. [rad]
+_NO_REACH: Final = 4.0
+
+
+@dataclass(frozen=True, eq=False)
+class Shader:
+    """Shader with its language, textures and entry points.
+
+    Attributes
+    ----------
+    name : str
+        Name of the shader.
+    dialect : ShaderDialect
+        Shading language.
+    functions : str
+        Declarations shared by all entry points: uniforms, textures and functions.
+    entries : dict from str to str
+        Text of each entry point, a fragment function.
+    textures : tuple of str
+        Textures in binding order, after the uniforms.
+    emitter : Emitter
+        Emitter of its functions.
+    """
+
+    name: str
+    dialect: ShaderDialect
+    functions: str
+    entries: dict[str, str]
+    textures: tuple[str, ...]
+    emitter: Emitter
+
+    @property
+    def text(self) -> str:
+        """Source with all entry points, for languages that allow several."""
+        return self.dialect.module([self.functions, *self.entries.values()])
+
+    def entry_text(self, entry: str) -> str:
+        """Source with one entry point.
+
+        Parameters
+        ----------
+        entry : str
+            Name from ``entries``.
+        """
+        return self.dialect.module([self.functions, self.entries[entry]])
+
+
+def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
+    """Shader from its entry points, their emitted functions and the tables that these read.
+
+    Parameters
+    ----------
+    name : str
+        Name of the shader.
+    entries : dict from str to str
+        Source of each entry point.
+    emitter : Emitter
+        Emitter of the functions that the entry points call.
+    """
+    dialect = emitter.dialect
+    assert isinstance(dialect, ShaderDialect)
+    body = emitter.module()
+    tables = FRAME.read_by("\n".join([body, *entries.values()]))
+    textures = tuple(dict.fromkeys(table.texture for table in tables))
+    slots = {texture: slot for slot, texture in enumerate(textures, start=1)}
+    lines = [FRAME.text(dialect)]
+    lines += [dialect.texture(texture, 0, slot) for texture, slot in slots.items()]
+    for table in tables:
+        texture = dialect.texture_name(table.texture, 0, slots[table.texture])
+        lines.append(table.reader(dialect, texture))
+    functions = "\n".join([*lines, body])
+    return Shader(name, dialect, functions, entries, textures, emitter)
+
+
+@cache
+def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Sky-view LUT shader: radiance of the air, and of a white Lambert ground behind it.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        Shading language.
+    """
+    return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), air=True)
+
+
+@cache
+def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Sky-view LUT shader: single scattering by separated constituents, without phase function.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        Shading language.
+    """
+    return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), peaks=True)
+
+
+@cache
+def sky_polarised_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Sky-view LUT shader: I + Q and I + U of the air.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        Shading language.
+    """
+    return _sky_shader(
+        dialect, "sky_polarised", "polarised_texel", (4, 5), air=True, polarised=True
+    )
+
+
+def _sky_shader(
+    dialect: ShaderDialect,
+    name: str,
+    function: str,
+    layers: tuple[int, int],
+    *,
+    air: bool = False,
+    peaks: bool = False,
+    polarised: bool = False,
+) -> Shader:
+    emitter = Emitter(dialect)
+    found = emitter.module_array("result", LocalArray(6 if polarised else 4, VEC4))
+    made = emitter.add(
+        sky_view_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
+        FRAME.struct_value(Observer), FRAME.struct_value(MarchTables), march_workspace(emitter),
+        found,
+        name=function,
+    )  # fmt: skip
+    columns, rows = (
+        dialect.uniform(FRAME.uniform(one).text, I32) for one in ("sky_columns", "sky_rows")
+    )
+    places = ("number % columns", "number / columns", "columns", rows)
+    x, y = dialect.convert("at.x", I32), dialect.convert("at.y", I32)
+    body = [
+        dialect.let("columns", I32, columns),
+        dialect.let("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
+        *filled_by(made, places, dialect),
+    ]
+    entry = dialect.fragment(name, 2, body, [f"result[{layer}]" for layer in layers])
+    return assembled(name, {name: entry}, emitter)
+
+
+def march_workspace(emitter: Emitter) -> StructValue:
+    """March workspace of one line of sight, for the emitter.
+
+    Parameters
+    ----------
+    emitter : Emitter
+        Emitter of the shader.
+    """
+    numbers = workspace_sizes(MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS)
+    arrays = {name: LocalArray(size) for name, size in numbers.items()}
+    arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MAX_CONSTITUENTS).items()}
+    return StructValue({
+        name: emitter.module_array(f"work_{name}", kind) for name, kind in arrays.items()
+    })  # fmt: skip
+
+
+def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -> list[str]:
+    """Statements that declare arrays and call a function that fills them.
+
+    Parameters
+    ----------
+    made : Emitted
+        Function whose other parameters are arrays.
+    arguments : sequence of str
+        Its arguments before the arrays.
+    dialect : ShaderDialect
+        Shading language.
+    """
+    handed = [one for several in made.argument_lists(dialect) for one in several]
+    arrays = [(name, kind) for name, kind in handed if isinstance(kind, LocalArray)]
+    given = [*arguments, *(dialect.array_argument(name) for name, _ in arrays)]
+    declared = [dialect.declared(name, kind) for name, kind in arrays]
+    return [*declared, f"{made.name}({', '.join(given)});"]
+
+
+def _whole_window() -> StructValue:
+    """``SkyViewWindow`` of the complete LUT, for the emitter."""
+    columns, rows, first = FRAME.uniform("sky_columns"), FRAME.uniform("sky_rows"), Constant(0)
+    values = (columns, rows, first, columns, first, rows, first, rows)
+    return StructValue(dict(zip(SkyViewWindow._fields, values, strict=True)))
+
+
+@cache
+def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of linear radiance of pixels, from the sky-view LUT or marched.
+
+    Parameters
+    ----------
+    exact : bool
+        Whether every pixel is marched.
+    fixed : tuple of (str, value)
+        Integer and boolean uniforms bound as constants: a software GPU evaluates both sides of
+        every branch otherwise.
+    dialect : ShaderDialect
+        Shading language.
+    """
+    emitter = Emitter(dialect)
+    # a shader of rows without an edge has no loop over samples
+    once = dict(fixed).get("samples") == 1 and not dict(fixed).get("edges", True)
+    places = ("color", "result") if once else ("color", "total", "result")
+    kinds = {"color": LocalArray(GROUND_VALUES)}
+    arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
+    made = emitter.add(
+        light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
+        _whole_window(), FRAME.struct_value(Observer, fixed),
+        FRAME.struct_value(ViewUniforms, fixed),
+        FRAME.struct_value(MarchTables, fixed), march_workspace(emitter), *arrays,
+        name="light_of_pixel",
+    )  # fmt: skip
+    column, row = (f"at.{at} + {FRAME.uniform(name).text}" for at, name in (
+        ("x", "first_column"), ("y", "first_row"),
+    ))  # fmt: skip
+    lines = [
+        *filled_by(made, (column, row), dialect),
+        *(dialect.let(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
+    ]
+    light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"
+    entry = dialect.fragment("linear_picture", 1, lines, [light])
+    return assembled("picture", {"linear_picture": entry}, emitter)

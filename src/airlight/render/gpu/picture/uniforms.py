@@ -1,0 +1,72 @@
+"""Uniform struct and tables of all rendering and display shaders."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final, NamedTuple
+
+import numpy as np
+
+from airlight.image.displayed import Display
+from airlight.kernel.shader_fields import image
+from airlight.render.gpu.emit.uniform_struct import UniformStruct
+from airlight.render.pixels.pixel import ViewUniforms
+from airlight.render.pixels.sky_view_lut import Observer
+from airlight.solver.moments.march_tables import MarchTables
+
+#: Colour matrix: weights of the wavelengths in each channel.
+CHANNELS: Final = ("red", "green", "blue")
+
+
+class Strip(NamedTuple):
+    """Position of a strip within the frame.
+
+    Attributes
+    ----------
+    first_row, first_column : float
+        Row and column of the target's first texel. [pixel]
+    """
+
+    first_row: float
+    first_column: float
+
+
+class Lens(NamedTuple):
+    """Linear radiance, and the pyramid of its glare.
+
+    Attributes
+    ----------
+    glare : float
+        Glare relative to a typical lens. [1]
+    glare_total : float
+        Sum of the weights of all levels. [1]
+    circle : bool
+        Whether the image circle is smaller than the frame.
+    level_share : float
+        Weight of the level. [1]
+    level_more : bool
+        Whether there is a coarser level.
+    picture, level, coarser : array, shape (height, width)
+        Linear sRGB of the frame, of a level, and spread light of the next coarser levels.
+        [W m⁻² sr⁻¹]
+    """
+
+    glare: float
+    glare_total: float
+    circle: bool
+    level_share: float
+    level_more: bool
+    picture: Annotated[np.ndarray, image("picture")]
+    level: Annotated[np.ndarray, image("level")]
+    coarser: Annotated[np.ndarray, image("coarser")]
+
+
+#: Uniforms and tables of the rendering shaders.
+FRAME: Final = UniformStruct(
+    "frame", (MarchTables, Observer, ViewUniforms, Display, Lens, Strip), CHANNELS
+)
+#: Textures of the sky-view LUT: air and ground, separated constituents, Q and U.
+LAYERS: Final = tuple(
+    table.texture
+    for table in FRAME.tables.values()
+    if not (table.start or table.image or table.packed)
+)

@@ -1,0 +1,77 @@
+"""Kernels of Anderson acceleration: the next guess from the last iterates.
+
+See ``rays`` for the index.
+"""
+
+from __future__ import annotations
+
+from airlight.kernel import inlined
+from airlight.render.pixels.render_tables import WAVELENGTHS
+from airlight.solver.moments.convergence import is_near
+from airlight.solver.moments.stopping import PASS_ITERATES
+
+
+@inlined
+def mean(index, sizes, iterate, guess):
+    """Mean radiances and irradiances of an iterate and its guess, read by the host. [1]
+
+    Texels (iterate or guess, mean radiance or irradiance, radius, sun).
+    """
+    nodes = sizes.radii * sizes.sun_angles
+    node = index % nodes
+    at = node * sizes.terms
+    if index // nodes % 2 == 1:
+        at = nodes * sizes.terms + node
+    if index < 2 * nodes:
+        return iterate[at]
+    return guess[at]
+
+
+@inlined
+def mixed(index, weights, iterates):
+    """Component of the linear combination of iterates.
+
+    ``weights`` and ``iterates`` are read as scalars.
+    """
+    lane = index % WAVELENGTHS
+    return (
+        weights[lane] * iterates.iterate_0[index]
+        + weights[WAVELENGTHS + lane] * iterates.iterate_1[index]
+        + weights[2 * WAVELENGTHS + lane] * iterates.iterate_2[index]
+        + weights[3 * WAVELENGTHS + lane] * iterates.iterate_3[index]
+        + weights[4 * WAVELENGTHS + lane] * iterates.iterate_4[index]
+    )
+
+
+@inlined
+def sound(index, sizes, weights, iterates):
+    """1 where ``is_near`` accepts the combination of iterates, otherwise 0.
+
+    Scalars (mean radiance or irradiance, radius, sun, lane); ``iterate_0`` is the latest.
+    """
+    numbers = sizes.radii * sizes.sun_angles * WAVELENGTHS
+    lane = index % WAVELENGTHS
+    brightest = weights[WAVELENGTHS * PASS_ITERATES + lane]
+    at = index // WAVELENGTHS * sizes.terms * WAVELENGTHS + lane
+    if index >= numbers:
+        brightest = weights[WAVELENGTHS * (PASS_ITERATES + 1) + lane]
+        at = numbers * sizes.terms + index - numbers
+    near = is_near(mixed(at, weights, iterates), iterates.iterate_0[at], brightest)
+    return 1.0 if near else 0.0
+
+
+@inlined
+def next_guess(index, sizes, weights, iterates, sounds):
+    """Combination of iterates if ``sound`` accepts it, otherwise the last iterate.
+
+    Texels as in ``gathered_moment``.
+    """
+    nodes = sizes.radii * sizes.sun_angles
+    node = index // sizes.terms
+    if index >= nodes * sizes.terms:
+        node = nodes + index - nodes * sizes.terms
+    last = iterates.iterate_0[index]
+    total = weights[0] * last + weights[1] * iterates.iterate_1[index]
+    total = total + weights[2] * iterates.iterate_2[index] + weights[3] * iterates.iterate_3[index]
+    total = total + weights[4] * iterates.iterate_4[index]
+    return last + sounds[node] * (total - last)

@@ -1,0 +1,163 @@
+"""Moments solver on the GPU: successive orders of scattering as fragment passes.
+
+The passes (``passes``) are emitted from the kernels of the CPU's sweep. After each sweep the host
+reads the mean radiances (about 20 kB), computes the Anderson weights and tests convergence as on
+the CPU (``stopping``). Without synthetic acceleration, clear and dusty air converges in five to
+fifteen sweeps; optically thick air is left to the CPU.
+"""
+
+from __future__ import annotations
+
+from time import perf_counter
+from typing import Any, Final
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import AirlightError, Cancelled
+from airlight.kernel.threads import Cancel, Progress
+from airlight.planets.medium import Medium
+from airlight.render.gpu.device.device import Device
+from airlight.render.gpu.solver.gpu_iteration import GpuIteration, pooled_iteration
+from airlight.render.gpu.solver.passes import ITERATES
+from airlight.render.gpu.solver.planning import plan_for
+from airlight.render.pixels.render_tables import WAVELENGTHS
+from airlight.solver.moments.delta_m import Optics
+from airlight.solver.moments.energy_balance import energy_error, violates_energy_balance
+from airlight.solver.moments.iterate import Moments
+from airlight.solver.moments.settings import MomentsSettings
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.stopping import Iteration, Stopping
+from airlight.solver.refracted_geometry import RefractedGeometry
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Largest vertical transport optical depth, (1 - g) times scattering. [1]
+THICKEST: Final = 2.5
+#: Packed field of each solution, on the GPU that solved it.
+_fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDictionary()
+
+
+class ThickAir(AirlightError):
+    """Air too optically thick for plain successive orders, which only the CPU solves."""
+
+    def __init__(self, reason: str = "too thick for the GPU's orders of scattering") -> None:
+        super().__init__(f"the atmosphere is {reason}; the CPU solves it")
+
+
+def solve_on(
+    device: Device,
+    medium: Medium,
+    settings: MomentsSettings,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> MomentsSolution:
+    """Solve a medium on the GPU.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    medium : Medium
+        Medium of at most four wavelengths.
+    settings : MomentsSettings
+        Grid sizes and tolerance.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    MomentsSolution
+        Solution, equal to that of the CPU within 0.5 %.
+
+    Raises
+    ------
+    ParameterError
+        If the wavelengths or constituents exceed the capacity of the shaders.
+    ThickAir
+        If the air is too optically thick.
+    ConvergenceError
+        If the tolerance is not reached within the orders that ``Stopping`` allows.
+    Cancelled
+        If ``cancel`` requested it.
+    """
+    started = perf_counter()
+    geometry = RefractedGeometry.of(medium)
+    if Optics.chosen(geometry.medium, settings).transport_depth.max() > THICKEST:
+        raise ThickAir
+    plan = plan_for(geometry, settings)
+    count = medium.wavelengths.size
+    with pooled_iteration(device) as gpu:
+        gpu.load(plan)
+        sweeps, residual = _iterate(gpu, progress, cancel)
+        field, sky = gpu.light()
+        fields = gpu.packed_copy()
+    moments = Moments(
+        degree=plan.setup.degree,
+        grid=plan.setup.grid,
+        refinement=plan.setup.refinement,
+        field=np.ascontiguousarray(field[..., :count]),
+        sky=np.ascontiguousarray(sky[..., :count]),
+        columns=plan.setup.table.values,
+        sweeps=sweeps,
+        residual=residual[:count],
+        energy=energy_error(plan.setup, field[..., :count]),
+    )
+    if violates_energy_balance(moments.energy, settings.energy_tolerance):
+        raise ThickAir("not resolved by the GPU's grid")
+    solution = MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
+    _fields[solution] = device, fields
+    return solution
+
+
+def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
+    """Field of a solution as ``solve_on`` left it on its device, or None.
+
+    Parameters
+    ----------
+    device : Device
+        Device on which it is needed.
+    solution : MomentsSolution
+        Solution from ``solve_on``, or any other.
+
+    Returns
+    -------
+    wgpu.GPUTexture or None
+        Flat texture: ``Light.field`` followed by ``Light.sky``, four wavelengths a texel.
+    """
+    found = _fields.get(solution)
+    return found[1] if found is not None and found[0] is device else None
+
+
+def _iterate(
+    gpu: GpuIteration, progress: Progress | None, cancel: Cancel | None
+) -> tuple[int, FloatArray]:
+    """Sweep until convergence; return the number of sweeps and the remaining change."""
+    plan = gpu.plan
+    iteration = Iteration(Stopping.of_passes(plan.setup.settings), plan.thick, WAVELENGTHS)
+    gpu.begin()
+    while iteration.unfinished():
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
+        mean, sky, before = gpu.sweep()
+        if not (mean > 0.0).any():
+            return 0, np.zeros(WAVELENGTHS)
+        iteration.update(before, mean)
+        gpu.combine(_weights(iteration.weights(), mean, sky))
+        if progress is not None:
+            error = float(iteration.remaining_error.max())
+            message = f"orders of scattering: remaining error {error:.1e}"
+            progress(round(100 * iteration.progress), 100, message)
+    return iteration.sweeps, iteration.remaining_error
+
+
+def _weights(weights: FloatArray, mean: Float32Array, sky: Float32Array) -> Float32Array:
+    """Arrange weights for ``combine``: the latest iterate's first, then two largest values."""
+    taken = np.zeros((len(ITERATES) + 2, WAVELENGTHS), np.float32)
+    taken[: weights.shape[0]] = weights[::-1]
+    taken[-2] = mean.max(axis=(0, 1))
+    taken[-1] = sky.max(axis=(0, 1))
+    return taken

@@ -1,0 +1,212 @@
+"""Pictures as files in the format of their suffix."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import FileError
+from airlight.files.atomic_file import check_target
+from airlight.image.exr import read_exr_header, write_exr
+from airlight.image.hdr import read_hdr_header, write_hdr
+from airlight.image.png import read_png_header, write_png
+from airlight.physics.units import Measure, quantity, without_unit
+
+if TYPE_CHECKING:
+    from airlight.scene.frame import Frame
+
+#: Suffixes of the formats that can be written.
+SUFFIXES = (".png", ".exr", ".hdr")
+#: Suffixes of linear light, which has no display.
+LINEAR: Final = (".exr", ".hdr")
+#: Text of an EXR with Q and U.
+STOKES_FRAME: Final = (
+    "I in R, G, B; Q and U in the layers Q and U, in the same unit; Q > 0 along the plane of the "
+    "line of sight and the observer's zenith, U > 0 at 45 deg from it, counterclockwise as the "
+    "observer looks"
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Written:
+    """Written picture.
+
+    Parameters
+    ----------
+    path : Path
+        Path of the file.
+    size : int
+        Size of the file. [byte]
+    exposure : float or None
+        Exposure used, or None for a linear file. [EV]
+    """
+
+    path: Path
+    size: int
+    exposure: float | None
+
+
+def picture_suffix(path: str | Path) -> str:
+    """Return the suffix of a picture to be written, after checking that it can be written.
+
+    Parameters
+    ----------
+    path : str or Path
+        Path of the future file.
+
+    Returns
+    -------
+    str
+        Suffix, one of ``SUFFIXES``.
+
+    Raises
+    ------
+    FileError
+        If the suffix is unknown, or nothing can be written there.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix not in SUFFIXES:
+        raise FileError(path, f"the name of a picture ends in {', '.join(SUFFIXES)}")
+    check_target(path)
+    return suffix
+
+
+def write_picture(
+    path: str | Path,
+    picture: Frame | NDArray[np.float32],
+    metadata: Mapping[str, str] | None = None,
+    *,
+    exposure: float | str = "auto",
+    tone_map: str = "natural",
+    encoding: str = "srgb",
+    primaries: str = "srgb",
+    eye: bool | None = None,
+    bits: int = 8,
+    glare: float = 1.0,
+    pixel_angle: Measure = 0.0,
+    layers: Mapping[str, NDArray[np.float32]] | None = None,
+    crop: tuple[int, int, int, int] | None = None,
+) -> Written:
+    """Write a frame's colours as PNG (exposed, tone mapped, encoded), or linear as EXR or HDR.
+
+    An EXR of a frame with Q and U has them as layers, ``Q.R`` to ``U.B``, beside I in ``R`` to
+    ``B``. An HDR has eight bits of each channel and no channel below 0, see ``write_hdr``.
+
+    Parameters
+    ----------
+    path : str or Path
+        Path ending in ``.png``, ``.exr`` or ``.hdr``.
+    picture : Frame or array, shape (h, w, 3)
+        Frame, which knows its metadata, the angle of its pixels and what counts for its exposure;
+        or linear sRGB radiance, weighted by the colour-matching functions, float32.
+        [W m⁻² sr⁻¹]
+    metadata : mapping of str to str, optional
+        Further facts of how the frame was made, recorded in the file.
+    exposure : float or "auto"
+        The colours are multiplied by 2 to this power; ``auto`` measures it, see
+        ``Frame.exposure`` and, of an array, ``airlight.image.exposure.automatic_exposure``. Only
+        for PNG. [EV]
+    tone_map, encoding, primaries : str
+        Names of ``airlight.image``. Only for PNG.
+    eye : bool, optional
+        Whether light of less than 4 cd m⁻² is seen as by an eye in the dark; by default where the
+        exposure is ``auto``. Only for PNG.
+    bits : int
+        Bits per channel of a PNG, 8 or 16.
+    glare : float
+        Amount of glare around bright points, 0 to 10: 1 is that of a lens. Only for PNG. [1]
+    pixel_angle : float
+        Angle of a pixel of an array; without it there is no glare. [rad]
+    layers : mapping of str to array, optional
+        Further channels of an EXR, as for ``airlight.image.exr.write_exr``.
+    crop : (int, int, int, int), optional
+        Window that is written: its left and top edge, width and height. Exposure and glare are
+        those of the whole picture. Only for PNG. [pixel]
+
+    Returns
+    -------
+    Written
+        Path, size, and the exposure used.
+
+    Raises
+    ------
+    ParameterError
+        For an unknown name, other bits, or an exposure or glare that is not allowed.
+    FileError
+        If the file cannot be written; an existing file is then unchanged.
+    """
+    suffix = picture_suffix(path)
+    from airlight.scene.frame import Frame
+
+    if isinstance(picture, Frame):
+        frame = picture
+    else:
+        angle = quantity(pixel_angle, "rad", "pixel_angle", bare=True)
+        frame = Frame(rgb=without_unit(picture, "picture"), pixel_angle=angle)
+    rgb = frame.rgb
+    metadata = {**frame.metadata, **(metadata or {})}
+    used: float | None = None
+    if suffix == ".exr":
+        if frame.polarised is not None:
+            layers = {"Q": frame.polarised[0], "U": frame.polarised[1], **(layers or {})}
+            metadata = {**metadata, "stokes": STOKES_FRAME}
+        write_exr(path, rgb, metadata, layers=layers)
+    elif suffix == ".hdr":
+        write_hdr(path, rgb, metadata)
+    else:
+        from airlight.image.display import resolve_exposure, to_display
+
+        used = frame.exposure if exposure == "auto" else resolve_exposure(rgb, exposure)
+        eye = exposure == "auto" if eye is None else eye
+        pixels = to_display(
+            rgb, used, tone_map, encoding, eye=eye, primaries=primaries, bits=bits, glare=glare,
+            **frame.lens,
+        )  # fmt: skip
+        if crop is not None:
+            left, top, width, height = crop
+            metadata["crop"] = ",".join(map(str, crop))
+            pixels = np.ascontiguousarray(pixels[top : top + height, left : left + width])
+        display = {
+            "exposure": f"{used:.10g} EV",
+            "eye": "adapted" if eye else "by day",
+            "tone_map": tone_map,
+            "encoding": encoding,
+            "primaries": primaries,
+        }
+        display |= {"glare": f"{glare:g}"} if frame.pixel_angle > 0.0 else {}
+        texts = {**metadata, **display}
+        write_png(path, pixels, texts, encoding=encoding, primaries=primaries)
+    return Written(path=Path(path), size=Path(path).stat().st_size, exposure=used)
+
+
+def read_picture_metadata(path: str | Path) -> dict[str, str]:
+    """Texts in the header of a picture, of a file that was written to its end.
+
+    Parameters
+    ----------
+    path : str or Path
+        Path of a PNG, EXR or HDR file.
+
+    Returns
+    -------
+    dict of str to str
+        Texts by name, with the prefix ``airlight.``.
+
+    Raises
+    ------
+    FileError
+        If the file is missing, no such picture, or cut off.
+    """
+    try:
+        if Path(path).suffix.lower() == ".exr":
+            return read_exr_header(path)
+        if Path(path).suffix.lower() == ".hdr":
+            return read_hdr_header(path)
+        return read_png_header(path)
+    except (OSError, ValueError, SyntaxError) as error:
+        raise FileError(path, f"cannot be read as a picture: {error}") from error

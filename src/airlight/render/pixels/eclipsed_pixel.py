@@ -1,0 +1,188 @@
+"""Marched pixels of a planet in the shadow of a moon, on the CPU.
+
+Radiance in an eclipse is neither symmetric about the solar vertical nor smooth enough for a
+sky-view LUT. Ground, water, clouds and lamps are as in ``pixel``.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from airlight.geometry.refraction import refraction_angle
+from airlight.geometry.shell import distance_to_bottom, distance_to_top
+from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, store
+from airlight.kernel.without_refcount import without_refcount
+from airlight.physics.optics.cox_munk import mean_square_slope, mirrored_cosine
+from airlight.render.pixels.ground import (
+    GROUND_VALUES,
+    ground_factor,
+    ground_reflectances,
+    lamp_light,
+)
+from airlight.render.pixels.ground_angles import columns_to_ground
+from airlight.render.pixels.pixel import classify_ray
+from airlight.render.pixels.samples import sample_place, samples_per_side
+from airlight.render.pixels.sky_view_lut import half_sine_between
+from airlight.render.pixels.star_disc import camera_direction
+from airlight.solver.eclipsed.eclipsed_march import (
+    TOTAL,
+    eclipsed_ground_light,
+    end_on_ground,
+    march_eclipsed,
+)
+from airlight.solver.moments.march_tables import MIRRORED
+from airlight.solver.moments.source import read_phase
+
+
+@inlined
+def eclipsed_light(
+    x, y, z, turn, observer, view, tables, shadow, work, scratch, color, found, result
+):  # fmt: skip
+    """Spectral radiance along a line of sight, per irradiance of the unocculted star. [sr⁻¹]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction in the observer's frame. [1]
+    turn : array, shape (3, 3)
+        Axes of the shadow's frame in the observer's, as rows. [1]
+    observer, view, tables, work, color :
+        Arguments of ``pixel_light``.
+    shadow, scratch : ShadowTables, ShadowWorkspace
+        Shadow, and its workspace.
+    found : array, shape (2, w)
+        Workspace.
+    result : array, shape (w,)
+        Receives the radiance. [sr⁻¹]
+    """
+    sine, _, through_air, to_ground = classify_ray(x, y, z, observer, tables)
+    result[:] = 0.0
+    if not through_air:
+        return
+    u = turn[0, 0] * x + turn[0, 1] * y + turn[0, 2] * z
+    v = turn[1, 0] * x + turn[1, 1] * y + turn[1, 2] * z
+    w = turn[2, 0] * x + turn[2, 1] * y + turn[2, 2] * z
+    r, mu, way = observer.r, z, 0.0
+    if observer.outside:
+        impact = observer.r * sine
+        half = sqrt(max((tables.top - impact) * (tables.top + impact), 0.0))
+        way = -observer.r * z - half
+        r, mu = tables.top, -half / tables.top
+    a = turn[0, 2] * observer.r + way * u
+    b = turn[1, 2] * observer.r + way * v
+    c = turn[2, 2] * observer.r + way * w
+    length = distance_to_top(r, mu, tables.top)
+    if to_ground:
+        length = distance_to_bottom(r, mu, tables.bottom)
+    half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+    read_phase(half_sine, tables.phase, work.phase)
+    march_eclipsed(
+        a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
+    )
+    result[:] = found[0]
+    if not to_ground:
+        return
+    p, q, s, mu_r = end_on_ground(a, b, c, u, v, w, length, tables, work)
+    refraction = 0.0
+    if tables.refraction_strength > 0.0:
+        refraction = refraction_angle(
+            r, mu, tables.refraction_strength, work.columns_total[tables.constituents - 1]
+        )
+    work.radiance[1] = found[1]
+    if tables.ground.wet:
+        _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found)
+        work.radiance[MIRRORED] = found[0]
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
+        x, y, z, sine, refraction, observer, view, tables, work, color
+    )
+    eclipsed_ground_light(p, q, s, TOTAL, tables, shadow, work, scratch)
+    if view.overlaid:
+        columns_to_ground(z, sine, observer, tables, work.columns_total, work.columns_so_far)
+    for at in range(0, tables.lanes, LANES):
+        received, behind = lane_view(work.irradiance, at), lane_view(work.radiance, at)
+        factor = ground_factor(
+            color,
+            view,
+            star_diffuse,
+            star_specular,
+            sky_diffuse,
+            sky_specular,
+            mirrored,
+            tables,
+            work,
+            at,
+        )
+        white = (received[0] + received[1]) * INVERSE_PI * behind[1]
+        total = load(result, at) + white * factor
+        if view.overlaid:
+            total = total + lamp_light(color, view, tables, work.columns_total, at)
+        store(result, at, total)
+
+
+@inlined
+def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
+    """Sky radiance mirrored by water at the end of a line of sight, into ``radiance``. [sr⁻¹]
+
+    Parameters
+    ----------
+    p, q, s, u, v, w, mu_r : float
+        Point and cosine from ``end_on_ground``, and direction of the line. [m], [1]
+    tables, shadow, work, scratch, found :
+        Arguments of ``eclipsed_light``.
+    """
+    a, b, c = p / tables.bottom, q / tables.bottom, s / tables.bottom
+    mu = mirrored_cosine(mu_r, tables.ground.wind)
+    level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
+    side = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / level
+    # The line without its vertical part, at its new zenith angle.
+    u, v, w = (
+        mu * a + side * (u + mu_r * a),
+        mu * b + side * (v + mu_r * b),
+        mu * c + side * (w + mu_r * c),
+    )
+    star = shadow.star
+    nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
+    # Blurred by the slope distribution of the facets.
+    spread = 0.25 * mean_square_slope(tables.ground.wind)
+    half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
+    read_phase(half_sine, tables.phase, work.phase)
+    length = distance_to_top(tables.bottom, mu, tables.top)
+    march_eclipsed(
+        p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
+    )
+
+
+@compiled_loop
+def render_eclipsed(px, py, turn, observer, view, tables, shadow, work, scratch, out):
+    """March pixels of a planet in the shadow of a moon.
+
+    Parameters
+    ----------
+    px, py : array, shape (n,)
+        Pixel centres, from the left and top edge of the frame. [pixel]
+    turn, observer, view, tables, shadow, work, scratch :
+        Arguments of ``eclipsed_light``.
+    out : array, shape (n, w)
+        Receives the radiance per irradiance of the unocculted star. [sr⁻¹]
+    """
+    view, tables, shadow, work, scratch = without_refcount((view, tables, shadow, work, scratch))
+    lanes = tables.lanes
+    found, result = np.empty((2, lanes), np.float32), np.empty(lanes, np.float32)
+    color = np.zeros(GROUND_VALUES)
+    for k in range(px.size):
+        x, y, z = camera_direction(px[k], py[k], view)
+        side = samples_per_side(x, y, z, observer, view)
+        for at in range(lanes):
+            out[k, at] = 0.0
+        for sample in range(side * side):
+            if side > 1:
+                sx, sy = sample_place(px[k], py[k], sample, side, view)
+                x, y, z = camera_direction(sx, sy, view)
+            eclipsed_light(
+                x, y, z, turn, observer, view, tables, shadow, work, scratch, color, found, result
+            )
+            for at in range(lanes):
+                out[k, at] += result[at] / (side * side)

@@ -1,0 +1,258 @@
+"""Radiance of the ground in a pixel, from its map and BRDF.
+
+The sky-view LUT and the march give the attenuated radiance of a white Lambert ground. It is scaled
+by the reflectance factors for direct and diffuse irradiance, which differ for other BRDFs. Water
+also mirrors the sky, whose radiance is stored separately.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Final
+
+import numpy as np
+
+from airlight.geometry.shell import first_intersection
+from airlight.kernel import inlined
+from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
+from airlight.physics.optics.clouds import layer_distance, under_clouds
+from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
+from airlight.physics.optics.water import water_reflectances
+from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
+from airlight.scene.ground_detail import ground_detail
+from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
+from airlight.solver.moments.irradiance import ground_light
+from airlight.solver.moments.march_tables import MIRRORED
+from airlight.solver.moments.source import transmittance_columns
+
+#: Length of the array that ``ground_color`` fills.
+GROUND_VALUES: Final = 11
+
+
+@inlined
+def ground_color(x, y, z, sine, angle, observer, view, tables, color):
+    """Map values at the end of a line of sight, into ``color`` (11,). [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction in the observer's frame. [1]
+    sine, angle : float
+        Sine of its zenith angle [1]; angle of refraction [rad].
+    observer, view, tables : Observer, ViewUniforms, MarchTables
+        Observer, camera with its maps, and tables of the solution.
+    color : array, shape (11,)
+        Receives linear sRGB reflectance and water fraction of the map, four values of the overlay,
+        the noise factor, and the cloud cover on the line of sight and on the path to the star;
+        values of absent maps are unchanged. [1]
+    """
+    cosine = ground_cosine(z, sine, observer, tables)
+    _across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)
+    # the distance as a quotient, of which single precision keeps all digits near the observer
+    both = max(tables.bottom * cosine - observer.r * z, 1e-30)
+    reach = observer.optical_altitude * (observer.r + tables.bottom) / both
+    px, py, pz = reach * x, reach * y, up
+    color[8] = 1.0
+    if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
+        # pz - bottom of a point of the sphere, which single precision has to half a metre only
+        below = -(px * px + py * py) / max(tables.bottom + pz, 1e-3 * tables.bottom)
+        color[8] = 1.0 + ground_detail(
+            view.xx * px + view.xy * py + view.xz * below,
+            view.yx * px + view.yy * py + view.yz * below,
+            view.zx * px + view.zy * py + view.zz * below,
+            view.pixel_angle * reach / max(cosine, 0.01), view.detail_cell,
+            view.whole_x, view.whole_y, view.whole_z,
+            view.part_x, view.part_y, view.part_z,
+        )  # fmt: skip
+    px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, tables.bottom)
+    latitude, longitude = latitude_longitude(
+        view.xx * px + view.xy * py + view.xz * pz,
+        view.yx * px + view.yy * py + view.yz * pz,
+        view.zx * px + view.zy * py + view.zz * pz,
+    )
+    if view.mapped:
+        level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
+        map_color(
+            view.texels, view.map_rows, view.map_columns, view.map_levels, latitude,
+            longitude, level, color, 0,
+        )  # fmt: skip
+        color[8] = color[8] * (1.0 - color[3]) + color[3]
+    if view.overlaid:
+        level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
+        if view.clouded:
+            cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, tables, color)
+        map_color(
+            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
+            latitude, longitude, level, color, 4,
+        )  # fmt: skip
+        if view.clouded:
+            for c in range(4, 7):
+                color[c] *= 1.0 - color[9]
+
+
+@inlined
+def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, tables, color):
+    """Cloud cover on a line of sight and on the path from its end to the star. [1]
+
+    Refraction between ground and layer is neglected.
+
+    Parameters
+    ----------
+    px, py, pz : float
+        End of the line of sight on the ground, from the centre, in the observer's frame. [m]
+    x, y, z, cosine : float
+        Its direction, and cosine of the zenith angle of the way back. [1]
+    level : float
+        Level of the overlay. [1]
+    observer, view, tables, color :
+        Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
+    """
+    mu_s = (px * observer.sun_x + pz * observer.sun_z) / tables.bottom
+    back = layer_distance(cosine, tables.bottom, view.cloud_altitude)
+    out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
+    for towards in range(2):
+        qx, qy, qz = px - back * x, py - back * y, pz - back * z
+        if towards == 1:
+            qx, qy, qz = px + out * observer.sun_x, py, pz + out * observer.sun_z
+        latitude, longitude = latitude_longitude(
+            view.xx * qx + view.xy * qy + view.xz * qz,
+            view.yx * qx + view.yy * qy + view.yz * qz,
+            view.zx * qx + view.zy * qy + view.zz * qz,
+        )
+        map_color(
+            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
+            latitude, longitude, level, color, 4,
+        )  # fmt: skip
+        color[9 + towards] = color[7]
+    if observer.r <= view.cloud_radius:
+        color[9] = 0.0
+
+
+@inlined
+def ground_reflectances(x, y, z, sine, angle, observer, view, tables, work, color):
+    """Map values and reflectance factors at the end of a line of sight.
+
+    Parameters
+    ----------
+    x, y, z, sine, angle, observer, view, tables, color :
+        Arguments of ``ground_color``; ``color`` is filled if there is a map.
+    work : MarchWorkspace
+        Workspace; ``irradiance`` receives direct and diffuse irradiance, except for a Lambert
+        ground without water and clouds.
+
+    Returns
+    -------
+    star_diffuse, star_specular, sky_diffuse, sky_specular : float
+        Diffuse factor, to be multiplied by the albedo, and specular factor, of direct and of
+        diffuse irradiance. [1]
+    mirrored : float
+        Factor of the mirrored sky. [1]
+    """
+    if view.mapped or view.overlaid or view.detailed:
+        ground_color(x, y, z, sine, angle, observer, view, tables, color)
+    else:
+        color[8] = 1.0
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
+    if tables.ground.law != 0 or tables.ground.wet or view.clouded:
+        mu_s, mu_r, nu = ground_angles(x, z, sine, angle, observer, tables)
+        ground_light(mu_s, observer.orders, tables, work)
+        share = 0.0
+        if tables.ground.law == WATER:
+            share = 1.0
+        else:
+            star_diffuse, star_specular = brdf_direct(
+                tables.ground.law, tables.ground, mu_s, mu_r, nu
+            )
+            sky_diffuse, sky_specular = brdf_diffuse(tables.ground.law, tables.ground, mu_r)
+            if tables.ground.wet and view.mapped:
+                share = color[3]
+        if share > 0.0:
+            land = 1.0 - share
+            star, glint, sky, mirrored = water_reflectances(tables.ground.wind, mu_s, mu_r, nu)
+            star_diffuse = land * star_diffuse + share * star
+            star_specular = land * star_specular + share * glint
+            sky_diffuse = land * sky_diffuse + share * sky
+            sky_specular = land * sky_specular
+            mirrored = share * mirrored
+    if view.clouded:
+        star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = under_clouds(
+            color[9], color[10], tables.ground.cloud_albedo,
+            star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
+        )  # fmt: skip
+    return star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored
+
+
+@inlined
+def lamp_light(color, view, tables, columns, at):
+    """Attenuated radiance of city lights, per irradiance of the star. [sr⁻¹]
+
+    Parameters
+    ----------
+    color : array, shape (11,)
+        Values from ``ground_color``. [1]
+    view, tables : ViewUniforms, MarchTables
+        Colour of the lamps, and tables of the solution.
+    columns : array, shape (nc,)
+        Columns from ``columns_to_ground``. [m]
+    at : int
+        Index of the first lane.
+    """
+    red = np.float32(color[4] * view.lamp_red)
+    green = np.float32(color[5] * view.lamp_green)
+    blue = np.float32(color[6] * view.lamp_blue)
+    basis, extinction = lane_view(tables.basis, at), lane_view(tables.scaled_extinction, at)
+    total = basis[0] * red + basis[1] * green + basis[2] * blue
+    return total * transmittance_columns(columns, extinction, tables.constituents)
+
+
+@inlined
+def reflectance(color, mapped, tables, at):
+    """Spectral albedo of the ground, from the map or the solver. [1]
+
+    Parameters
+    ----------
+    color : array, shape (11,)
+        Values from ``ground_color``. [1]
+    mapped : bool
+        Whether the ground has a map.
+    tables : MarchTables
+        Tables of the solution.
+    at : int
+        Index of the first lane.
+    """
+    detail = np.float32(max(color[8], 0.0))
+    if not mapped:
+        return load(tables.ground.albedo, at) * detail
+    basis = lane_view(tables.basis, at)
+    total = splat(0.0)
+    for c in range(3):
+        total = total + basis[c] * np.float32(color[c])
+    return minimum(maximum(total * detail, splat(0.0)), splat(1.0))
+
+
+@inlined
+def ground_factor(
+    color, view, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, tables, work, at
+):  # fmt: skip
+    """Radiance of the ground over that of a white Lambert ground. [1]
+
+    Parameters
+    ----------
+    color, tables, at :
+        Arguments of ``reflectance``.
+    view : ViewUniforms
+        Camera with its maps.
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, work :
+        Results and workspace of ``ground_reflectances``; ``radiance`` has the mirrored sky radiance
+        at ``MIRRORED``.
+    """
+    albedo = reflectance(color, view.mapped, tables, at)
+    if tables.ground.law == 0 and not tables.ground.wet and not view.clouded:
+        return albedo
+    received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)
+    star, sky = received[0], received[1]
+    by_star = star * (albedo * np.float32(star_diffuse) + np.float32(star_specular))
+    by_sky = sky * (albedo * np.float32(sky_diffuse) + np.float32(sky_specular))
+    if tables.ground.wet:
+        by_sky = by_sky + found[MIRRORED] * np.float32(pi * mirrored)
+    return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

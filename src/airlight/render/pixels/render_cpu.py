@@ -1,0 +1,73 @@
+"""Pixel loops of the CPU, with the sky-view LUT or marched."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.lanes import LANES, lane_view, load, splat
+from airlight.kernel.without_refcount import without_refcount
+from airlight.render.pixels.ground import GROUND_VALUES
+from airlight.render.pixels.samples import sampled_light
+
+
+@inlined
+def _as_color(radiance, weights, sums, out):
+    """Convert spectral radiance to linear sRGB, into ``out``."""
+    red, green, blue = splat(0.0), splat(0.0), splat(0.0)
+    for at in range(0, radiance.size, LANES):
+        total, weight = load(radiance, at), lane_view(weights, at)
+        red = red + total * weight[0]
+        green = green + total * weight[1]
+        blue = blue + total * weight[2]
+    channels = lane_view(sums)
+    channels[0], channels[1], channels[2] = red, green, blue
+    for c in range(3):
+        total = np.float32(0.0)
+        for lane in range(LANES):
+            total += sums[c, lane]
+        out[c] = total
+
+
+@inlined
+def _pixels(exact, px, py, window, observer, view, tables, work, weights, reach, out):
+    """Common loop of ``render_pixels`` and ``march_pixels``."""
+    view, tables, work, weights, out = without_refcount((view, tables, work, weights, out))
+    found, total = np.empty(tables.lanes, np.float32), np.empty(tables.lanes, np.float32)
+    color = np.zeros(GROUND_VALUES)
+    sums = np.empty((3, LANES), np.float32)
+    for k in range(px.size):
+        sampled_light(
+            px[k], py[k], exact, reach, window, observer, view, tables, work, color, total, found
+        )
+        _as_color(found, weights, sums, out[k])
+
+
+@compiled_loop
+def render_pixels(px, py, window, observer, view, tables, work, weights, reach, out):
+    """Render pixels with the sky-view LUT.
+
+    Parameters
+    ----------
+    px, py : array, shape (n,)
+        Pixel centres, from the left and top edge of the frame. [pixel]
+    window : SkyViewWindow
+        Window of the sky-view LUT.
+    observer, view, tables : Observer, ViewUniforms, MarchTables
+        Observer, camera with its maps, and tables of the solution.
+    work : MarchWorkspace
+        Workspace of the thread.
+    weights : array, shape (3, w)
+        Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
+    reach : float
+        Largest angle between the apparent star and a visible point of its disc. [rad]
+    out : array, shape (n, 3)
+        Receives linear sRGB.
+    """
+    _pixels(False, px, py, window, observer, view, tables, work, weights, reach, out)
+
+
+@compiled_loop
+def march_pixels(px, py, window, observer, view, tables, work, weights, reach, out):
+    """March pixels; arguments of ``render_pixels``."""
+    _pixels(True, px, py, window, observer, view, tables, work, weights, reach, out)

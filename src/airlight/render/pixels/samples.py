@@ -1,0 +1,120 @@
+"""Supersampling of pixels on the horizon or the limb.
+
+Only these edges alias: stellar discs have antialiased rims, and air is smooth. Other pixels have
+one sample.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Final
+
+import numpy as np
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, load, store
+from airlight.render.pixels.pixel import pixel_light
+from airlight.render.pixels.star_disc import camera_direction
+from airlight.scene.projections import PROJECTIONS
+
+#: Samples per side of a pixel that an edge crosses.
+EDGE: Final = 3
+#: Index of the projection that is periodic horizontally.
+_PANORAMA: Final = list(PROJECTIONS).index("equirectangular")
+#: Distance of a pixel's corner from its centre, with a margin for its shape. [pixel]
+_CORNER: Final = 0.75
+
+
+@inlined
+def samples_per_side(x, y, z, observer, view):
+    """Samples per side of a pixel.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Viewing direction of its centre. [1]
+    observer, view : Observer, ViewUniforms
+        Observer, and camera with ``samples`` and ``edges``.
+    """
+    if view.edges:
+        sine = sqrt(x * x + y * y)
+        above = z * observer.horizon_sine - sine * observer.horizon_mu
+        along = z * observer.horizon_mu + sine * observer.horizon_sine
+        if along > 0.0 and abs(above) < _CORNER * view.pixel_angle:
+            return max(view.samples, EDGE)
+    return view.samples
+
+
+@inlined
+def sample_place(px, py, sample, side, view):
+    """Position of a sample, from the left and top edge of the frame. [pixel]
+
+    The grid is rotated by atan(1 / side), so that no two samples share a row or column and a level
+    horizon has side² steps. The rotation is mirrored in the right half of the frame, which keeps
+    symmetric skies symmetric, and absent in panoramas.
+
+    Parameters
+    ----------
+    px, py : float
+        Centre of the pixel. [pixel]
+    sample, side : int
+        Index of the sample, and samples per side.
+    view : ViewUniforms
+        Camera.
+    """
+    hand = 1.0 if px < 0.5 * view.width else -1.0
+    if view.projection == _PANORAMA:
+        hand = 0.0
+    step = 1.0 / side
+    down = sample // side
+    across = sample - side * down
+    row, column = (down + 0.5) * step - 0.5, (across + 0.5) * step - 0.5
+    return px + column - hand * row * step, py + row + hand * column * step
+
+
+@inlined
+def light_of_centre(
+    px, py, exact, reach, window, observer, view, tables, work, color, result
+):  # fmt: skip
+    """Spectral radiance of a pixel with one sample; arguments of ``sampled_light``."""
+    x, y, z = camera_direction(px, py, view)
+    pixel_light(px, py, x, y, z, exact, reach, window, observer, view, tables, work, color, result)
+
+
+@inlined
+def sampled_light(
+    px, py, exact, reach, window, observer, view, tables, work, color, total, result
+):  # fmt: skip
+    """Spectral radiance of a pixel, averaged over samples, per irradiance of the star. [sr⁻¹]
+
+    Parameters
+    ----------
+    px, py : float
+        Pixel centre, from the left and top edge of the frame. [pixel]
+    exact, reach, window, observer, view, tables, work, color :
+        Arguments of ``pixel_light``.
+    total : array, shape (w,)
+        Workspace.
+    result : array, shape (w,)
+        Receives the radiance. [sr⁻¹]
+    """
+    x, y, z = camera_direction(px, py, view)
+    side = samples_per_side(x, y, z, observer, view)
+    step = 1.0 / side
+    for sample in range(side * side):
+        sx, sy = px, py
+        if side > 1:
+            sx, sy = sample_place(px, py, sample, side, view)
+            x, y, z = camera_direction(sx, sy, view)
+        pixel_light(
+            sx, sy, x, y, z, exact, reach, window, observer, view, tables, work, color, result
+        )
+        if side > 1:
+            for at in range(0, tables.lanes, LANES):
+                share = load(result, at) * np.float32(step * step)
+                if sample > 0:
+                    share = share + load(total, at)
+                store(total, at, share)
+    if side > 1:
+        for at in range(0, tables.lanes, LANES):
+            store(result, at, load(total, at))

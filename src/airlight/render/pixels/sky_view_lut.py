@@ -1,0 +1,331 @@
+"""Sky-view LUT (Hillaire 2020, CGF 39, 13): radiance by direction from one observer.
+
+Texels hold fourth roots, which keep interpolation positive and accurate to 1 % where radiance
+changes by a factor e between texels. With water, a third part after sky and ground holds the
+mirrored sky at the ground end of each line of sight.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sqrt
+from typing import Final, NamedTuple
+
+from airlight.geometry.mappings.sky_view import direction_from_row, impact_from_row
+from airlight.geometry.refraction import refraction_angle, turned
+from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_intersection
+from airlight.kernel import inlined, kernel
+from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_view, maximum, splat
+from airlight.physics.optics.cox_munk import mean_square_slope
+from airlight.render.pixels.ground_angles import mirrored_line, refraction_to_ground, star_from
+from airlight.solver.moments.irradiance import ground_light
+from airlight.solver.moments.march import march
+from airlight.solver.moments.source import read_phase
+
+#: Offset of the last sky row from the top of the shell, from outside. [rows]
+INSIDE = 0.1
+#: Smallest sine of the zenith angle of texels of Q and U, whose meridian plane is undefined at the
+#: zenith. [1]
+UPRIGHT: Final = 5e-3
+
+
+class Observer(NamedTuple):
+    """Observer and direction of the star.
+
+    Attributes
+    ----------
+    r : float
+        Distance from the centre; the optical radius inside the shell. [m]
+    optical_altitude : float
+        ``r`` minus the optical radius of the ground, stored separately for single precision. [m]
+    outside : bool
+        Whether the observer is above the top of the shell.
+    horizon_mu, horizon_sine : float
+        Cosine and sine of the horizon's zenith angle. [1]
+    sun_x, sun_z : float
+        Horizontal and vertical component towards the star, whose azimuth is 0. [1]
+    seen_x, seen_z : float
+        Components towards the apparent star. [1]
+    orders : int
+        1: single scattering; 0: multiple scattering; 2: both.
+    """
+
+    r: float
+    optical_altitude: float
+    outside: bool
+    horizon_mu: float
+    horizon_sine: float
+    sun_x: float
+    sun_z: float
+    seen_x: float
+    seen_z: float
+    orders: int
+
+
+@kernel
+def half_sine_between(x, y, z, sun_x, sun_z):
+    """sin(θ/2) of the angle between a direction and the star, from their chord. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction in the observer's frame, a unit vector. [1]
+    sun_x, sun_z : float
+        Components as in ``Observer``. [1]
+    """
+    across = (x - sun_x) * (x - sun_x) + y * y
+    return min(0.5 * sqrt(across + (z - sun_z) * (z - sun_z)), 1.0)
+
+
+@inlined
+def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
+    """Segment of a line of sight inside the shell.
+
+    Parameters
+    ----------
+    mu, sine, cos_azimuth, to_ground, observer, tables :
+        Arguments of ``look``.
+
+    Returns
+    -------
+    r, start_mu, start_mu_s, nu, length : float
+        Radius at its start [m], view-zenith and star-zenith cosines there [1], cosine between line
+        and star [1], and length [m].
+    """
+    nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
+    r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
+    if observer.outside:
+        impact = observer.r * sine
+        r = tables.top
+        across, up = first_intersection(min(impact, tables.top), sine, tables.top)
+        start_mu = -sqrt(max((tables.top - impact) * (tables.top + impact), 0.0)) / tables.top
+        start_mu_s = star_from(across, up, tables.top, cos_azimuth, observer.sun_x, observer.sun_z)
+    length = distance_to_top(r, start_mu, tables.top)
+    if to_ground:
+        length = distance_to_bottom(r, start_mu, tables.bottom)
+    return r, start_mu, start_mu_s, nu, length
+
+
+@inlined
+def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer, tables):
+    """Star-zenith cosine at the end of a line of sight, and angle of refraction.
+
+    Parameters
+    ----------
+    sine, cos_azimuth, observer, tables :
+        Arguments of ``look``.
+    r, start_mu, nu, length : float
+        Results of ``line_of_sight``.
+    column : float
+        Column of the last constituent, along the line. [m]
+
+    Returns
+    -------
+    mu_s, angle : float
+        Cosine [1] and angle [rad].
+    """
+    impact = observer.r * sine
+    across, up = first_intersection(min(impact, tables.bottom), sine, tables.bottom)
+    mu_s = star_from(across, up, tables.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
+    angle = 0.0
+    if tables.refraction_strength > 0.0:
+        angle = refraction_angle(r, start_mu, tables.refraction_strength, column)
+        slant = (r * start_mu + length) / tables.bottom
+        mu_s, _ = turned(slant, mu_s, nu, angle)
+        mu_s = min(max(mu_s, -1.0), 1.0)
+    return mu_s, angle
+
+
+@inlined
+def look(
+    mu, sine, cos_azimuth, half_sine, to_ground, mirrored, separated_phases, air, peaks, polarised,
+    observer, tables, work, result,
+):  # fmt: skip
+    """March one line of sight: radiance of the air, and of a white ground behind it.
+
+    Parameters
+    ----------
+    mu, sine, cos_azimuth : float
+        Direction: cosine and sine of the zenith angle, cosine of the azimuth. [1]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star. [1]
+    to_ground : bool
+        Whether the line ends on the ground.
+    mirrored : bool
+        Whether to march the ray mirrored by water at that end instead. The phase functions are
+        blurred by the slope distribution of the facets.
+    separated_phases : bool
+        Whether the radiance includes single scattering by separated constituents.
+    air, peaks, polarised, work : bool, bool, bool, MarchWorkspace
+        Arguments of ``march``.
+    observer, tables : Observer, MarchTables
+        Observer, and tables of the solution.
+    result : array, shape (4, w), or (6, w) if ``polarised``
+        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the single
+        scattering by the two peaked constituents [1], and Q and U of the air's light. [sr⁻¹]
+
+    Returns
+    -------
+    float
+        Angle of refraction of a line that ends on the ground. [rad]
+    """
+    r, start_mu, start_mu_s, nu, length = line_of_sight(
+        mu, sine, cos_azimuth, to_ground, observer, tables
+    )
+    angle, orders = 0.0, observer.orders
+    if mirrored:
+        if tables.refraction_strength > 0.0:
+            angle = refraction_to_ground(mu, sine, observer, tables, work.columns_total)
+        r, orders = tables.bottom, 2
+        start_mu, start_mu_s, nu = mirrored_line(
+            sine * cos_azimuth, mu, sine, angle, observer, tables
+        )
+        length = distance_to_top(r, start_mu, tables.top)
+        spread = 0.25 * mean_square_slope(tables.ground.wind)
+        half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
+    phases_towards(half_sine, separated_phases or mirrored, tables.phase, tables, work.phase)
+    if polarised:
+        phases_towards(half_sine, separated_phases, tables.phase_f12, tables, work.phase_f12)
+    march(
+        r, start_mu, start_mu_s, nu, half_sine, length, orders, air, peaks, polarised, work.phase,
+        work.phase_f12, tables, work, result,
+    )  # fmt: skip
+    if air and to_ground and not mirrored:
+        mu_s, angle = star_on_ground(
+            sine, cos_azimuth, r, start_mu, nu, length, work.columns_total[tables.constituents - 1],
+            observer, tables,
+        )  # fmt: skip
+        ground_light(mu_s, observer.orders, tables, work)
+        for at in range(0, tables.lanes, LANES):
+            received, found = lane_view(work.irradiance, at), lane_view(result, at)
+            found[1] = (received[0] + received[1]) * INVERSE_PI * found[1]
+    else:
+        for at in range(0, tables.lanes, LANES):
+            found = lane_view(result, at)
+            found[1] = splat(0.0)
+    return angle
+
+
+@inlined
+def phases_towards(half_sine, separated_phases, table, tables, phase):
+    """Phase matrix element of all constituents; 0 for separated ones on request. [sr⁻¹]
+
+    Parameters
+    ----------
+    half_sine : float
+        sin(θ/2). [1]
+    separated_phases : bool
+        Whether separated constituents are included.
+    table : array
+        ``phase`` or ``phase_f12`` of the tables.
+    tables : MarchTables
+        Tables of the solution.
+    phase : array, shape (nc, w)
+        Receives the elements. [sr⁻¹]
+    """
+    read_phase(half_sine, table, phase)
+    if not separated_phases:
+        for at in range(0, tables.lanes, LANES):
+            elements = lane_view(phase, at)
+            if tables.separated_1 >= 0:
+                elements[tables.separated_1] = splat(0.0)
+            if tables.separated_2 >= 0:
+                elements[tables.separated_2] = splat(0.0)
+
+
+@inlined
+def direction_of_texel(column, row, columns, rows, observer, tables):
+    """Direction of a texel.
+
+    Parameters
+    ----------
+    column, row, columns, rows, observer, tables :
+        Arguments of ``sky_view_texel``.
+
+    Returns
+    -------
+    mu, sine, cos_azimuth : float
+        Cosine and sine of its zenith angle, cosine of its azimuth. [1]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star. [1]
+    """
+    sky = row < rows
+    at = row_coordinate(row, rows, observer.outside)
+    cos_azimuth = cos(pi * column / (columns - 1))
+    if observer.outside:
+        sine = impact_from_row(at, sky, tables.bottom, tables.top) / observer.r
+        mu = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
+    else:
+        mu, sine = direction_from_row(at, sky, observer.horizon_mu, observer.horizon_sine)
+    side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
+    half_sine = half_sine_between(
+        sine * cos_azimuth, sine * side, mu, observer.seen_x, observer.seen_z
+    )
+    return mu, sine, cos_azimuth, half_sine
+
+
+@kernel
+def row_coordinate(row, rows, outside):
+    """Coordinate of a row in its half. [1]
+
+    From outside, the last sky row is slightly inside the top of the shell, as fourth roots are too
+    steep at zero length.
+
+    Parameters
+    ----------
+    row, rows : int
+        Arguments of ``sky_view_texel``.
+    outside : bool
+        Whether the observer is outside the shell.
+
+    Examples
+    --------
+    >>> row_coordinate(8, 9, False), row_coordinate(8, 9, True), row_coordinate(17, 9, True)
+    (1.0, 0.9875, 1.0)
+    """
+    if row >= rows:
+        return (row - rows) / (rows - 1)
+    inside = INSIDE if outside else 0.0
+    return min(row, rows - 1.0 - inside) / (rows - 1)
+
+
+@inlined
+def sky_view_texel(
+    column, row, columns, rows, air, peaks, polarised, observer, tables, work, result
+):
+    """Texel: fourth roots of the results of ``look``, with I + Q and I + U.
+
+    Parameters
+    ----------
+    column, row : int
+        Indices; of 3·rows, the first third is the sky from the horizon up, the second the ground,
+        the last the mirrored sky for the same lines of sight as the ground.
+    columns, rows : int
+        Numbers of azimuths from 0 to π inclusive, and of rows of one half.
+    air, peaks, polarised, observer, tables, work, result :
+        Arguments of ``look``.
+    """
+    mirrored = row >= 2 * rows
+    shown = air and tables.ground.wet and observer.orders != 1
+    if shown or not mirrored:
+        line = row - rows if mirrored else row
+        mu, sine, cos_azimuth, half_sine = direction_of_texel(
+            column, line, columns, rows, observer, tables
+        )
+        if polarised and sine < UPRIGHT:
+            sine = UPRIGHT
+            mu = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if mu > 0.0 else -1.0)
+        look(
+            mu, sine, cos_azimuth, half_sine, line >= rows, mirrored, False, air, peaks, polarised,
+            observer, tables, work, result,
+        )  # fmt: skip
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(result, at)
+        if polarised:
+            for layer in range(4, 6):
+                found[layer] = fourth_root(maximum(found[0] + found[layer], 0.0))
+        for layer in range(4):
+            root = splat(0.0)
+            # The mirrored sky includes separated constituents.
+            if not mirrored or (shown and layer < 2):
+                root = fourth_root(found[layer])
+            found[layer] = root

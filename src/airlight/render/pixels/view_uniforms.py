@@ -1,0 +1,317 @@
+"""Uniforms of scene, maps, display and orders of scattering, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.geometry.refraction import apparent_sun
+from airlight.image.display import display_of
+from airlight.image.spectral import sun_color
+from airlight.image.texels import CHANNELS
+from airlight.image.xyz import luminance
+from airlight.physics.constants import LUMINOUS_EFFICACY
+from airlight.physics.spectra.blackbody import planck_radiance
+from airlight.planets.light_source import Occulter
+from airlight.render.pixels.disc_shading import OCCULTER, shading_uniforms
+from airlight.render.pixels.observer_uniforms import observer_uniforms
+from airlight.render.pixels.occulted_light import disc_factor
+from airlight.render.pixels.pixel import ViewUniforms
+from airlight.render.pixels.polarising_filter import CAMERA, NONE
+from airlight.render.pixels.sky_view_cpu import SkyViewLayers
+from airlight.render.pixels.sky_view_lut import Observer
+from airlight.scene import Camera, Scene
+from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell, lattice_origin
+from airlight.scene.ground_overlay import LAMP_TEMPERATURE, TOWN_LUMINANCE
+from airlight.scene.projections import PROJECTIONS
+from airlight.scene.surface_map import SurfaceMap, surface_map
+from airlight.solver.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Values of ``orders``, with their uniforms in the shaders.
+ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
+#: Largest number of samples per side of a pixel.
+MAX_SAMPLES: Final = 16
+
+
+def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
+    """Uniforms of observer, camera and the first light of the solution.
+
+    Parameters
+    ----------
+    scene : Scene
+        Observer, star and camera.
+    solution : MomentsSolution
+        Solution of the planet.
+
+    Returns
+    -------
+    dict
+        Values by name.
+    """
+    camera, medium = scene.camera, solution.geometry.medium
+    if scene.altitude < 0.0:
+        allowed = "0 m or more above the ground of the solution: see airlight.lowered_ground"
+        raise ParameterError("scene.altitude", scene.altitude, allowed)
+    true_r = solution.medium.bottom_radius + scene.altitude
+    r = float(solution.geometry.optical_radius(np.array(true_r)))
+    outside = scene.altitude >= solution.medium.thickness
+    bottom = medium.bottom_radius
+    sun = scene.sun_direction
+    seen, geometry = sun[2], solution.geometry
+    if geometry.shell is not None and not outside:
+        seen = float(
+            apparent_sun(
+                r, sun[2], geometry.shell.bottom, geometry.shell.top, geometry.refraction_table
+            )[0]
+        )
+    axes = camera.axes
+    assert camera.field_of_view is not None
+    star_radius = solution.lights[0].angular_radius
+    horizon_mu, horizon_sine, sun_level, seen_level, disc = observer_uniforms(
+        r, bottom, float(sun[0]), float(sun[1]), seen, star_radius
+    )
+    uniforms = {
+        "r": r,
+        "optical_altitude": r - bottom,
+        "outside": float(outside),
+        "horizon_mu": horizon_mu,
+        "horizon_sine": horizon_sine,
+        "sun_x": sun_level,
+        "sun_z": float(sun[2]),
+        "seen_x": seen_level,
+        "seen_z": seen,
+        "field_of_view": np.radians(camera.field_of_view),
+        "projection": list(PROJECTIONS).index(camera.projection),
+        "pixel_angle": camera.pixel_angle,
+        "disc": 0.0 if camera.parallel else disc,
+        "samples": 1.0,
+        "edges": 1.0,
+    }
+    source = solution.lights[0]
+    uniforms["filter"] = NONE if camera.polariser is None else CAMERA
+    axis = camera.filter_axis
+    uniforms |= {f"filter_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    uniforms |= _occulter_uniforms(source.occulter)
+    if source.occulter is not None:
+        uniforms["disc"] *= disc_factor(source.occulter.left)
+    uniforms |= shading_uniforms(source.phase, source.limb, sun_level, float(sun[2]))
+    for name, axis in zip(("right", "up", "forward"), axes, strict=True):
+        uniforms |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    ground = solution.medium.surface.map
+    rows = NOMINAL_ROWS if ground is None else surface_map(ground).rows
+    cell = finest_cell(bottom, rows)
+    uniforms |= {"detailed": float(scene.ground == "detailed"), "detail_cell": cell}
+    for name, row in zip("xyz", scene.ground_frame, strict=True):
+        uniforms |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
+        whole, part = lattice_origin(float(row[2]), bottom, cell)
+        uniforms |= {f"whole_{name}": whole, f"part_{name}": part}
+    return uniforms
+
+
+def _occulter_uniforms(occulter: Occulter | None) -> dict[str, float]:
+    """Uniforms of an occulting moon; radius 0 without one."""
+    values = (0.0, 0.0, 0.0, 0.0) if occulter is None else occulter[:4]
+    return dict(zip(OCCULTER, values, strict=True))
+
+
+def observer_from(uniforms: Mapping[str, float]) -> Observer:
+    """``Observer`` from the uniforms of a scene and of the orders of scattering.
+
+    Parameters
+    ----------
+    uniforms : mapping
+        Numbers by name.
+    """
+    values: dict[str, Any] = {name: float(uniforms[name]) for name in Observer._fields}
+    values["outside"] = bool(values["outside"])
+    values["orders"] = int(values["orders"])
+    return Observer(**values)
+
+
+def cpu_view_uniforms(
+    uniforms: Mapping[str, float],
+    camera: Camera,
+    ground: SurfaceMap | None,
+    overlay: SurfaceMap | None,
+    layers: SkyViewLayers,
+) -> ViewUniforms:
+    """``ViewUniforms`` of the CPU: camera, ground maps and sky-view LUT.
+
+    Parameters
+    ----------
+    uniforms : mapping
+        Numbers of the scene, and whether the star's disc is rendered.
+    camera : Camera
+        Camera of the scene.
+    ground : SurfaceMap
+        Ground map; None without a map.
+    overlay : SurfaceMap
+        City lights and clouds; None without both.
+    layers : SkyViewLayers
+        Layers of a window of the sky-view LUT.
+    """
+    values: dict[str, Any] = {
+        name: float(uniforms[name]) for name in ViewUniforms._fields if name in uniforms
+    }
+    values |= map_uniforms(ground) | overlay_size_uniforms(overlay)
+    values |= {
+        "width": float(camera.width),
+        "height": float(camera.height),
+        "projection": int(uniforms["projection"]),
+        "draws_disc": bool(uniforms["draws_disc"]),
+        "draws_air": bool(uniforms["draws_air"]),
+        "phased": bool(uniforms["phased"]),
+        "filter": int(uniforms["filter"]),
+        "samples": int(uniforms["samples"]),
+        "edges": bool(uniforms["edges"]),
+        "mapped": ground is not None,
+        "overlaid": overlay is not None,
+        "clouded": bool(uniforms["clouded"]),
+        "detailed": bool(uniforms["detailed"]),
+        "texels": np.zeros(CHANNELS, np.uint8) if ground is None else ground.flat,
+        "over_texels": np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat,
+        "sky_columns": 0,
+        "sky_rows": 0,
+        "separated_phases": len(layers.first) > 1,
+        "sky_air": layers.air,
+        "sky_ground": layers.ground,
+        "sky_first": layers.first,
+        "sky_second": layers.second,
+        "sky_q": layers.stokes_q,
+        "sky_u": layers.stokes_u,
+    }
+    return ViewUniforms(**values)
+
+
+def map_uniforms(ground: SurfaceMap | None) -> dict[str, int]:
+    """Uniforms of the size of a ground map.
+
+    Parameters
+    ----------
+    ground : SurfaceMap
+        Map; None without a map.
+    """
+    if ground is None:
+        return {"mapped": 0, "map_rows": 1, "map_columns": 1, "map_levels": 1}
+    size = {"map_rows": ground.rows, "map_columns": ground.columns}
+    return {"mapped": 1, **size, "map_levels": len(ground.levels)}
+
+
+def overlay_size_uniforms(overlay: SurfaceMap | None) -> dict[str, int]:
+    """Uniforms of the size of an overlay.
+
+    Parameters
+    ----------
+    overlay : SurfaceMap
+        City lights and clouds; None without both.
+    """
+    if overlay is None:
+        return {"overlaid": 0, "over_rows": 1, "over_columns": 1, "over_levels": 1}
+    size = {"over_rows": overlay.rows, "over_columns": overlay.columns}
+    return {"overlaid": 1, **size, "over_levels": len(overlay.levels)}
+
+
+def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:
+    """Uniforms of city lights and of the cloud layer.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution, lit by one of the lights.
+    """
+    medium, altitude = solution.medium, solution.medium.surface.cloud_altitude
+    radius = solution.geometry.optical_radius(np.array(medium.bottom_radius + altitude))
+    return lamp_uniforms(solution) | {
+        "clouded": float(medium.surface.clouds is not None),
+        "cloud_altitude": altitude,
+        "cloud_radius": float(radius),
+    }
+
+
+def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
+    """Uniforms of the colour of city lights. [sr⁻¹]
+
+    Radiance per irradiance of the star and map value; the colour is independent of the star's.
+    City lights are part of the first light only.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution, lit by one of the lights.
+    """
+    names = ("lamp_red", "lamp_green", "lamp_blue")
+    star = solution.lights[0]
+    if solution.secondary:
+        return dict.fromkeys(names, 0.0)
+    eye = np.arange(360.0, 831.0)
+    color = np.maximum(sun_color(planck_radiance(eye, LAMP_TEMPERATURE)), 0.0)
+    color *= TOWN_LUMINANCE / LUMINOUS_EFFICACY / luminance(color)
+    white = star.colors().sum(axis=0) * solution.medium.surface.brightness
+    return {name: float(x) for name, x in zip(names, color / np.maximum(white, 1e-30), strict=True)}
+
+
+def display_uniforms(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
+    """Uniforms of an 8-bit display: exposure, tone map, encoding, dither.
+
+    Parameters
+    ----------
+    exposure : float
+        Exposure. [EV]
+    tone_map : str
+        Name from ``TONE_MAPS``.
+    encoding : str or None
+        Name from ``ENCODINGS``; None for a target with its own encoding.
+
+    Raises
+    ------
+    ParameterError
+        If a name or the exposure is not allowed.
+    """
+    return {
+        name: float(value)
+        for name, value in display_of(exposure, tone_map, encoding)._asdict().items()
+    }
+
+
+def order_number(orders: str) -> float:
+    """Value of ``orders`` in kernels.
+
+    Parameters
+    ----------
+    orders : str
+        Name from ``ORDERS``.
+
+    Raises
+    ------
+    ParameterError
+        If the name is unknown.
+    """
+    if orders not in ORDERS:
+        raise ParameterError("orders", orders, ", ".join(ORDERS))
+    return float(ORDERS[orders])
+
+
+def checked_samples(samples: int) -> int:
+    """Validated number of samples per side of a pixel.
+
+    Parameters
+    ----------
+    samples : int
+        Samples per side.
+
+    Raises
+    ------
+    ParameterError
+        If it is not 1 to 16.
+    """
+    whole = isinstance(samples, (int, np.integer)) and not isinstance(samples, bool)
+    if not whole or not 1 <= samples <= MAX_SAMPLES:
+        raise ParameterError("samples", samples, f"1 to {MAX_SAMPLES}")
+    return int(samples)

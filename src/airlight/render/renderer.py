@@ -1,0 +1,433 @@
+"""``Renderer``: frames of a solution on the CPU or the GPU, at once or progressively.
+
+The policy of command line, window and saved frames alike:
+
+* The CPU renders where there is no GPU, or where the solution exceeds its capacity.
+* A still frame is rendered once, at full resolution.
+* Live frames of the CPU start coarse and become finer; a newer request interrupts all but the
+  first.
+* A live frame of a hardware GPU is rendered once, at full resolution: that takes milliseconds.
+* A software GPU renders from a small sky-view LUT while the view changes; after a short time
+  without changes the CPU renders the final frame, which, unlike a long pass, leaves the GPU
+  queue free for the window.
+* The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
+  not compiled either, which takes longer (``render.background_compilation``): then a hardware GPU
+  renders first. The first frame of a window has full resolution, as coarse frames need the loop
+  that marches every pixel, which takes longer to compile or load.
+
+All of them interpolate a sky-view LUT, unless an exact frame is requested.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from time import perf_counter
+from typing import TYPE_CHECKING, Any, Final
+
+from airlight.errors import Cancelled, ParameterError
+from airlight.kernel.memory import give_back
+from airlight.render import render
+from airlight.render.background_compilation import MARCH_LOOPS, SKY_VIEW_LOOPS
+from airlight.scene.picture_size import scaled
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from airlight.kernel.background_compiler import BackgroundCompiler
+    from airlight.kernel.threads import Cancel, Progress
+    from airlight.render.gpu.device.device import Device
+    from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
+    from airlight.scene import Scene
+    from airlight.scene.frame import Frame
+    from airlight.solver.moments.solution import MomentsSolution
+
+#: Value of the frame's metadata ``device`` for the CPU.
+CPU: Final = "CPU"
+#: Format of the target textures of live frames: encoded sRGB.
+LIVE_FORMAT: Final = "rgba8unorm"
+#: Time budget of the CPU's first frame of a new view. [s]
+_AT_ONCE: Final = 0.05
+#: Ratio of the pixels per side of successive frames. [1]
+_STEP: Final = 3.0
+#: Smallest scale of a coarse frame; and scale above which the next frame has full resolution. [1]
+_SMALLEST: Final = 1.0 / 12.0
+_NEARLY_WHOLE: Final = 0.7
+#: Initial estimate of the CPU's rendering speed. [pixel s⁻¹]
+_FIRST_GUESS: Final = 2e5
+#: Time without a change of view after which the CPU renders the final frame. [s]
+_STILL: Final = 0.2
+#: Polling interval. [s]
+_POLL: Final = 0.02
+#: Width of the frame that compiles the shaders. [pixel]
+_TINY: Final = 16.0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LiveFrame:
+    """Step of progressive rendering: a frame, or a GPU renderer that is ready to display one.
+
+    Attributes
+    ----------
+    scene : Scene
+        Scene whose camera has the size of this step.
+    orders : str
+        Orders of scattering.
+    finished : bool
+        False if a finer step follows.
+    seconds : float
+        Time to render the frame; 0 on the GPU. [s]
+    frame : Frame or None
+        Linear sRGB radiance; None on the GPU.
+    renderer : GpuRenderer or None
+        Renderer with the solution; None on the CPU.
+    """
+
+    scene: Scene
+    orders: str
+    finished: bool
+    seconds: float = 0.0
+    frame: Frame | None = None
+    renderer: GpuRenderer | None = None
+
+    @property
+    def by(self) -> str:
+        """Short name of the CPU or the kind of GPU."""
+        if self.renderer is None:
+            return CPU
+        return "GPU in software" if self.renderer.device.software else "GPU"
+
+    def linear(self, width: float) -> NDArray[np.float32]:
+        """Linear sRGB radiance; the GPU renders it at a width of at most ``width`` pixels."""
+        if self.frame is not None:
+            return self.frame.rgb
+        assert self.renderer is not None
+        small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
+        return self.renderer.render(small, orders=self.orders).rgb
+
+    def display(
+        self, view: Any, *, exposure: float, tone_map: str, uniforms: Mapping[str, float]
+    ) -> None:
+        """Display into a texture of ``LIVE_FORMAT`` on the GPU.
+
+        Parameters
+        ----------
+        view : wgpu.GPUTextureView
+            View of the target, of the camera's size.
+        exposure, tone_map, uniforms :
+            Arguments of ``GpuRenderer.display``.
+        """
+        assert self.renderer is not None
+        self.renderer.display(
+            self.scene, view, LIVE_FORMAT, orders=self.orders, exposure=exposure,
+            tone_map=tone_map, uniforms=uniforms,
+        )  # fmt: skip
+
+
+class Renderer:
+    """Renderer of successive frames, which reuses its GPU, shaders and textures.
+
+    Parameters
+    ----------
+    device : Device, optional
+        GPU, see ``rendering_gpu``; by default the CPU renders.
+    ahead : BackgroundCompiler, optional
+        Process that compiles the loops of the CPU, for which frames wait.
+    """
+
+    def __init__(
+        self, device: Device | None = None, ahead: BackgroundCompiler | None = None
+    ) -> None:
+        self._device = device
+        self._ahead = ahead
+        self._gpu: GpuRenderer | None = None
+        self._loaded: object = None
+        self._compiling: threading.Thread | None = None
+        self._compiled = device is None
+        self._closing = False
+        self._has_rendered = False
+        self._rate = _FIRST_GUESS
+        self._last: tuple[MomentsSolution, LiveFrame] | None = None  # finished by the CPU
+
+    def render(
+        self,
+        solution: MomentsSolution,
+        scene: Scene,
+        *,
+        exact: bool = False,
+        orders: str = "all",
+        disc: bool = True,
+        samples: int = 1,
+        stokes: bool = False,
+        weights: NDArray[np.float64] | None = None,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> Frame:
+        """Render a still frame.
+
+        Parameters
+        ----------
+        solution : MomentsSolution
+            Solution of a planet.
+        scene : Scene
+            Observer, star and camera.
+        exact : bool
+            Whether every pixel is marched; otherwise a sky-view LUT is interpolated.
+        orders : str
+            Orders of scattering as for ``airlight.render``.
+        disc : bool
+            Whether the discs of the lights are rendered.
+        samples : int
+            Samples per side of every pixel, as for ``airlight.render``.
+        stokes : bool
+            Whether the frame has Stokes Q and U; CPU only.
+        weights : array, shape (nl, 3), optional
+            Linear sRGB per radiance, on the GPU; by default ``picture_weights``.
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
+
+        Returns
+        -------
+        Frame
+            Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
+
+        Raises
+        ------
+        ParameterError
+            If the solution or the frame exceeds the capacity of the GPU, or Q and U are requested
+            of the GPU.
+        Cancelled
+            If ``cancel`` requested it.
+        """
+        if self._device is None:
+            if not self._are_compiled(SKY_VIEW_LOOPS, cancel or (lambda: False)):
+                raise Cancelled("the frame")
+            frame = render(
+                solution, scene, exact=exact, orders=orders, disc=disc, samples=samples,
+                stokes=stokes, progress=progress, cancel=cancel,
+            )  # fmt: skip
+        else:
+            if stokes:
+                raise ParameterError("stokes", True, "False on the GPU")
+            gpu = self._gpu_renderer(live=False)
+            gpu.set_solution(solution, weights)
+            self._loaded = None
+            frame = gpu.render(
+                scene, exact=exact, orders=orders, disc=disc, samples=samples, progress=progress,
+                cancel=cancel,
+            )  # fmt: skip
+        return replace(frame, metadata={"device": CPU, **frame.metadata})
+
+    def live(
+        self,
+        solution: MomentsSolution,
+        scene: Scene,
+        *,
+        orders: str = "all",
+        stale: Callable[[], bool],
+    ) -> Iterator[LiveFrame]:
+        """Render progressively, each frame finer than the last.
+
+        Parameters
+        ----------
+        solution, scene, orders :
+            Arguments of ``render``.
+        stale : callable
+            ``stale()`` is True once the request is superseded; rendering may then stop.
+
+        Yields
+        ------
+        LiveFrame
+
+        Raises
+        ------
+        Cancelled
+            If the request became stale during rendering on the CPU.
+        """
+        step = LiveFrame(scene=scene, orders=orders, finished=True)
+        if self._device is None:
+            yield from self._on_cpu(solution, step, stale)
+            return
+        if not self._compiled:
+            yield from self._while_compiling(solution, step, stale)
+            if stale() or (self._device.software and self._is_rendered(solution, step)):
+                return
+        if not self._upload(solution):
+            yield from self._on_cpu(solution, step, stale)
+            return
+        on_gpu = replace(step, renderer=self._gpu, finished=not self._device.software)
+        if on_gpu.finished:
+            yield on_gpu
+            return
+        if not self._is_rendered(solution, step):
+            yield on_gpu
+            until = perf_counter() + _STILL
+            while perf_counter() < until:
+                if stale():
+                    return
+                time.sleep(_POLL)
+        yield from self._on_cpu(solution, step, stale, coarse=False)
+
+    def close(self) -> None:
+        """Wait for the thread that compiles, if there is one."""
+        self._closing = True
+        if self._compiling is not None:
+            self._compiling.join()
+
+    # --- on the CPU ---------------------------------------------------------------------------
+
+    def _on_cpu(
+        self,
+        solution: MomentsSolution,
+        step: LiveFrame,
+        stale: Callable[[], bool],
+        *,
+        coarse: bool = True,
+    ) -> Iterator[LiveFrame]:
+        if self._last is not None and self._is_rendered(solution, step):
+            yield self._last[1]
+            return
+        if not self._are_compiled(SKY_VIEW_LOOPS, stale):
+            raise Cancelled("a newer view")
+        # Loading the loop that marches takes longer than the first frame at full resolution.
+        coarse = coarse and (
+            self._ahead is None or (self._has_rendered and self._are_compiled(MARCH_LOOPS))
+        )
+        self._has_rendered = True
+        for number, part in enumerate(self._scales(step.scene) if coarse else [1.0]):
+            started = perf_counter()
+            scene = scaled(step.scene, part)
+            # The first, coarse frame is never interrupted: in flight every request is soon stale.
+            stop = None if number == 0 and part < 1.0 else stale
+            frame = render(solution, scene, orders=step.orders, cancel=stop)
+            seconds = max(perf_counter() - started, 1e-6)
+            self._rate = scene.camera.width * scene.camera.height / seconds
+            done = replace(step, scene=scene, frame=frame, seconds=seconds, finished=part == 1.0)
+            if done.finished:
+                self._last = solution, replace(done, seconds=0.0)
+            yield done
+
+    def _are_compiled(
+        self, loops: tuple[Any, ...], stale: Callable[[], bool] = lambda: True
+    ) -> bool:
+        """Whether loops are compiled; waits until they are or the request is stale."""
+        ahead = self._ahead
+        return ahead is None or all(ahead.wait(loop, stale) for loop in loops)
+
+    def _scales(self, scene: Scene) -> Iterator[float]:
+        """Scales of successive frames."""
+        camera = scene.camera
+        part = (self._rate * _AT_ONCE / (camera.width * camera.height)) ** 0.5
+        part = max(part, _SMALLEST)
+        while part < _NEARLY_WHOLE:
+            yield part
+            part *= _STEP
+        yield 1.0
+
+    def _is_rendered(self, solution: MomentsSolution, step: LiveFrame) -> bool:
+        """Whether the CPU's last final frame has the same solution, scene and orders."""
+        if self._last is None:
+            return False
+        of, last = self._last
+        return of is solution and last.orders == step.orders and last.scene == step.scene
+
+    # --- on the GPU ---------------------------------------------------------------------------
+
+    def _gpu_renderer(self, *, live: bool) -> GpuRenderer:
+        """GPU renderer, with a small sky-view LUT for live frames of a software GPU."""
+        from airlight.render.gpu.picture.gpu_renderer import (
+            QUICK_SKY_VIEW_SIZE,
+            SKY_VIEW_SIZE,
+            GpuRenderer,
+        )
+
+        assert self._device is not None
+        shape = QUICK_SKY_VIEW_SIZE if live and self._device.software else SKY_VIEW_SIZE
+        if self._gpu is None:
+            self._gpu = GpuRenderer(self._device, shape)
+        elif self._gpu.sky_view_size != shape:
+            self._gpu.sky_view_size = shape
+        return self._gpu
+
+    def _upload(self, solution: MomentsSolution) -> bool:
+        """Upload a solution; False if it exceeds the GPU's capacity."""
+        gpu = self._gpu_renderer(live=True)
+        if solution is self._loaded:
+            return True
+        try:
+            gpu.set_solution(solution)
+        except ParameterError:  # too many wavelengths or constituents
+            self._loaded = None
+            return False
+        self._loaded = solution
+        return True
+
+    def _while_compiling(
+        self, solution: MomentsSolution, step: LiveFrame, stale: Callable[[], bool]
+    ) -> Iterator[LiveFrame]:
+        assert self._device is not None
+        if self._compiling is None:
+            self._compiling = threading.Thread(
+                target=self._compile, args=(solution, step), name="airlight-compiling",
+                daemon=True,
+            )  # fmt: skip
+            self._compiling.start()
+        if not self._device.software and not self._are_compiled(SKY_VIEW_LOOPS):
+            while not self._compiled and not stale():
+                time.sleep(_POLL)
+            return
+        over = (lambda: False) if self._device.software else (lambda: self._compiled)
+        try:
+            yield from self._on_cpu(solution, step, lambda: stale() or over())
+            if self._device.software:
+                return
+        except Cancelled:
+            if stale():
+                raise
+        while not self._compiled and not stale():
+            time.sleep(_POLL)
+
+    def _compile(self, solution: MomentsSolution, step: LiveFrame) -> None:
+        """Compile the shaders by rendering a few pixels.
+
+        A software GPU compiles in the queue of the window's frames. Shaders are therefore compiled
+        in a separate queue first, without maps, and are then in the driver's cache.
+        """
+        assert self._device is not None
+        try:
+            if self._device.software:
+                self._are_compiled(
+                    (SKY_VIEW_LOOPS[0],), lambda: self._closing
+                )  # fills the sky-view LUT
+            if self._upload(solution):
+                assert self._gpu is not None
+                if self._device.software and not self._closing:
+                    separate = type(self._gpu)(self._device.duplicate(), self._gpu.sky_view_size)
+                    separate.set_solution(solution, maps=False)
+                    _render_small(replace(step, renderer=separate))
+                if not self._closing:
+                    _render_small(replace(step, renderer=self._gpu))
+        finally:
+            self._compiled = True
+            give_back()
+
+
+def _render_small(step: LiveFrame) -> None:
+    """Render a few pixels with all shaders."""
+    import wgpu
+
+    assert step.renderer is not None
+    small = scaled(step.scene, _TINY / step.scene.camera.width)
+    texture = step.renderer.device.device.create_texture(
+        size=(small.camera.width, small.camera.height, 1),
+        format=LIVE_FORMAT,
+        usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
+    )
+    ready = replace(step, scene=small)
+    ready.display(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
+    ready.linear(_TINY)

@@ -1,0 +1,81 @@
+"""Choice of the GPU for solving and rendering, with the reason of a fallback to the CPU.
+
+Still frames use a software GPU only on request. Live frames use it, as the CPU renders their final
+frame (``Renderer``) and solves (``solve_planet``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+    from airlight.render.gpu.device.device import Device
+
+#: Requested device.
+Choice = Literal["auto", "cpu", "gpu"]
+
+
+def live_gpu(choice: Choice, device: Device | None) -> Device | None:
+    """GPU for the frames and solutions of a session; None for the CPU.
+
+    Parameters
+    ----------
+    choice : "auto", "cpu" or "gpu"
+        ``cpu`` ignores the GPU.
+    device : Device or None
+        Open GPU, if any.
+    """
+    return None if choice == "cpu" else device
+
+
+def any_gpu() -> Device | None:
+    """Open GPU of this machine; None without one."""
+    from airlight.render.gpu.device.device import NoDevice, open_device
+
+    try:
+        return open_device()
+    except NoDevice:
+        return None
+
+
+def rendering_gpu(
+    choice: Choice,
+    planet: Planet,
+    wavelengths: int,
+    width: int,
+    refused: Callable[[str], None] | None = None,
+) -> Device | None:
+    """GPU that can render a still frame; None for the CPU.
+
+    Parameters
+    ----------
+    choice : "auto", "cpu" or "gpu"
+        ``auto`` ignores software GPUs and falls back silently; ``gpu`` accepts both.
+    planet : Planet
+        Planet whose constituents the shaders must hold.
+    wavelengths : int
+        Number of wavelengths.
+    width : int
+        Width of the frame. [pixel]
+    refused : callable, optional
+        Receives one line with the reason when ``gpu`` falls back to the CPU.
+    """
+    if choice == "cpu":
+        return None
+    from airlight.errors import ParameterError
+    from airlight.render.capacity import check_planet
+    from airlight.render.gpu.device.device import NoDevice, open_device
+
+    try:
+        check_planet(planet, wavelengths)
+        device = open_device()
+        widest = device.device.limits["max-texture-dimension-2d"]
+        if width > widest:
+            raise ParameterError("width", width, f"at most {widest} pixels on this GPU")
+    except (NoDevice, ParameterError) as reason:
+        if choice == "gpu" and refused is not None:
+            refused(str(reason))
+        return None
+    return None if choice == "auto" and device.software else device

@@ -1,0 +1,136 @@
+"""Solver dispatch of a planet to CPU or GPU, shared by command line, window and notebook.
+
+A hardware GPU solves up to four wavelengths in optically thin or moderately thick air. The CPU
+solves everything else: thick air, more wavelengths or constituents, and all cases on a software
+GPU, which is slower than the CPU on the same cores. Solutions of presets are stored on disk; those
+of edits are not, as edits rarely recur.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight import solvers
+from airlight.errors import ConvergenceError
+from airlight.kernel.threads import Cancel, Progress
+from airlight.physics.units import values_in
+from airlight.planets.medium import Medium
+from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
+from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
+from airlight.planets.planet import Planet
+from airlight.render.capacity import fits
+from airlight.render.rendering_gpu import Choice, live_gpu
+from airlight.solver.moments.settings import MomentsSettings, settings_for
+
+if TYPE_CHECKING:
+    from airlight.render.gpu.device.device import Device
+    from airlight.solver.moments.solution import MomentsSolution
+
+
+class PlanetSolver(Protocol):
+    """Signature of a session's solver."""
+
+    def __call__(
+        self,
+        planet: Planet,
+        wavelengths: NDArray[np.float64],
+        quality: str,
+        *,
+        progress: Progress,
+        cancel: Cancel,
+    ) -> MomentsSolution:
+        """Solve a planet at these wavelengths and quality."""
+
+
+def solve_planet(
+    planet: Planet,
+    wavelengths: ArrayLike | None = None,
+    quality: str | MomentsSettings = "default",
+    *,
+    polarisation: bool = True,
+    device: Device | None = None,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> MomentsSolution:
+    """Solve a planet for rendering, on the GPU where that is faster.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet to solve.
+    wavelengths : array, shape (nl,), optional
+        Wavelengths; by default ``picture_wavelengths``. [nm]
+    quality : str or MomentsSettings
+        Quality as for ``airlight.solve``.
+    polarisation : bool
+        Whether transfer is vectorial, as for ``airlight.solve``.
+    device : Device, optional
+        GPU from ``open_device``; by default the CPU solves.
+    cache : bool
+        Whether the CPU reads and stores solutions on disk.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    MomentsSolution
+        Solution.
+
+    Raises
+    ------
+    ParameterError
+        If a wavelength is outside the range of the planet's file, or the quality is unknown.
+    ConvergenceError
+        If the solver does not converge on the CPU.
+    """
+    if wavelengths is None:
+        chosen = picture_wavelengths if device is None else texel_wavelengths
+        wavelengths = chosen(planet)
+    nm = values_in(wavelengths, "nm", "wavelengths")
+    if device is not None and not device.software and fits(planet, nm.size):
+        from airlight.render.gpu.solver.solver import ThickAir, solve_on
+
+        medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
+        warn_of_omitted_bands(planet, nm)
+        try:
+            settings = settings_for(quality)
+            settings = settings if polarisation else replace(settings, polarisation=False)
+            solution = solve_on(device, medium, settings, progress=progress, cancel=cancel)
+        except (ThickAir, ConvergenceError):
+            pass
+        else:
+            return solution.of(planet)
+    return solvers.solve(
+        planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
+        cancel=cancel,
+    )  # fmt: skip
+
+
+def live_solver(
+    choice: Choice = "auto",
+    device: Device | None = None,
+    keeps: Callable[[], bool] = lambda: False,
+) -> PlanetSolver:
+    """Solver for the edits of a session.
+
+    Parameters
+    ----------
+    choice : "auto", "cpu" or "gpu"
+        Device as for ``live_gpu``; a software GPU does not solve.
+    device : Device, optional
+        GPU from ``open_device``, if any.
+    keeps : callable
+        Whether the current solution is read from and stored on disk.
+    """
+    gpu = live_gpu(choice, device)
+
+    def solve(*arguments: Any, **options: Any) -> MomentsSolution:
+        return solve_planet(*arguments, device=gpu, cache=keeps(), **options)
+
+    return solve

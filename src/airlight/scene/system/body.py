@@ -1,0 +1,207 @@
+"""Body of a scene: planet with an atmosphere, or airless sphere."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ConflictError, ParameterError
+from airlight.geometry.ephemeris.positions import BODIES
+from airlight.physics.optics.moon_phase import (
+    lambert_phase,
+    lommel_seeliger_phase,
+    moon_albedo,
+    moon_phase,
+)
+from airlight.physics.units import values_in
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.field import Field
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.spectral import Spectral, spectral_at
+from airlight.scene.system.vectors import POSITION, frame_of, unit
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Laws by which a body without air reflects, with the phase functions of whole spheres.
+LAWS: Final = {
+    "lambert": lambert_phase,
+    "lommel-seeliger": lommel_seeliger_phase,
+    "moon": moon_phase,
+}
+
+
+@parameters
+class Body(TomlModel):
+    """Spherical body, with the atmosphere of a planet file or airless.
+
+    Parameters
+    ----------
+    name : str
+        Name by which lights, observer and camera refer to it.
+    planet : str, optional
+        Preset or planet file with its ground and atmosphere.
+    radius : float, optional
+        Radius, required for an airless body. [m]
+    albedo : float or PerWavelength, optional
+        Albedo of an airless body: that of a Lambert surface, or the geometric albedo for other
+        reflectance laws; by default the Moon's for ``moon``, otherwise 0.1. [1]
+    reflection : str
+        ``lambert``; ``lommel-seeliger``, dark dust; ``moon``, the same with the phase curve of the
+        Moon.
+    map : str, optional
+        Image of the surface, whose colours, normalised to mean 1, multiply the albedo.
+    position : tuple of float
+        Centre in the frame of the scene. [m]
+    pole : tuple of float
+        Direction of the north pole.
+    prime_meridian : float
+        Angle of the prime meridian from the ascending node of the equator on the frame's xy plane,
+        eastward, as the IAU counts it. [deg]
+    ephemeris : str, optional
+        Body of the solar system that determines position, pole and prime meridian at the time of
+        the scene file; see ``airlight.geometry.ephemeris.positions``.
+    faces : str, optional
+        Name of the body above the prime meridian, an alternative to ``prime_meridian``.
+    """
+
+    has_wavelengths = True
+
+    name: Annotated[
+        str,
+        Field(label="name", help="Name that the scene refers to.", kind="text", range=(1, 60),
+            example="moon"),
+    ]  # fmt: skip
+    planet: (
+        Annotated[
+            str,
+            Field(label="planet", help="Preset or planet file, for a body with air.", kind="text",
+                range=(1, 4000), example="earth"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    radius: (
+        Annotated[
+            float,
+            Field(label="radius", help="Radius of a body without air.", unit="m", range=(1.0, 1e10),
+                example="1737.4 km"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    albedo: (
+        Annotated[
+            Spectral,
+            Field(label="albedo", help="Albedo of a body without air; geometric but for Lambert's"
+                " law.", range=(0.0, 1.0), spectral=True, example="0.12"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    reflection: Annotated[
+        str,
+        Field(label="reflection", help="Law by which a body without air reflects.", kind="choice",
+            choices=lambda: tuple(LAWS)),
+    ] = "lommel-seeliger"  # fmt: skip
+    map: (
+        Annotated[
+            str,
+            Field(label="map", help="Picture of the surface of a body without air.", kind="text",
+                range=(1, 4000), example="moon.jpg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    position: Annotated[tuple[float, ...], POSITION] = (0.0, 0.0, 0.0)
+    pole: Annotated[
+        tuple[float, ...],
+        Field(label="pole", help="Direction of the north pole.", range=(-1e6, 1e6), listed=True,
+            example="[0, 0, 1]"),
+    ] = (0.0, 0.0, 1.0)  # fmt: skip
+    prime_meridian: Annotated[
+        float,
+        Field(label="prime meridian", help="Angle from the equator's ascending node, eastward.",
+            unit="deg", range=(-360.0, 360.0), example="30 deg"),
+    ] = 0.0  # fmt: skip
+    ephemeris: (
+        Annotated[
+            str,
+            Field(
+                label="ephemeris",
+                help="Body of the solar system whose place and rotation it has at the scene's"
+                " time.",
+                kind="choice",
+                choices=lambda: tuple(name for name in BODIES if name != "sun"),
+            ),
+        ]
+        | None
+    ) = None
+    faces: (
+        Annotated[
+            str,
+            Field(label="faces", help="Body above the prime meridian.", kind="text", range=(1, 60),
+                example="earth"),
+        ]
+        | None
+    ) = None  # fmt: skip
+
+    def __post_init__(self) -> None:
+        unit(self.pole, "pole")
+        if len(self.position) != 3:
+            raise ParameterError("position", self.position, "three lengths")
+        if self.planet is None:
+            if self.radius is None:
+                raise ParameterError("radius", MISSING, "a length, for a body without planet")
+        else:
+            for name in ("radius", "albedo", "map"):
+                if getattr(self, name) is not None:
+                    raise ConflictError(name, "cannot be combined with planet")
+        if self.ephemeris is not None:
+            for name, plain in (("position", (0.0, 0.0, 0.0)), ("pole", (0.0, 0.0, 1.0)),
+                                ("prime_meridian", 0.0), ("faces", None)):  # fmt: skip
+                if getattr(self, name) != plain:
+                    raise ConflictError(name, "cannot be combined with ephemeris")
+        if self.faces is not None and self.prime_meridian != 0.0:
+            raise ConflictError("prime_meridian", "cannot be combined with faces")
+
+    @property
+    def centre(self) -> FloatArray:
+        """Position of the centre, shape (3,). [m]"""
+        return np.asarray(self.position, float)
+
+    def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Albedo at each wavelength, shape (nl,). [1]"""
+        nm = values_in(wavelengths, "nm", "wavelengths")
+        if self.albedo is not None:
+            return spectral_at(self.albedo, nm)
+        if self.reflection == "moon":
+            return moon_albedo(nm)
+        return np.full(nm.shape, 0.1)
+
+    def brightness(self, wavelengths: npt.ArrayLike, phase: float) -> FloatArray:
+        """Geometric albedo times phase function of an airless body, shape (nl,). [1]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            Wavelengths. [nm]
+        phase : float
+            Phase angle. [deg]
+        """
+        share = 2.0 / 3.0 if self.reflection == "lambert" else 1.0
+        return self.albedos(wavelengths) * share * float(LAWS[self.reflection](phase))
+
+    def axes(self, faced: FloatArray | None) -> FloatArray:
+        """Axes of the body-fixed frame as rows, shape (3, 3). [1]
+
+        Parameters
+        ----------
+        faced : array, shape (3,), or None
+            Centre of the body named by ``faces``. [m]
+        """
+        if faced is None:
+            return frame_of(np.asarray(self.pole, float), self.prime_meridian)
+        north = unit(self.pole, "pole")
+        across = np.cross(north, faced - self.centre)
+        if not np.linalg.norm(across) > 0.0:
+            raise ParameterError("faces", self.faces, "a body that is not above the pole")
+        east = across / np.linalg.norm(across)
+        return np.stack([np.cross(east, north), east, north])

@@ -1,0 +1,169 @@
+"""Observer and camera of a scene."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+from airlight.errors import ConflictError, ParameterError
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.field import Field
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.scene.compass import read_bearing
+from airlight.scene.projections import PROJECTIONS
+from airlight.scene.system.vectors import POSITION, unit
+
+#: Keys of a camera, in the views of films too.
+LOOK_ZENITH: Final = Field(
+    label="zenith angle", help="Zenith angle of the line of sight.", unit="deg",
+    range=(0.0, 180.0), example="80 deg",
+)  # fmt: skip
+ROLL: Final = Field(
+    label="roll", help="Clockwise rotation of the camera.", unit="deg", range=(-360.0, 360.0),
+    example="0 deg",
+)  # fmt: skip
+POLARISER: Final = Field(
+    label="polariser", help="Axis of a polarising filter, counterclockwise from the camera's up; "
+    "no filter if left out.", unit="deg", range=(-360.0, 360.0), example="90 deg",
+)  # fmt: skip
+PROJECTION: Final = Field(
+    label="projection", help="Projection of the picture.", kind="choice",
+    choices=lambda: tuple(name for name, form in PROJECTIONS.items() if not form.parallel),
+)  # fmt: skip
+FIELD_OF_VIEW: Final = Field(
+    label="field of view", help="Angle from left to right, or across a fisheye.", unit="deg",
+    range=(1e-4, 360.0), example="40 deg",
+)  # fmt: skip
+
+
+@parameters
+class SceneObserver(TomlModel):
+    """Position of the observer: above a body, or free.
+
+    Parameters
+    ----------
+    body : str, optional
+        Name of the body that ``latitude``, ``longitude`` and ``altitude`` refer to.
+    latitude, longitude : float
+        Planetocentric coordinates, north and east positive. [deg]
+    altitude : float
+        Altitude above the ground. [m]
+    position : tuple of float, optional
+        Coordinates in the frame of the scene, instead of a body. [m]
+    """
+
+    body: (
+        Annotated[
+            str,
+            Field(label="body", help="Body above which the observer is.", kind="text",
+                range=(1, 60), example="earth"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    latitude: Annotated[
+        float,
+        Field(label="latitude", help="Planetocentric latitude, north positive.", unit="deg",
+            range=(-90.0, 90.0), example="37 deg"),
+    ] = 0.0  # fmt: skip
+    longitude: Annotated[
+        float,
+        Field(label="longitude", help="Planetocentric longitude, east positive.", unit="deg",
+            range=(-360.0, 360.0), example="-87.7 deg"),
+    ] = 0.0  # fmt: skip
+    altitude: Annotated[
+        float,
+        Field(label="altitude", help="Altitude above the ground.", unit="m", range=(0.0, 1e12),
+            example="400 km"),
+    ] = 2.0  # fmt: skip
+    position: Annotated[tuple[float, ...], POSITION] | None = None
+
+    def __post_init__(self) -> None:
+        if (self.body is None) == (self.position is None):
+            given = MISSING if self.body is None else "body and position"
+            raise ParameterError("body", given, "one of body and position")
+        if self.position is not None and len(self.position) != 3:
+            raise ParameterError("position", self.position, "three lengths")
+
+
+@parameters
+class View(TomlModel):
+    """Orientation and projection of the camera.
+
+    Parameters
+    ----------
+    look_at : str, optional
+        Name of the body or star at the centre of the frame.
+    look_zenith, look_bearing : float, optional
+        Zenith angle and compass bearing, for an observer above a body. [deg]
+    direction : tuple of float, optional
+        Direction in the frame of the scene.
+    up : tuple of float, optional
+        Direction that is up in the frame; by default the zenith of an observer above a body, else
+        z.
+    roll : float
+        Clockwise rotation of the camera about its line of sight. [deg]
+    polariser : float, optional
+        Axis of a polarising filter, counterclockwise from the camera's up. [deg]
+    projection : str
+        Name of the projection.
+    field_of_view : float, optional
+        Angle as for ``Camera``. [deg]
+    """
+
+    look_at: (
+        Annotated[
+            str,
+            Field(label="look at", help="Body or star at which the camera looks, where it is seen.",
+                kind="text",
+                range=(1, 60), example="moon"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    look_zenith: Annotated[float, LOOK_ZENITH] | None = None
+    look_bearing: (
+        Annotated[
+            float,
+            Field(label="bearing", help="Compass bearing of the line of sight, 90 east.",
+                unit="deg", range=(-360.0, 360.0), example="225 deg or SW", read=read_bearing),
+        ]
+        | None
+    ) = None  # fmt: skip
+    direction: (
+        Annotated[
+            tuple[float, ...],
+            Field(label="direction", help="Direction of the line of sight.", range=(-1e12, 1e12),
+                listed=True, example="[1, 0, 0]"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    up: (
+        Annotated[
+            tuple[float, ...],
+            Field(label="up", help="Direction that is up in the picture.", range=(-1e12, 1e12),
+                listed=True, example="[0, 0, 1]"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    roll: Annotated[float, ROLL] = 0.0
+    polariser: Annotated[float, POLARISER] | None = None
+    projection: Annotated[str, PROJECTION] = "perspective"
+    field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
+
+    def __post_init__(self) -> None:
+        ways = {
+            "look_at": self.look_at is not None,
+            "direction": self.direction is not None,
+            "look_zenith and look_bearing": self.look_zenith is not None
+            or self.look_bearing is not None,
+        }
+        given = [name for name, there in ways.items() if there]
+        if len(given) != 1:
+            shown = " and ".join(given) if given else MISSING
+            raise ParameterError("look_at", shown, f"one of {', '.join(ways)}")
+        if given[0].startswith("look_zenith"):
+            for name, other in (("look_zenith", "look_bearing"), ("look_bearing", "look_zenith")):
+                if getattr(self, name) is None:
+                    raise ConflictError(other, f"requires {name}")
+        if self.direction is not None:
+            unit(self.direction, "direction")
+        if self.up is not None:
+            unit(self.up, "up")

@@ -1,0 +1,390 @@
+"""Ray march: radiance along a line of sight from a solution's moments, for queries and pictures.
+
+The source function is integrated along the line. Single scattering uses the exact phase function
+and the exact shadow; the multiple-scattering source comes from the moments. All wavelengths are
+marched together, so that geometry is evaluated once per point.
+
+Restricted Python, shared by all backends: Numba compiles it for groups of eight wavelengths, the
+emitter translates it to shaders, whose single group is a texel.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from airlight.geometry.refraction import refraction_angle, star_points, turned
+from airlight.kernel import inlined, kernel
+from airlight.kernel.lanes import LANES, lane_view, splat
+from airlight.physics.optics.altitude_nodes import node_value
+from airlight.solver.moments.forward_peak import (
+    add_peaks,
+    peak_fraction,
+    peak_gain,
+    reset_peaks,
+)
+from airlight.solver.moments.harmonics import directed_functions
+from airlight.solver.moments.march_panels import (
+    is_transparent,
+    panel_columns,
+    place_panel,
+    place_panels,
+)
+from airlight.solver.moments.ray_optics import sun_index
+from airlight.solver.moments.source import (
+    direct_beam,
+    multiple_scattering_source,
+    polarised_ratio_columns,
+    polarised_scattering_source,
+    single_scattering_source,
+    transmittance_columns,
+)
+from airlight.solver.stokes_frame import VERTICAL, star_plane
+from airlight.solver.tables.column_ratios import columns_to_top
+
+#: By day, multiple scattering is neglected at points whose scattering is below this fraction of
+#: their line's, over the number of points; in total less than this fraction, and some 2 % of it for
+#: an exponential profile.
+FAINT = 5e-3
+
+
+@inlined
+def march(
+    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, phase_f12, tables,
+    work, result,
+):  # fmt: skip
+    """Path radiance and transmittance of a segment, per irradiance of the star.
+
+    Parameters
+    ----------
+    r, mu : float
+        Radius of the start, inside the shell, and zenith cosine. [m], [1]
+    mu_s, nu : float
+        Cosines of the star's zenith angle at the start, and between line and star. [1]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
+    length : float
+        Length, to the ground or to the top. [m]
+    orders : int
+        1: single scattering; 0: multiple scattering and reflected diffuse light; 2: both.
+    air, peaks, polarised : bool
+        Whether to compute the path radiance, the single scattering of separated constituents, and Q
+        and U. Constants in a shader.
+    phase, phase_f12 : array, shape (nc, w)
+        Phase functions, and elements F₁₂ of the phase matrices; 0 for constituents kept separate.
+        [sr⁻¹]
+    tables, work : MarchTables, MarchWorkspace
+        Tables of the solution; workspace, whose totals receive the columns of the segment [m].
+    result : array, shape (4, w), or (6, w) if ``polarised``
+        Receives path radiance [sr⁻¹], delta-M scaled transmittance [1], single scattering by the
+        two separated constituents without their phase functions [1], and Q and U in the frame of
+        ``stokes_frame`` [sr⁻¹].
+    """
+    turn_cosine, turn_sine = 1.0, 0.0
+    if polarised:
+        turn_cosine, turn_sine = star_plane(mu, mu_s, nu)
+    count, rule, day = place_panels(r, mu, mu_s, nu, length, tables, work)
+    n = int(tables.rules[rule])
+    scatters = 0.0
+    for c in range(tables.constituents):
+        scatters += tables.brightest[c] * work.columns_total[c]
+        work.columns_so_far[c] = 0.0
+    faint = FAINT * min(scatters, 1.0) / (n * (count - 1)) if day else 0.0
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(result, at)
+        found[0], found[2], found[3] = splat(0.0), splat(0.0), splat(0.0)
+        if polarised:
+            found[4], found[5] = splat(0.0), splat(0.0)
+    reset_peaks(tables, work)
+    for panel in range(count - 1):
+        points = n
+        if tables.culls_opaque > 0 and not is_transparent(tables, work):
+            points = 0
+        place_panel(r, mu, panel, count, rule, tables, work)
+        panel_columns(rule, tables, work)
+        for k in range(points):
+            add_point(
+                r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine,
+                turn_sine, phase, phase_f12, tables, work, result,
+            )  # fmt: skip
+    for c in range(tables.constituents):
+        work.columns_total[c] = work.columns_so_far[c]
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(result, at)
+        found[1] = transmittance_columns(
+            work.columns_total, lane_view(tables.scaled_extinction, at), tables.constituents
+        )
+    if tables.broadened and orders != 0:
+        broaden_peaks(half_sine, air, peaks, tables, work, result)
+
+
+@inlined
+def broaden_peaks(half_sine, air, peaks, tables, work, result):
+    """Broaden the forward peaks of single scattering on a line; arguments as in ``march``."""
+    for at in range(0, tables.lanes, LANES):
+        found, sums = lane_view(result, at), lane_view(work.peaks, at)
+        more = peak_gain(half_sine, tables, work, at)
+        if air:
+            found[0] += more * sums[0]
+        if peaks and tables.separated_1 >= 0:
+            found[2] *= np.float32(1.0) + more * peak_fraction(tables.separated_1, tables, at)
+        if peaks and tables.separated_2 >= 0:
+            found[3] *= np.float32(1.0) + more * peak_fraction(tables.separated_2, tables, at)
+
+
+@inlined
+def add_point(
+    r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine, turn_sine, phase,
+    phase_f12, tables, work, result,
+):  # fmt: skip
+    """Add the source of one point of a panel to the result of a march.
+
+    Parameters
+    ----------
+    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, phase_f12, tables, work, result :
+        Arguments of ``march``.
+    turn_cosine, turn_sine : float
+        Results of ``star_plane``. [1]
+    k, n : int
+        Index of the point, and number of points of the panel.
+    faint : float
+        Multiple scattering is neglected if the point scatters less. [1]
+    """
+    q = min(max(work.radius[k], tables.bottom), tables.top)
+    t = work.distance[k]
+    mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
+    mu_sq = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
+    nu_q = nu
+    scatters = 0.0
+    for c in range(tables.constituents):
+        work.point_density[c] = work.density[c * n + k]
+        work.depths[c] = work.columns[c * n + k]
+        scatters += tables.brightest[c] * work.density[c * n + k]
+    if tables.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, tables.refraction_strength, work.columns[(tables.constituents - 1) * n + k]
+        )
+        mu_sq, nu_q = turned(mu_q, mu_sq, nu, angle)
+        mu_sq = min(max(mu_sq, -1.0), 1.0)
+    seen, spread = 0.0, False
+    if orders != 0:
+        seen, spread = star_columns(q, mu_sq, tables, work)
+    gathers = air and orders != 1 and scatters * work.weight[k] >= faint
+    row, sun, f, e = 0, 0, 0.0, 0.0
+    if air and gathers:
+        row, sun, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
+    for at in range(0, tables.lanes, LANES):
+        found, extinction = lane_view(result, at), lane_view(tables.scaled_extinction, at)
+        transmittance = transmittance_columns(
+            work.depths, extinction, tables.constituents
+        ) * np.float32(work.weight[k])
+        polarised_ratio = splat(1.0)
+        if polarised and orders != 1:
+            polarised_ratio = polarised_ratio_columns(
+                work.depths, lane_view(tables.polarised_moments, at), tables.constituents
+            )
+        if seen > 0.0:
+            star = transmittance * direct_beam(
+                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread, extinction,
+                tables.constituents,
+            )  # fmt: skip
+            add_star(star, air, peaks, lane_view(phase, at), tables, work, at, found)
+            if tables.broadened:
+                add_peaks(star, np.float32(1.0), spread, lane_view(phase, at), tables, work, at)
+            if polarised:
+                add_polarised_star(
+                    polarised_ratio * star, turn_cosine, turn_sine, lane_view(phase_f12, at),
+                    tables, work, at, found,
+                )  # fmt: skip
+        if air and gathers:
+            found[0] += transmittance * multiple_scattering_at(
+                row, sun, np.float32(f), np.float32(e), tables, work, at
+            )
+            if polarised:
+                add_polarised_light(
+                    polarised_ratio * transmittance, mu_q, row, sun, np.float32(f),
+                    np.float32(e), tables, work, at, found,
+                )  # fmt: skip
+
+
+@inlined
+def star_columns(q, mu_s, tables, work):
+    """Visible part of the star at a point, and columns towards it, in the workspace. [m]
+
+    Parameters
+    ----------
+    q, mu_s : float
+        Radius of the point [m]; cosine of the star's zenith angle there. [1]
+    tables, work : MarchTables, MarchWorkspace
+        Arguments of ``march``; the workspace receives the columns to the star's two points.
+
+    Returns
+    -------
+    seen : float
+        Visible part, from ``star_points``. [1]
+    spread : bool
+        Whether two points represent the star.
+    """
+    bottom, top = tables.bottom, tables.top
+    seen, low, high = star_points(q, mu_s, bottom, top, tables.star_radius, tables.refraction_table)
+    if seen > 0.0:
+        columns_to_top(
+            q,
+            low,
+            bottom,
+            top,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
+            work.columns_to_sun_low,
+        )
+        if high > low:
+            columns_to_top(
+                q,
+                high,
+                bottom,
+                top,
+                tables.first_nodes,
+                tables.column_rows,
+                tables.columns,
+                work.columns_to_sun_high,
+            )
+    return seen, high > low
+
+
+@inlined
+def add_star(star, air, peaks, phase, tables, work, at, result):
+    """Add single scattering at a point to the path radiance and to the peaks.
+
+    Parameters
+    ----------
+    star : lanes
+        Direct irradiance at the point, times its weight and the transmittance to the start of the
+        line. [m]
+    air, peaks, phase, tables, work, result :
+        Arguments of ``march``; phase and result as lanes.
+    at : int
+        Index of the first lane.
+    """
+    scattering = lane_view(tables.scattering, at)
+    if air:
+        result[0] += star * single_scattering_source(
+            work.point_density, scattering, phase, tables.constituents
+        )
+    if peaks and tables.separated_1 >= 0:
+        c = tables.separated_1
+        result[2] += star * scattering[c] * work.point_density[c]
+    if peaks and tables.separated_2 >= 0:
+        c = tables.separated_2
+        result[3] += star * scattering[c] * work.point_density[c]
+
+
+@inlined
+def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, tables, work, at, result):
+    """Add Q and U of single scattering at a point; arguments as in ``add_point``."""
+    once = star * single_scattering_source(
+        work.point_density, lane_view(tables.scattering, at), phase_f12, tables.constituents
+    )
+    result[4] += once * np.float32(turn_cosine)
+    result[5] += once * np.float32(turn_sine)
+
+
+@inlined
+def add_polarised_light(transmittance, mu, row, sun, f, e, tables, work, at, result):
+    """Add Q and U of multiple scattering at a point.
+
+    Parameters
+    ----------
+    transmittance : lanes
+        Transmittance from the point times its weight. [m]
+    mu : float
+        Cosine of the line's zenith angle at the point. [1]
+    row, sun, f, e, tables, work, at :
+        Arguments of ``multiple_scattering_at``.
+    result : lanes, shape (6,)
+        Result of a march.
+    """
+    g, h = np.float32(1.0) - f, np.float32(1.0) - e
+    stokes_q, stokes_u = polarised_scattering_source(
+        work.point_density, lane_view(tables.polarised_moments, at), lane_view(tables.field, at),
+        mu, work.azimuth[0], row, sun, g * h, g * e, f * h, f * e, tables.degree,
+        tables.constituents,
+    )  # fmt: skip
+    result[4] += transmittance * stokes_q
+    result[5] += transmittance * stokes_u
+
+
+@kernel
+def line_azimuth(mu, mu_s, nu):
+    """Cosine of a line's azimuth from the star; for vertical lines see ``stokes_frame``. [1]
+
+    Parameters
+    ----------
+    mu, mu_s, nu : float
+        Cosines of the line's and of the star's zenith angle, and between line and star. [1]
+
+    Examples
+    --------
+    >>> line_azimuth(0.0, 0.0, -1.0)  # looking away from the star
+    -1.0
+    """
+    spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
+    cosine = 1.0
+    if spread > 1e-24 and (1.0 - mu) * (1.0 + mu) > VERTICAL:
+        cosine = min(max((nu - mu * mu_s) / sqrt(spread), -1.0), 1.0)
+    return cosine
+
+
+@inlined
+def field_place(q, mu, mu_s, nu, tables, work):
+    """Position of a point in the field, with the harmonics of the line in the workspace.
+
+    Parameters
+    ----------
+    q, mu, mu_s, nu : float
+        Radius of the point [m]; cosines of the line's and of the star's zenith angle there, and
+        between line and star. [1]
+    tables, work : MarchTables, MarchWorkspace
+        Arguments of ``march``; the workspace receives functions and azimuth.
+
+    Returns
+    -------
+    row, sun : int
+        Indices of the radius and of the sun elevation before the point in the field.
+    f, e : float
+        Fractions of the steps to the next radius and to the next sun angle. [1]
+    """
+    work.azimuth[0] = line_azimuth(mu, mu_s, nu)
+    directed_functions(
+        mu,
+        work.azimuth[0],
+        (tables.degree, tables.start, tables.ahead, tables.back),
+        work.functions,
+    )
+    x = node_value(q, tables.bottom, tables.top, tables.first_nodes, tables.row)
+    row = min(int(x), tables.radii - 2)
+    y = sun_index(mu_s, tables.place)
+    sun = min(int(y), tables.sun_angles - 2)
+    return row, sun, x - row, y - sun
+
+
+@inlined
+def multiple_scattering_at(row, sun, f, e, tables, work, at):
+    """Multiple-scattering source at a point, from lane ``at`` on. [m⁻¹ sr⁻¹]
+
+    Parameters
+    ----------
+    row, sun, f, e : int, int, float, float
+        Results of ``field_place``; the fractions in single precision.
+    tables, work : MarchTables, MarchWorkspace
+        Arguments of ``march``, after ``field_place``.
+    at : int
+        Index of the first lane.
+    """
+    g, h = np.float32(1.0) - f, np.float32(1.0) - e
+    return multiple_scattering_source(
+        work.point_density, lane_view(tables.moments, at), lane_view(tables.polarised_moments, at),
+        lane_view(tables.field, at), work.functions, row, sun, g * h, g * e, f * h, f * e,
+        tables.degree, tables.constituents,
+    )  # fmt: skip

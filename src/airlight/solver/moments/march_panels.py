@@ -1,0 +1,234 @@
+"""Panels of a line of sight: ends, quadrature points, and columns up to each point.
+
+Restricted Python, as in ``march``. One panel is stored at a time, so that a GPU thread, which runs
+one line, needs little memory.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from airlight.geometry.path import (
+    insert_edge,
+    panel_leg,
+    panel_point,
+    place_edges,
+    shadow_edges,
+)
+from airlight.geometry.shell import meets_ground, radius_along
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, lane_view, largest
+from airlight.physics.optics.altitude_nodes import altitude_node
+from airlight.solver.moments.source import transmittance_columns
+from airlight.solver.tables.column_ratios import columns_to_top
+from airlight.solver.tables.columns import THICK, split_at_profile_edges
+
+#: A line is steep if its length over the shell's thickness is less, and in full daylight if the
+#: star's zenith cosine is larger at both ends. The error of eight points is then below 1e-3.
+STEEP = 4.0
+#: Length over the shell's thickness above which a line grazes the densest layers.
+GRAZING = 9.0
+FULL_DAY = 0.1
+#: Transmittance below which a panel is not computed. [1]
+MIN_TRANSMITTANCE = 1e-7
+#: Numbers of edges, per panel of a leg, beyond which a panel needs fewer points.
+SOME_EDGES = 6
+MANY_EDGES = 10
+
+
+@inlined
+def place_panel(r, mu, panel, count, rule, tables, work):
+    """Quadrature points of a panel: positions [m], weights [m] and densities [1].
+
+    Parameters
+    ----------
+    r, mu : float
+        Radius of the line's start [m]; cosine of its zenith angle there. [1]
+    panel, count : int
+        Index of the panel, and number of edges of the line.
+    rule : int
+        Start of the quadrature in ``tables.rules``.
+    tables, work : MarchTables, MarchWorkspace
+        Tables of the solution; the workspace receives distance, radius, weight and density.
+    """
+    n = int(tables.rules[rule])
+    descending, low, offset, first, last = panel_leg(
+        r, mu, work.edges[panel], work.edges[panel + 1], work.edges[count - 1]
+    )
+    for k in range(n):
+        work.distance[k], work.radius[k], slope = panel_point(
+            -r * mu, descending, low, offset, first, last, tables.rules[rule + 1 + k]
+        )
+        work.weight[k] = slope * tables.rules[rule + 1 + n + k]
+        node, fraction = altitude_node(
+            work.radius[k], tables.bottom, tables.top - tables.bottom, tables.first_nodes
+        )
+        for c in range(tables.constituents):
+            below = tables.density[node, c]
+            work.density[c * n + k] = below + (tables.density[node + 1, c] - below) * fraction
+
+
+@inlined
+def panel_columns(rule, tables, work):
+    """Columns up to each point of a panel, from ``work.columns_so_far`` on, and over the panel. [m]
+
+    Parameters
+    ----------
+    rule, tables, work :
+        Arguments of ``place_panel``; the workspace receives columns, and ``before`` those up to the
+        panel's end.
+    """
+    n = int(tables.rules[rule])
+    for c in range(tables.constituents):
+        for k in range(n):
+            work.amounts[c * n + k] = work.density[c * n + k] * work.weight[k]
+        for k in range(n):
+            running = 0.0
+            for j in range(n):
+                coefficient = tables.rules[rule + 1 + 2 * n + k * n + j]
+                running += coefficient * work.amounts[c * n + j]
+            # The running integral of a steep profile may be negative by rounding.
+            work.columns[c * n + k] = work.columns_so_far[c] + max(running, 0.0)
+        for k in range(n):
+            work.columns_so_far[c] += work.amounts[c * n + k]
+
+
+@inlined
+def is_transparent(tables, work):
+    """Whether the transmittance to the next panel exceeds ``MIN_TRANSMITTANCE`` anywhere."""
+    most = np.float32(0.0)
+    for at in range(0, tables.lanes, LANES):
+        transmittance = transmittance_columns(
+            work.columns_so_far, lane_view(tables.scaled_extinction, at), tables.constituents
+        )
+        most = max(most, largest(transmittance))
+    return most > MIN_TRANSMITTANCE
+
+
+@inlined
+def columns_along(r, mu, count, rule, tables, work):
+    """Columns of a whole line, and distances to optical depths 0.5, 3 and 12.
+
+    Parameters
+    ----------
+    r, mu, count, rule, tables, work :
+        Arguments of ``place_panel``; the workspace receives totals, and cuts: 0 for a depth that is
+        not reached.
+
+    Returns
+    -------
+    float
+        Largest optical depth of any wavelength. [1]
+    """
+    n = int(tables.rules[rule])
+    for c in range(tables.constituents):
+        work.columns_total[c] = 0.0
+    for which in range(3):
+        work.cuts[which] = 0.0
+    reached, at = 0.0, 0.0
+    for panel in range(count - 1):
+        place_panel(r, mu, panel, count, rule, tables, work)
+        for k in range(n):
+            depth = reached
+            for c in range(tables.constituents):
+                amount = work.density[c * n + k] * work.weight[k]
+                work.columns_total[c] += amount
+                depth += tables.strongest[c] * amount
+            if depth > reached:
+                for which in range(3):
+                    target = 0.5 if which == 0 else (3.0 if which == 1 else 12.0)
+                    if reached < target and depth >= target:
+                        work.cuts[which] = at + (work.distance[k] - at) * (target - reached) / (
+                            depth - reached
+                        )
+            reached, at = depth, work.distance[k]
+    return reached
+
+
+@inlined
+def columns_between(r, mu, length, tables, work):
+    """Columns of a line from the column table.
+
+    The error is 1e-3 of the columns of the whole ray, the cost a tenth of ``columns_along``.
+
+    Parameters
+    ----------
+    r, mu, length, tables, work :
+        Arguments of ``place_panels``; the workspace receives totals.
+
+    Returns
+    -------
+    float
+        Largest optical depth of any wavelength. [1]
+    """
+    bottom, top = tables.bottom, tables.top
+    end = min(max(radius_along(r, mu, length), bottom), top)
+    mu_end = min(max((r * mu + length) / end, -1.0), 1.0)
+    # The table holds rays that miss the ground.
+    low, low_mu, high, high_mu = r, mu, end, mu_end
+    if meets_ground(r, mu, bottom):
+        low, low_mu, high, high_mu = end, -mu_end, r, -mu
+    columns_to_top(
+        low,
+        low_mu,
+        bottom,
+        top,
+        tables.first_nodes,
+        tables.column_rows,
+        tables.columns,
+        work.columns_total,
+    )
+    columns_to_top(
+        high,
+        high_mu,
+        bottom,
+        top,
+        tables.first_nodes,
+        tables.column_rows,
+        tables.columns,
+        work.columns_to_sun_low,
+    )
+    depth = 0.0
+    for c in range(tables.constituents):
+        work.columns_total[c] = max(work.columns_total[c] - work.columns_to_sun_low[c], 0.0)
+        depth += tables.strongest[c] * work.columns_total[c]
+    return depth
+
+
+@inlined
+def place_panels(r, mu, mu_s, nu, length, tables, work):
+    """Panels of a line, and their quadrature.
+
+    A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
+    whole line is thicker, panels end at optical depths 0.5, 3 and 12, found from first columns and
+    once more from the better ones.
+
+    Parameters
+    ----------
+    r, mu, mu_s, nu, length, tables, work :
+        Arguments of ``march``; the workspace receives edges and totals.
+
+    Returns
+    -------
+    count, rule : int
+        Number of edges, and start of the quadrature in ``tables.rules``.
+    day : bool
+        Whether the whole line is in full daylight.
+    """
+    first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, tables.bottom)
+    count = place_edges(r, mu, length, tables.panels, first_cut, second_cut, work.edges)
+    count = split_at_profile_edges(r, mu, tables.bottom, tables.ends, work.edges, count)
+    end = min(mu_s, (r * mu_s + length * nu) / radius_along(r, mu, length))
+    slant = length / (tables.top - tables.bottom)
+    day = end > FULL_DAY
+    kind = 1 if slant < GRAZING or count > SOME_EDGES * tables.panels else 2
+    if (day and slant < STEEP) or count > MANY_EDGES * tables.panels:
+        kind = 0
+    rule = int(tables.rules[kind])
+    if columns_between(r, mu, length, tables, work) > THICK:
+        for _attempt in range(2):
+            if columns_along(r, mu, count, rule, tables, work) <= THICK:
+                break
+            for which in range(3):
+                count = insert_edge(work.edges, count, work.cuts[which])
+    return count, rule, day

@@ -1,0 +1,458 @@
+"""Ray march of lines of sight for many sun angles at once.
+
+Texels of a table with the same radius and view share a line. Its points, the columns up to them and
+the harmonics of its direction do not depend on the sun angle, and are computed once for all sun
+angles with the same panels. Points and results are those of ``march``: the loop over sun angles is
+inside that over points, and sums over the degrees of an azimuthal order precede those over orders.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import MAX_EDGES
+from airlight.geometry.refraction import refraction_angle, turned
+from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.lanes import LANES, lane_view, load, maximum, splat, store
+from airlight.kernel.threads import run_blocks
+from airlight.kernel.without_refcount import without_refcount
+from airlight.physics.optics.altitude_nodes import node_value
+from airlight.solver.lines_of_sight import LinesOfSight
+from airlight.solver.moments.forward_peak import add_peaks, peak_fraction, peak_gain
+from airlight.solver.moments.harmonics import (
+    EVEN,
+    legendre_functions,
+    moment_count,
+)
+from airlight.solver.moments.march import FAINT, line_azimuth, star_columns
+from airlight.solver.moments.march_panels import panel_columns, place_panel, place_panels
+from airlight.solver.moments.march_tables import MarchTables, new_workspace
+from airlight.solver.moments.packing import pack
+from airlight.solver.moments.ray_optics import sun_index
+from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.source import direct_beam, transmittance_columns
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Lines of sight in one block of work, and largest number of sun angles of one line.
+_BLOCK: Final = 4096
+_STARS: Final = 512
+
+
+class SunAngleWorkspace(NamedTuple):
+    """Workspace of one thread in addition to that of the march; n sun angles, w lanes.
+
+    Attributes
+    ----------
+    edges : array, shape (n, MAX_EDGES)
+        Ends of the panels for each sun angle. [m]
+    columns_so_far : array, shape (n, nc)
+        Columns up to the next panel. [m]
+    next, counts, rules : array, shape (n,)
+        Index of the next panel, number of edges, and start of the quadrature.
+    faint : array, shape (n,)
+        Multiple scattering is omitted at points that scatter less. [1]
+    together : array, shape (n,)
+        Indices of the sun angles that share a panel.
+    transmittance, transmittance_once : array, shape (w,)
+        Transmittance to a point times its weight, with and without delta-M scaling. [m]
+    scattering : array, shape (nc, w)
+        Scattering coefficients at a point. [m⁻¹]
+    factors : array, shape (k, w)
+        Harmonics of the line at a point times the moments' strengths. [m⁻¹]
+    orders : array, shape (sun_angles, N + 2, w)
+        Sums of the field's harmonics at a point over the degrees, by azimuthal order, and the
+        field's scale, for each sun angle of the field.
+    made : array, shape (sun_angles,)
+        Whether these are computed for the point.
+    sums : array, shape (n, 4 + nc, w)
+        Sums over the line for each sun angle: path radiance, three of ``add_peaks``, single
+        scattering by each constituent.
+    """
+
+    edges: FloatArray
+    columns_so_far: FloatArray
+    next: NDArray[np.int64]
+    counts: NDArray[np.int64]
+    rules: NDArray[np.int64]
+    faint: FloatArray
+    together: NDArray[np.int64]
+    transmittance: Float32Array
+    transmittance_once: Float32Array
+    scattering: Float32Array
+    factors: Float32Array
+    orders: Float32Array
+    made: NDArray[np.bool_]
+    sums: Float32Array
+
+
+def _new_workspace(tables: MarchTables) -> SunAngleWorkspace:
+    lanes, count = tables.lanes, tables.constituents
+    return SunAngleWorkspace(
+        edges=np.empty((_STARS, MAX_EDGES)),
+        columns_so_far=np.empty((_STARS, count)),
+        next=np.empty(_STARS, np.int64),
+        counts=np.empty(_STARS, np.int64),
+        rules=np.empty(_STARS, np.int64),
+        faint=np.empty(_STARS),
+        together=np.empty(_STARS, np.int64),
+        transmittance=np.empty(lanes, np.float32),
+        transmittance_once=np.empty(lanes, np.float32),
+        scattering=np.empty((count, lanes), np.float32),
+        factors=np.empty((moment_count(tables.degree), lanes), np.float32),
+        orders=np.empty((tables.sun_angles, tables.degree + 2, lanes), np.float32),
+        made=np.empty(tables.sun_angles, np.bool_),
+        sums=np.empty((_STARS, 4 + count, lanes), np.float32),
+    )
+
+
+def scattering_by_constituent(
+    solution: MomentsSolution, lines: LinesOfSight, orders: int, *, delta_scaled: bool
+) -> tuple[FloatArray, FloatArray]:
+    """Path radiance, and single scattering by each constituent.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+    lines : LinesOfSight
+        n lines of sight; neighbours with equal radius, view and length are marched together.
+    orders : int
+        As in ``MomentsSolution.radiance_per_irradiance``.
+    delta_scaled : bool
+        Whether single scattering is the solution's, with delta-M scaled extinction and broadened
+        forward peaks; otherwise extinction and phase functions are unscaled.
+
+    Returns
+    -------
+    light : array, shape (n, nl)
+        Path radiance. [sr⁻¹]
+    once : array, shape (n, nc, nl)
+        Single scattering by each constituent, to be multiplied by its phase function. [1]
+    """
+    tables, geometry = solution.tables, solution.geometry
+    lines = geometry.optical_lines(lines)
+    seen = geometry.apparent_nu(lines)
+    n, count, constituents = lines.r.size, solution.wavelengths.size, tables.constituents
+    out, once = np.empty((n, count)), np.empty((n, constituents, count))
+
+    def run(index: int) -> None:
+        rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
+        phase = pack(geometry.medium.phase_function(seen[rows]))
+        half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
+        result = np.empty((len(phase), 1 + constituents, tables.lanes), np.float32)
+        _march_all(
+            lines.r[rows], lines.mu[rows], lines.mu_s[rows], lines.nu[rows], half_sine,
+            lines.length[rows], orders, delta_scaled, phase, tables, new_workspace(tables),
+            _new_workspace(tables), result,
+        )  # fmt: skip
+        out[rows], once[rows] = result[:, 0, :count], result[:, 1:, :count]
+
+    run_blocks(run, -(-n // _BLOCK))
+    return out, once
+
+
+@compiled_loop
+def _march_all(
+    r, mu, mu_s, nu, half_sine, length, orders, delta_scaled, phase, tables, work, stars, out
+):  # fmt: skip
+    tables, work, stars = without_refcount((tables, work, stars))
+    has_unscaled = False
+    if not delta_scaled:
+        scaled, extinction = tables.scaled_extinction.reshape(-1), tables.extinction.reshape(-1)
+        for k in range(scaled.size):
+            has_unscaled = has_unscaled or scaled[k] != extinction[k]
+    first = 0
+    while first < r.size:
+        last = first + 1
+        while (
+            last < r.size and last - first < stars.counts.size and r[last] == r[first]
+            and mu[last] == mu[first] and length[last] == length[first]
+        ):  # fmt: skip
+            last += 1
+        if length[first] > 0.0:
+            _march_line(
+                first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled,
+                phase, tables, work, stars, out,
+            )  # fmt: skip
+        else:
+            out[first:last] = 0.0
+        first = last
+
+
+@inlined
+def _march_line(
+    first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled, phase,
+    tables, work, stars, out,
+):  # fmt: skip
+    """March the line for the sun angles ``first`` to ``last``; arguments as in ``_march_all``."""
+    count = last - first
+    for index in range(count):
+        k = first + index
+        edges, rule, day = place_panels(r[k], mu[k], mu_s[k], nu[k], length[k], tables, work)
+        stars.next[index], stars.counts[index], stars.rules[index] = 0, edges, rule
+        for edge in range(edges):
+            stars.edges[index, edge] = work.edges[edge]
+        scatters = 0.0
+        for c in range(tables.constituents):
+            scatters += tables.brightest[c] * work.columns_total[c]
+            stars.columns_so_far[index, c] = 0.0
+        points = int(tables.rules[rule]) * (edges - 1)
+        stars.faint[index] = FAINT * min(scatters, 1.0) / points if day else 0.0
+    for index in range(count):
+        stars.sums[index] = 0.0
+    members = _next_panel(count, tables, stars)
+    while members > 0:
+        lead = stars.together[0]
+        panel, edges, rule = stars.next[lead], stars.counts[lead], stars.rules[lead]
+        for edge in range(edges):
+            work.edges[edge] = stars.edges[lead, edge]
+        for c in range(tables.constituents):
+            work.columns_so_far[c] = stars.columns_so_far[lead, c]
+        place_panel(r[first], mu[first], panel, edges, rule, tables, work)
+        panel_columns(rule, tables, work)
+        n = int(tables.rules[rule])
+        for k in range(n):
+            _add_point(
+                members, first, k, n, r[first], mu[first], mu_s, nu, orders, has_unscaled, phase,
+                tables, work, stars,
+            )  # fmt: skip
+        for member in range(members):
+            index = stars.together[member]
+            stars.next[index] += 1
+            for c in range(tables.constituents):
+                stars.columns_so_far[index, c] = work.columns_so_far[c]
+        members = _next_panel(count, tables, stars)
+    for index in range(count):
+        star = first + index
+        for at in range(0, tables.lanes, LANES):
+            sums, peaks = lane_view(stars.sums, at), lane_view(work.peaks, at)
+            result = lane_view(out, at)
+            more = splat(0.0)
+            if tables.broadened:
+                for part in range(3):
+                    peaks[part] = sums[index, 1 + part]
+                more = peak_gain(half_sine[star], tables, work, at)
+            result[star, 0] = sums[index, 0]
+            if tables.broadened and orders != 0:
+                result[star, 0] += more * peaks[0]
+            for c in range(tables.constituents):
+                once = sums[index, 4 + c]
+                if delta_scaled and tables.broadened:
+                    once = once * (np.float32(1.0) + more * peak_fraction(c, tables, at))
+                result[star, 1 + c] = once
+
+
+@inlined
+def _next_panel(count, tables, stars):
+    """Nearest unmarched panel, and the sun angles that share it.
+
+    Parameters
+    ----------
+    count : int
+        Number of sun angles.
+    tables, stars : MarchTables, SunAngleWorkspace
+        Tables of the solution; workspace, whose ``together`` receives the indices.
+
+    Returns
+    -------
+    int
+        Number of sun angles; 0 at the end of the line.
+    """
+    lead = -1
+    for index in range(count):
+        panel = stars.next[index]
+        if panel < stars.counts[index] - 1 and (
+            lead < 0 or stars.edges[index, panel] < stars.edges[lead, stars.next[lead]]
+        ):
+            lead = index
+    if lead < 0:
+        return 0
+    start, end = stars.edges[lead, stars.next[lead]], stars.edges[lead, stars.next[lead] + 1]
+    points = tables.rules[stars.rules[lead]]
+    members = 0
+    for index in range(lead, count):
+        panel = stars.next[index]
+        if (
+            panel < stars.counts[index] - 1
+            and stars.edges[index, panel] == start
+            and stars.edges[index, panel + 1] == end
+            and tables.rules[stars.rules[index]] == points
+        ):
+            stars.together[members] = index
+            members += 1
+    return members
+
+
+@inlined
+def _add_point(
+    members, first, k, n, r, mu, mu_s, nu, orders, has_unscaled, phase, tables, work, stars
+):
+    """Add the source of point k of a panel, of n points, to the sums of each sun angle."""
+    constituents = tables.constituents
+    q = min(max(work.radius[k], tables.bottom), tables.top)
+    t = work.distance[k]
+    mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
+    scatters = 0.0
+    for c in range(constituents):
+        work.point_density[c] = work.density[c * n + k]
+        work.depths[c] = work.columns[c * n + k]
+        scatters += tables.brightest[c] * work.density[c * n + k]
+    angle = 0.0
+    if tables.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, tables.refraction_strength, work.columns[(constituents - 1) * n + k]
+        )
+    weight = np.float32(work.weight[k])
+    for at in range(0, tables.lanes, LANES):
+        extinction = lane_view(tables.scaled_extinction, at)
+        transmittance = transmittance_columns(work.depths, extinction, constituents)
+        store(stars.transmittance, at, transmittance * weight)
+        if has_unscaled:
+            extinction = lane_view(tables.extinction, at)
+            transmittance = transmittance_columns(work.depths, extinction, constituents)
+            store(stars.transmittance_once, at, transmittance * weight)
+        scattering, element = lane_view(tables.scattering, at), lane_view(stars.scattering, at)
+        for c in range(constituents):
+            element[c] = scattering[c] * work.point_density[c]
+    x = node_value(q, tables.bottom, tables.top, tables.first_nodes, tables.row)
+    row = min(int(x), tables.radii - 2)
+    f = np.float32(x - row)
+    ready = False
+    for member in range(members):
+        index = stars.together[member]
+        star = first + index
+        mu_sq, nu_q = min(max((r * mu_s[star] + t * nu[star]) / q, -1.0), 1.0), nu[star]
+        if tables.refraction_strength > 0.0:
+            mu_sq, nu_q = turned(mu_q, mu_sq, nu_q, angle)
+            mu_sq = min(max(mu_sq, -1.0), 1.0)
+        seen, spread = star_columns(q, mu_sq, tables, work)
+        if seen > 0.0:
+            _add_star(seen, spread, index, orders, has_unscaled, phase[star], tables, work, stars)
+        gathers = orders != 1 and scatters * work.weight[k] >= stars.faint[index]
+        if gathers:
+            if not ready:
+                _place_direction(mu_q, tables, work, stars)
+                ready = True
+            y = sun_index(mu_sq, tables.place)
+            sun = min(int(y), tables.sun_angles - 2)
+            if not (stars.made[sun] and stars.made[sun + 1]):
+                _add_degrees(row, sun, f, tables, stars)
+            _add_multiple_scattering(
+                sun, np.float32(y - sun), line_azimuth(mu_q, mu_sq, nu_q), index, tables, stars
+            )
+
+
+@inlined
+def _add_star(seen, spread, index, orders, has_unscaled, phase, tables, work, stars):
+    """Add single scattering at a point to the sums of a sun angle."""
+    constituents = tables.constituents
+    for at in range(0, tables.lanes, LANES):
+        sums, peaks = lane_view(stars.sums, at), lane_view(work.peaks, at)
+        scattering, phases = lane_view(stars.scattering, at), lane_view(phase, at)
+        star = load(stars.transmittance, at) * direct_beam(
+            seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
+            lane_view(tables.scaled_extinction, at), constituents,
+        )  # fmt: skip
+        if orders != 0:
+            source = splat(0.0)
+            for c in range(constituents):
+                source = source + scattering[c] * phases[c]
+            sums[index, 0] += star * source
+        if tables.broadened:
+            for part in range(3):
+                peaks[part] = sums[index, 1 + part]
+            add_peaks(star, np.float32(1.0), spread, phases, tables, work, at)
+            for part in range(3):
+                sums[index, 1 + part] = peaks[part]
+        if has_unscaled:
+            star = load(stars.transmittance_once, at) * direct_beam(
+                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
+                lane_view(tables.extinction, at), constituents,
+            )  # fmt: skip
+        for c in range(constituents):
+            sums[index, 4 + c] += star * scattering[c]
+
+
+@inlined
+def _place_direction(mu, tables, work, stars):
+    """Harmonics of the line at a point times the moments' strengths, for a new point."""
+    degree = tables.degree
+    terms = (degree, tables.start, tables.ahead, tables.back)
+    legendre_functions(mu, terms, work.functions)
+    for node in range(tables.sun_angles):
+        stars.made[node] = False
+    for at in range(0, tables.lanes, LANES):
+        moments, polarised_moments = (
+            lane_view(tables.moments, at),
+            lane_view(tables.polarised_moments, at),
+        )
+        factors = lane_view(stars.factors, at)
+        for l in range(degree + 1):
+            strength = splat(0.0)
+            for c in range(tables.constituents):
+                strength = strength + moments[c, l] * work.point_density[c]
+            for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
+                factors[index] = strength * work.functions[index]
+        beta_1 = splat(0.0)
+        for c in range(tables.constituents):
+            beta_1 = beta_1 + polarised_moments[c, 0] * work.point_density[c]
+        last = (degree + 1) * (degree + 2) // 2
+        for m in range(EVEN):
+            factors[last + m] = beta_1 * work.functions[3 + m]
+
+
+@inlined
+def _add_degrees(row, sun, f, tables, stars):
+    """Sum the field over degrees at two sun nodes, between two rows; f is the second's weight."""
+    degree = tables.degree
+    last = (degree + 1) * (degree + 2) // 2
+    g = np.float32(1.0) - f
+    for at in range(0, tables.lanes, LANES):
+        factors, orders = lane_view(stars.factors, at), lane_view(stars.orders, at)
+        field = lane_view(tables.field, at)
+        for m in range(degree + 1):
+            # Four independent sums.
+            low, high, next_low, next_high = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
+            index = m * (m + 1) // 2 + m
+            for l in range(m, degree + 1):
+                factor = factors[index]
+                low = low + factor * field[row, sun, 1 + index]
+                high = high + factor * field[row + 1, sun, 1 + index]
+                next_low = next_low + factor * field[row, sun + 1, 1 + index]
+                next_high = next_high + factor * field[row + 1, sun + 1, 1 + index]
+                index += l + 1
+            if m < EVEN:
+                factor = factors[last + m]
+                low = low + factor * field[row, sun, 1 + last + m]
+                high = high + factor * field[row + 1, sun, 1 + last + m]
+                next_low = next_low + factor * field[row, sun + 1, 1 + last + m]
+                next_high = next_high + factor * field[row + 1, sun + 1, 1 + last + m]
+            orders[sun, m] = g * low + f * high
+            orders[sun + 1, m] = g * next_low + f * next_high
+        for node in range(sun, sun + 2):
+            orders[node, degree + 1] = g * field[row, node, 0] + f * field[row + 1, node, 0]
+    stars.made[sun] = True
+    stars.made[sun + 1] = True
+
+
+@inlined
+def _add_multiple_scattering(sun, fraction, cosine, index, tables, stars):
+    """Add multiple scattering at a point, between two sun nodes of the field, to a sum."""
+    degree = tables.degree
+    e = np.float32(fraction)
+    h = np.float32(1.0) - e
+    for at in range(0, tables.lanes, LANES):
+        orders, sums = lane_view(stars.orders, at), lane_view(stars.sums, at)
+        source = splat(0.0)
+        earlier, multiple = cosine, 1.0  # cos (m - 1)φ and cos mφ
+        for m in range(degree + 1):
+            part = h * orders[sun, m] + e * orders[sun + 1, m]
+            source = source + part * np.float32(multiple)
+            earlier, multiple = multiple, 2.0 * cosine * multiple - earlier
+        scale = h * orders[sun, degree + 1] + e * orders[sun + 1, degree + 1]
+        # The truncated expansion may be negative where radiance nearly vanishes.
+        sums[index, 0] += maximum(source / scale, 0.0) * load(stars.transmittance, at)

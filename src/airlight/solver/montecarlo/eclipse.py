@@ -1,0 +1,91 @@
+"""Monte Carlo radiance in the shadow of a moon: reference for ``solver.eclipsed``.
+
+Direct irradiance at each event is multiplied by the visible fraction of the star there. Lines of
+sight have positions in space, not only angles.
+"""
+
+from __future__ import annotations
+
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.geometry.occulted_star import OccultedStar
+from airlight.geometry.shell import distance_to_top
+from airlight.kernel import vectorized
+from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
+from airlight.solver.montecarlo.estimate import Estimate, Query
+from airlight.solver.montecarlo.solution import MonteCarloSolution
+
+FloatArray = NDArray[np.float64]
+
+
+def eclipsed_estimate(
+    solution: MonteCarloSolution,
+    star: OccultedStar,
+    points: ArrayLike,
+    directions: ArrayLike | None = None,
+) -> Estimate:
+    """Radiance, or diffuse horizontal irradiance, per irradiance of the unocculted star.
+
+    Parameters
+    ----------
+    solution : MonteCarloSolution
+        Planet lit by the star.
+    star : OccultedStar
+        Star and moon, in a frame around the planet's centre.
+    points : array, shape (n, 3)
+        Observers in that frame, inside the shell. [m]
+    directions : array, shape (n, 3), optional
+        Unit vectors; default: irradiances. [1]
+
+    Returns
+    -------
+    Estimate
+        Estimate with all orders sampled.
+
+    Raises
+    ------
+    Cancelled
+        If the solution's ``cancel`` returned True.
+    """
+    started = perf_counter()
+    at = np.atleast_2d(np.asarray(points, float))
+    hemisphere = directions is None
+    r = np.linalg.norm(at, axis=-1)
+    up = at / r[:, None]
+    along = up if directions is None else np.atleast_2d(np.asarray(directions, float))
+    towards = np.array([star.star_x, star.star_y, star.star_z])
+    mu, mu_s, nu = (
+        np.clip(np.einsum("nk,nk->n", *pair), -1.0, 1.0)
+        for pair in ((up, along), (up, towards + 0.0 * up), (along, towards + 0.0 * along))
+    )
+    medium, geometry = solution.medium, solution.geometry
+    scale = medium.bottom_radius / geometry.medium.bottom_radius
+    frames = [
+        star.moved(_frame(up[k], along[k], towards), scale) for k in range(len(at))
+    ]  # fmt: skip
+    if hemisphere:
+        r = geometry.optical_radius(r)
+        lengths = vectorized(distance_to_top)(r, mu, geometry.medium.top_radius)
+        starts = np.stack([r, mu, mu_s, mu_s], axis=1)
+    else:
+        sine = np.linalg.norm(np.cross(up, along), axis=-1)
+        lines: LinesOfSight = geometry.optical_lines(
+            enter_shell(r, mu, sine, mu_s, nu, medium.bottom_radius, medium.top_radius)
+        )
+        lengths = np.maximum(lines.length, np.where(lines.to_ground, 1e-3, 0.0))
+        starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
+    query = Query(starts, lengths, hemisphere, None, None, frames)
+    return solution.answer(query, started)
+
+
+def _frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:
+    """Axes of ``events.start_vectors``: x towards the star, y sideways, z up. [1]"""
+    flat = towards - (towards @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
+    x = flat / np.linalg.norm(flat)
+    y = np.cross(up, x)
+    return np.stack([x, y if along @ y >= 0.0 else -y, up])

@@ -1,0 +1,181 @@
+"""Interface of table layouts: positions of texels and interpolation between them.
+
+A table of light or transmittance is an array whose axes follow a mapping of physical quantities.
+A layout knows the mapping but not the values; code that fills a table asks it for the points of
+its texels. Interpolation is linear along every axis, and never across the horizon: a view of the
+sky is interpolated from texels that see the sky, a view of the ground from texels that see the
+ground.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.errors import ParameterError
+from airlight.geometry.shell import meets_ground
+from airlight.kernel import vectorized
+from airlight.physics.units import values_in
+
+FloatArray = NDArray[np.float64]
+
+#: Largest number of texels of a table.
+MOST_TEXELS = 1 << 26
+
+
+@dataclass(frozen=True, kw_only=True)
+class Axis:
+    """Axis of a table, described for its readers.
+
+    Attributes
+    ----------
+    name : str
+        Name of the quantity: ``r``, ``mu``, ``mu_s``, ``nu`` or ``altitude``.
+    size : int
+        Number of texels along it.
+    mapping : str
+        Mapping from the quantity to x in [0, 1]; texel k of n has x = k/(n-1).
+    unit : str
+        Unit of the quantity.
+    parameters : mapping
+        Numbers that the mapping needs.
+    """
+
+    name: str
+    size: int
+    mapping: str
+    unit: str
+    parameters: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not 2 <= self.size <= MOST_TEXELS:
+            raise ParameterError(f"size of axis {self.name}", self.size, f"2 to {MOST_TEXELS}")
+
+
+@dataclass(frozen=True)
+class Positions:
+    """Points and directions in the shell at which a table is evaluated, as flat arrays.
+
+    Attributes
+    ----------
+    r, mu, mu_s, nu : array, shape (n,)
+        Radius [m]; cosines of view zenith, sun zenith and the angle between view and sun. [1]
+    to_ground : array of bool, shape (n,)
+        Whether the line of sight ends on the ground.
+    """
+
+    r: FloatArray
+    mu: FloatArray
+    mu_s: FloatArray
+    nu: FloatArray
+    to_ground: NDArray[np.bool_]
+
+    @classmethod
+    def of(
+        cls,
+        r: ArrayLike,
+        mu: ArrayLike = 1.0,
+        mu_s: ArrayLike = 1.0,
+        nu: ArrayLike = 0.0,
+        *,
+        bottom_radius: float,
+        to_ground: ArrayLike | None = None,
+    ) -> Positions:
+        """Make points from arrays that broadcast; without ``to_ground`` the geometry decides."""
+        cosines = [values_in(one, "1", name) for one, name in
+                   ((mu, "mu"), (mu_s, "mu_s"), (nu, "nu"))]  # fmt: skip
+        arrays = np.broadcast_arrays(values_in(r, "m", "r"), *cosines)
+        flat = [np.ascontiguousarray(array).ravel() for array in arrays]
+        if to_ground is None:
+            ends = np.asarray(vectorized(meets_ground)(flat[0], flat[1], bottom_radius), bool)
+        else:
+            ends = np.broadcast_to(np.asarray(to_ground, bool), arrays[0].shape).ravel()
+        r, mu, mu_s, nu = flat
+        return cls(r, mu, mu_s, nu, np.ascontiguousarray(ends))
+
+    def __len__(self) -> int:
+        return self.r.size
+
+    def __getitem__(self, rows: slice | NDArray[Any]) -> Positions:
+        return Positions(
+            self.r[rows], self.mu[rows], self.mu_s[rows], self.nu[rows], self.to_ground[rows]
+        )
+
+    def joined(self, other: Positions) -> Positions:
+        """These points, then others."""
+        return Positions(
+            *(
+                np.concatenate([getattr(self, one), getattr(other, one)])
+                for one in ("r", "mu", "mu_s", "nu", "to_ground")
+            )
+        )
+
+
+class TableLayout(ABC):
+    """Positions of a table's texels and interpolation between them.
+
+    Attributes
+    ----------
+    kind : str
+        Name of the layout in manifests.
+    bottom_radius, top_radius : float
+        Radii of the ground and of the top of the shell. [m]
+    """
+
+    kind: ClassVar[str]
+    bottom_radius: float
+    top_radius: float
+
+    @property
+    @abstractmethod
+    def axes(self) -> tuple[Axis, ...]:
+        """Axes in the order of the array's, without the channels, which come last."""
+
+    @property
+    @abstractmethod
+    def texture_axes(self) -> tuple[tuple[str, ...], ...]:
+        """Names of the axes along width, height and depth of a texture, slowest first."""
+
+    @abstractmethod
+    def positions(self) -> Positions:
+        """Points of all texels, the last axis running fastest."""
+
+    @abstractmethod
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
+        """Interpolate between texels.
+
+        Parameters
+        ----------
+        values : array, shape (..., channels)
+            Stored values, float32 or float64.
+        positions : Positions
+            Points, n of them.
+
+        Returns
+        -------
+        array, shape (n, channels)
+        """
+
+    @abstractmethod
+    def parameters(self) -> dict[str, Any]:
+        """Arguments that make an equal layout: ``type(layout)(**layout.parameters())``."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Texels along each axis."""
+        return tuple(axis.size for axis in self.axes)
+
+    def _check_shell(self) -> None:
+        if not 0.0 < self.bottom_radius < self.top_radius < np.inf:
+            raise ParameterError(
+                "bottom_radius, top_radius",
+                (self.bottom_radius, self.top_radius),
+                "0 m < bottom_radius < top_radius",
+            )
+        if np.prod([float(axis.size) for axis in self.axes]) > MOST_TEXELS:
+            raise ParameterError("size", self.shape, f"at most {MOST_TEXELS} texels")

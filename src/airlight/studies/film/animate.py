@@ -1,0 +1,327 @@
+"""``animate``: parallel, resumable rendering of a film to a folder of frames."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, Literal
+
+import numpy as np
+
+from airlight.kernel import disk
+from airlight.kernel.cost import announce_all
+from airlight.scene.metering import METERED
+from airlight.studies.distribution import Runner, opened_runner
+from airlight.studies.distribution.fingerprint import check_code, code_digest, digest
+from airlight.studies.film.exposure_curve import ExposureCurve, metered_numbers
+from airlight.studies.film.film import Film
+from airlight.studies.film.finish import Finish, finished
+from airlight.studies.film.frame_checksum import BLANK, CHECKSUM, with_checksum
+from airlight.studies.film.frame_spec import FrameSpec, Quality, distinct_solutions
+from airlight.studies.film.frames_folder import FINGERPRINT, FramesFolder
+from airlight.studies.film.movie import check_movie, write_movie
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
+
+#: Exposure of a film: smoothed metering, metering of the first frame for all frames, or a value.
+#: [EV]
+FilmExposure = float | Literal["auto", "locked"]
+#: Maximum number of cached frame specifications; if the planet changes, each holds its own planet.
+_CACHE_SIZE: Final = 512
+#: Number of frames from which the number of a film's solutions is estimated.
+_SAMPLED: Final = 32
+#: Modules whose source is part of a frame's fingerprint.
+_SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("frame_spec.py", "finish.py"))
+
+
+def _code() -> str:
+    return code_digest(*_SOURCES)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Animated:
+    """Result of ``animate``.
+
+    Attributes
+    ----------
+    frames : FramesFolder
+        Folder of its frames.
+    rendered, kept : int
+        Number of frames rendered, and of existing frames.
+    damaged : int
+        Number of rendered frames that replaced damaged ones.
+    exposures : (float, float) or None
+        Lowest and highest exposure of a PNG. [EV]
+    """
+
+    frames: FramesFolder
+    rendered: int
+    kept: int
+    damaged: int
+    exposures: tuple[float, float] | None
+
+
+def animate(
+    film: Film,
+    folder: str | Path,
+    *,
+    width: int = 1280,
+    height: int = 720,
+    how: Quality | None = None,
+    finish: Finish | None = None,
+    exposure: FilmExposure = "auto",
+    movie: str | Path | None = None,
+    name: str | None = None,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    on_message: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
+) -> Animated:
+    """Render the missing, damaged and changed frames of a film.
+
+    The header of each frame's file holds a fingerprint of all inputs and a checksum of the file.
+    Files are written atomically: a run that is interrupted or killed loses only the frames in
+    progress.
+
+    Parameters
+    ----------
+    film : Film
+        Film from ``load_film``.
+    folder : str or Path
+        Folder of the frames.
+    width, height : int
+        Size of the frames. [pixel]
+    how : Quality, optional
+        Accuracy of the solution and the rendering.
+    finish : Finish, optional
+        Format and display.
+    exposure : float, "auto" or "locked"
+        ``auto`` meters three frames per second and smooths the result; ``locked`` applies the
+        metering of the first frame to all frames. [EV]
+    movie : str or Path, optional
+        Path of an MP4.
+    name : str, optional
+        Prefix of the frames' file names; the film's name by default.
+    scheduler, workers : optional
+        See ``airlight.studies.distribution.opened_runner``.
+    on_message : callable, optional
+        Receives progress messages.
+    progress : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Animated
+
+    Raises
+    ------
+    ParameterError
+        If a key of the film or an option is invalid.
+    FileError
+        If the folder or the MP4 cannot be written, the disk is full, another film is being written
+        to the folder, or a file with the name of a frame is not a frame.
+    WorkerError
+        If the connection to workers or their scheduler is lost.
+    """
+    how, finish = how or Quality(), finish or Finish()
+    job = _Job(film, width, height, how, finish, exposure, progress)
+    frames = FramesFolder(Path(folder), name or film.name, finish.suffix, film.plan.count)
+    say = on_message or (lambda line: None)
+    for number in {0, film.plan.count // 2, film.plan.count - 1}:
+        job.frame_spec(number)  # refuse here what a worker would refuse after some time
+    if movie is not None:
+        check_movie(Path(movie), "movie")
+    with frames.claimed(), contextlib.ExitStack() as stack:
+        present = frames.present(progress)
+        if present.damaged:
+            count = len(present.damaged)
+            say(f"{count} of {frames.count} frames were damaged and are rendered again")
+        runner: Runner | None = None
+
+        def opened(tasks: int) -> Runner:
+            nonlocal runner
+            if runner is None:
+                runner = stack.enter_context(
+                    opened_runner(tasks, scheduler=scheduler, workers=workers)
+                )
+                say(f"{tasks} frames to render by {runner.description}")
+                job.announce(tasks)
+                job.prepare(runner)
+            return runner
+
+        curve = job.curve(lambda: opened(film.plan.count))
+        whole = present.fingerprints
+        missing = [n for n in range(frames.count) if whole.get(n) != job.fingerprint(n)]
+        if missing:
+            say_rendered = opened(len(missing)).run(rendered_frame, job.tasks(missing))
+            for done, (number, content) in enumerate(say_rendered):
+                frames.write(number, content)
+                if progress is not None:
+                    progress(done + 1, len(missing), "frames")
+        if movie is not None:
+            write_movie(Path(movie), frames.paths, film.plan.rate, progress)
+    others = frames.others()
+    if others:
+        say(f"{others[0]} and {len(others) - 1} more are not of this film")
+    span = None
+    if curve is not None:
+        values = [curve(number) for number in range(frames.count)]
+        span = min(values), max(values)
+    return Animated(
+        frames=frames, rendered=len(missing), kept=frames.count - len(missing),
+        damaged=len(present.damaged), exposures=span,
+    )  # fmt: skip
+
+
+class _Job:
+    """Film at a given size and finish."""
+
+    def __init__(
+        self, film: Film, width: int, height: int, how: Quality, finish: Finish,
+        exposure: FilmExposure, progress: Progress | None,
+    ) -> None:  # fmt: skip
+        self._film, self._size, self._how = film, (width, height), how
+        self._finish, self._exposure, self._progress = finish, exposure, progress
+        self._specs: dict[int, FrameSpec] = {}
+        self._digests: dict[int, str] = {}
+        self._curve: Callable[[int], float] | None = None
+
+    def frame_spec(self, number: int) -> FrameSpec:
+        if number not in self._specs:
+            if len(self._specs) >= _CACHE_SIZE:
+                self._specs.clear()
+            self._specs[number] = self._film.frame_spec(number, *self._size, self._how)
+        return self._specs[number]
+
+    def _digest(self, number: int) -> str:
+        """Fingerprint of a frame's radiance."""
+        if number not in self._digests:
+            spec = self.frame_spec(number)
+            self._digests[number] = digest((spec.defined_by, _code()), spec.files)
+        return self._digests[number]
+
+    # --- exposure -----------------------------------------------------------------------------
+
+    def curve(self, opened: Callable[[], Runner]) -> Callable[[int], float] | None:
+        """Exposure curve of the film; None for linear files."""
+        if self._finish.suffix == ".exr":
+            return None
+        if isinstance(self._exposure, (int, float)):
+            fixed = float(self._exposure)
+            self._curve = lambda number: fixed
+            return self._curve
+        numbers = [0] if self._exposure == "locked" else metered_numbers(self._film.plan)
+        found = {number: self._kept_exposure(number) for number in numbers}
+        unknown = [number for number, value in found.items() if value is None]
+        if unknown:
+            tasks = ((number, (self.frame_spec(number), _code())) for number in unknown)
+            for done, (number, value) in enumerate(opened().run(metered_exposure, tasks)):
+                disk.save(self._key(number), {"exposure": np.array(value)})
+                found[number] = value
+                if self._progress is not None:
+                    self._progress(done + 1, len(unknown), "exposure")
+        metered = [value for value in found.values() if value is not None]
+        self._curve = ExposureCurve(numbers, metered).at
+        return self._curve
+
+    def _key(self, number: int) -> str:
+        return digest(("exposure", METERED, self._digest(number)))
+
+    def _kept_exposure(self, number: int) -> float | None:
+        kept = disk.load(self._key(number))
+        return None if kept is None else float(kept["exposure"])
+
+    # --- frames -------------------------------------------------------------------------------
+
+    def _exposure_of(self, number: int) -> float:
+        return 0.0 if self._curve is None else self._curve(number)
+
+    @property
+    def _eye(self) -> bool:
+        """Whether the eye model is applied: only with automatic exposure."""
+        return isinstance(self._exposure, str)
+
+    def fingerprint(self, number: int) -> str:
+        """Fingerprint of a frame's file."""
+        light, value = self._digest(number), self._exposure_of(number)
+        return digest((light, self._finish, value, self._eye))
+
+    def tasks(self, numbers: Sequence[int]) -> Iterator[tuple[int, tuple[Any, ...]]]:
+        """Tasks of ``rendered_frame``."""
+        for number in numbers:
+            yield number, (
+                self.frame_spec(number), self._finish, self._exposure_of(number), self._eye,
+                self.fingerprint(number), _code(),
+            )  # fmt: skip
+
+    def announce(self, frames: int) -> None:
+        """Announce long rendering, and the number of solutions."""
+        count = self._film.plan.count
+        sampled = min(count, _SAMPLED)
+        some = [self.frame_spec(count * k // sampled) for k in range(sampled)]
+        changes = distinct_solutions(some)
+        cost = some[0].cost()
+        # A single solution announces itself, if it is not on disk.
+        solutions = 0.0 if changes == 1 else frames * changes / sampled
+        pictures = [(kind, frames * amount) for kind, amount in cost.items() if kind != "solve"]
+        columns, rows = self._size
+        announce_all(
+            f"{frames} frames of {columns}x{rows} pixels",
+            [*pictures, ("solve", solutions * cost["solve"])],
+        )
+
+    def prepare(self, runner: Runner) -> None:
+        """Solve the common solution once on each machine."""
+        count = self._film.plan.count
+        some = [self.frame_spec(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
+        if distinct_solutions(some) == 1:
+            some[0].prepare(self._progress)
+            runner.once_per_machine(prepared, some[0], _code())
+
+
+# --- on a worker ------------------------------------------------------------------------------
+
+
+def prepared(spec: FrameSpec, code: str) -> None:
+    """Solve for a frame and store the solution on this machine."""
+    check_code(code, *_SOURCES)
+    spec.prepare()
+
+
+def metered_exposure(spec: FrameSpec, code: str) -> float:
+    """Exposure metered from a small frame. [EV]"""
+    check_code(code, *_SOURCES)
+    return float(spec.render(METERED).exposure)
+
+
+def rendered_frame(
+    spec: FrameSpec, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
+) -> bytes:
+    """Bytes of a frame's file, with fingerprint and checksum in the header.
+
+    Parameters
+    ----------
+    spec : FrameSpec
+        Frame.
+    finish : Finish
+        Format and display.
+    exposure : float
+        Exposure. [EV]
+    eye : bool
+        Whether faint light is seen as by an eye in the dark.
+    fingerprint : str
+        Fingerprint of the file.
+    code : str
+        Hash of the source that the film was begun with.
+
+    Raises
+    ------
+    WorkerError
+        If the source of this machine is another.
+    """
+    check_code(code, *_SOURCES)
+    metadata = {**spec.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
+    return with_checksum(finished(spec.render(), finish, exposure, eye, metadata))

@@ -1,0 +1,292 @@
+"""Frame specifications: all parameters of a frame of a film, and its rendering."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Final, Protocol
+
+from airlight.kernel.cost import LINES
+from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.planets.planet import Planet
+from airlight.render import render
+from airlight.render.render_system import render_system
+from airlight.render.solve_planet import solve_planet
+from airlight.render.star_points import add_catalogue
+from airlight.scene import Scene
+from airlight.scene.frame import Frame
+from airlight.scene.ground_overlay import lights_file
+from airlight.scene.local_ground import local_ground
+from airlight.scene.surface_map import map_file, water_file
+from airlight.scene.system import System
+from airlight.solver.moments.solve import solve_work
+from airlight.studies.distribution.fingerprint import digest
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
+    from airlight.solver.moments.solution import MomentsSolution
+
+#: Cost of a sky-view LUT, in pixels times wavelengths. [1]
+_TABLE: Final = 1.5e6
+#: Solution of the last rendered frame, which the next frame usually shares.
+_SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quality:
+    """Accuracy settings of a film.
+
+    Attributes
+    ----------
+    wavelengths : tuple of float, optional
+        Wavelengths; by default ``picture_wavelengths``. [nm]
+    quality : str
+        Quality of the solutions.
+    samples : int, optional
+        Samples per side of a pixel; by default 1 of a planet, 4 at the edges of a scene.
+    exact : bool
+        Whether every pixel of a planet's frame is marched.
+    """
+
+    wavelengths: tuple[float, ...] | None = None
+    quality: str = "default"
+    samples: int | None = None
+    exact: bool = False
+
+
+class FrameSpec(Protocol):
+    """Specification of one frame."""
+
+    def render(self, width: int | None = None) -> Frame:
+        """Render the frame.
+
+        Parameters
+        ----------
+        width : int, optional
+            Width of a smaller frame, for metering. [pixel]
+        """
+
+    def prepare(self, progress: Progress | None = None) -> None:
+        """Solve and store the solution on disk."""
+
+    def cost(self) -> dict[str, float]:
+        """Work of rendering and solving, by kinds of ``kernel.cost``."""
+
+    @property
+    def solved_for(self) -> object:
+        """Key that is equal for frames with the same solution."""
+
+    @property
+    def defined_by(self) -> object:
+        """All parameters of the frame."""
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Input files of the frame."""
+
+    def metadata(self) -> dict[str, str]:
+        """Metadata for the file header."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlanetFrameSpec:
+    """Frame of one planet.
+
+    Solved with the star of the planet file, rendered with the irradiance at the scene's time.
+
+    Attributes
+    ----------
+    planet : Planet
+        Planet.
+    scene : Scene
+        Observer, sun and camera.
+    how : Quality
+        Accuracy settings.
+    stars : bool
+        Whether the star catalogue is added.
+    """
+
+    planet: Planet
+    scene: Scene
+    how: Quality
+    stars: bool = False
+
+    def render(self, width: int | None = None) -> Frame:
+        """See ``FrameSpec``."""
+        solution, scene = self._solution(), self.scene
+        if scene.time is not None:
+            now = self.planet.lit_at(scene.time)
+            solution = solution.with_light(now.lights(solution.wavelengths)[0])
+        if width is not None:
+            camera = scene.camera
+            columns, rows = _reduced(camera.projection, camera.width, camera.height, width)
+            scene = replace(scene, camera=replace(camera, width=columns, height=rows))
+        frame = render(solution, scene, exact=self.how.exact, samples=self.how.samples or 1)
+        if self.stars:
+            add_catalogue(frame.rgb, scene, solution, self.planet.body)
+        return frame
+
+    def prepare(self, progress: Progress | None = None) -> None:
+        """See ``FrameSpec``."""
+        self._solution(progress)
+
+    def cost(self) -> dict[str, float]:
+        """See ``FrameSpec``."""
+        how, camera = self.how, self.scene.camera
+        nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
+        rendered = camera.width * camera.height * (how.samples or 1) ** 2 * len(nm)
+        kind = LINES if how.exact else "picture"
+        return {kind: float(rendered) + _TABLE, "solve": solve_work(how.quality, len(nm))}
+
+    def _solution(self, progress: Progress | None = None) -> MomentsSolution:
+        how, scene = self.how, self.scene
+        place = (scene.latitude, scene.longitude, scene.altitude)
+        key = digest((self.planet, place, how), self.files)
+        if key not in _SOLUTIONS:
+            nm = how.wavelengths
+            found = solve_planet(
+                self._ground(), picture_wavelengths(self.planet) if nm is None else nm,
+                how.quality, progress=progress,
+            )  # fmt: skip
+            _SOLUTIONS.clear()
+            _SOLUTIONS[key] = found
+        return _SOLUTIONS[key]
+
+    def _ground(self) -> Planet:
+        scene = self.scene
+        return local_ground(
+            self.planet, latitude=scene.latitude, longitude=scene.longitude,
+            altitude=scene.altitude,
+        )  # fmt: skip
+
+    @property
+    def solved_for(self) -> object:
+        """See ``FrameSpec``."""
+        scene = self.scene
+        place = (scene.latitude, scene.longitude, scene.altitude)
+        mapped = self.planet.ground.map is not None or self.planet.ground.clouds is not None
+        return self.planet, place if mapped else None
+
+    @property
+    def defined_by(self) -> object:
+        """See ``FrameSpec``."""
+        return self.planet, self.scene, self.how, self.stars
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """See ``FrameSpec``."""
+        return _ground_files(self.planet)
+
+    def metadata(self) -> dict[str, str]:
+        """See ``FrameSpec``."""
+        return {"planet": self.planet.name, **self.scene.metadata()}
+
+
+@dataclass(frozen=True, kw_only=True)
+class SystemFrameSpec:
+    """Frame of a scene of several bodies.
+
+    Attributes
+    ----------
+    system : System
+        Bodies, lights, observer and camera.
+    width, height : int
+        Size of the frame. [pixel]
+    how : Quality
+        Accuracy settings.
+    """
+
+    system: System
+    width: int
+    height: int
+    how: Quality
+
+    def render(self, width: int | None = None) -> Frame:
+        """See ``FrameSpec``."""
+        columns, rows = self.width, self.height
+        if width is not None:
+            columns, rows = _reduced(self.system.view.projection, columns, rows, width)
+        return self._render(columns, rows)
+
+    def _render(self, width: int, height: int, progress: Progress | None = None) -> Frame:
+        how = self.how
+        return render_system(
+            self.system, width=width, height=height, wavelengths=how.wavelengths,
+            quality=how.quality, samples=how.samples, progress=progress,
+        )  # fmt: skip
+
+    def cost(self) -> dict[str, float]:
+        """See ``FrameSpec``; samples at the edges of bodies are not counted."""
+        how, planets = self.how, self.system.planets.values()
+        counts = [
+            len(picture_wavelengths(one) if how.wavelengths is None else how.wavelengths)
+            for one in planets
+        ]
+        solves = sum(solve_work(how.quality, count) for count in counts)
+        return {"picture": float(self.width * self.height * max(counts, default=3)),
+                "solve": solves}  # fmt: skip
+
+    def prepare(self, progress: Progress | None = None) -> None:
+        """See ``FrameSpec``."""
+        self._render(*_reduced(self.system.view.projection, self.width, self.height, 16), progress)
+
+    @property
+    def solved_for(self) -> object:
+        """See ``FrameSpec``."""
+        observer, changes = self.system.observer, self.system.changes
+        moving = any(body.ground.map is not None for body in self.system.planets.values())
+        return changes, self.system.bodies if moving else None, observer if moving else None
+
+    @property
+    def defined_by(self) -> object:
+        """See ``FrameSpec``."""
+        system, size = self.system, (self.width, self.height)
+        return system, system.planets, size, self.how
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """See ``FrameSpec``."""
+        found = [file for one in self.system.planets.values() for file in _ground_files(one)]
+        maps = [body.map for body in self.system.bodies if body.map is not None]
+        beside = self.system.folder
+        for name in maps:
+            own = None if beside is None else beside / name
+            found += [own] if own is not None and own.is_file() else [map_file(name)]
+        return tuple(found)
+
+    def metadata(self) -> dict[str, str]:
+        """See ``FrameSpec``."""
+        moment = self.system.time
+        return {} if moment is None else {"time": moment.isoformat()}
+
+
+def _ground_files(planet: Planet) -> tuple[Path, ...]:
+    ground, found = planet.ground, []
+    if ground.map is not None:
+        found += [map_file(ground.map), water_file(ground.map)]
+    if ground.lights is not None:
+        found.append(lights_file(ground.lights))
+    if ground.clouds is not None:
+        found.append(Path(ground.clouds))
+    return tuple(file for file in found if file.is_file())
+
+
+def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, int]:
+    """Smaller frame size of the same shape that the projection supports."""
+    if width <= most:
+        return width, height
+    from airlight.scene.projections import PROJECTIONS
+
+    if projection == "perspective":
+        return most, max(1, round(height * most / width))
+    form = PROJECTIONS[projection]
+    columns, rows = form.sized(max(1, most * form.sized(64)[1] // form.sized(64)[0]))
+    return (columns, rows) if form.fits(columns, rows) else form.sized(most)
+
+
+def distinct_solutions(specs: Sequence[FrameSpec]) -> int:
+    """1 plus the number of changes of the solution between successive frames."""
+    keys = [one.solved_for for one in specs]
+    return 1 + sum(a != b for a, b in pairwise(keys))

@@ -1,0 +1,139 @@
+"""Key frames: animation of one parameter of a scene or planet."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Any, Final
+
+import numpy as np
+
+from airlight.errors import ParameterError
+from airlight.physics.units import quantity
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import LONGEST_LIST, TomlTable
+from airlight.studies.film.laws import LAWS, LOGARITHMIC
+
+_UNIT: Final = re.compile(r"\s*[-+.\d]+(?:[eE][-+]?\d+)?\s*(.*?)\s*")
+_FORM: Final = "two or more numbers, as the file takes them: ['2 m', '400 km']"
+
+
+def _read_values(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
+    return section.required(name, _FORM)
+
+
+@parameters
+class KeyFrames(TomlModel):
+    """Key frames of one parameter, and their interpolation.
+
+    Parameters
+    ----------
+    path : str
+        Path of the parameter: ``observer.altitude`` in a scene file, ``view.sun_zenith`` in a view,
+        ``haze.particles.optical_depth`` in a planet file.
+    values : list
+        Numbers, or texts with a unit, as in the file; lists of them for a vector.
+    at : tuple of float, optional
+        Normalised times, ascending; evenly from 0 to 1 by default. [1]
+    law : str
+        Name from ``LAWS``.
+
+    Raises
+    ------
+    ParameterError
+        If a value, time or law is invalid.
+
+    Examples
+    --------
+    >>> climb = KeyFrames(path="view.altitude", values=["1 m", "1 km"], law="exponential")
+    >>> climb.value(0.0), climb.value(1 / 3)
+    ('1.0 m', '10.0 m')
+    """
+
+    path: Annotated[
+        str,
+        Field(label="path", help="Number that changes: `observer.altitude`, `view.sun_zenith`,"
+            " `haze.particles.optical_depth`.", kind="text", range=(1, 200),
+            example="observer.altitude"),
+    ]  # fmt: skip
+    values: Annotated[
+        Any,
+        Field(label="values",
+            help="Values, with units as their file takes them; lists for a vector.",
+            listed=True, read=_read_values, example="['2 m', '400 km']"),
+    ]  # fmt: skip
+    at: (
+        Annotated[
+            tuple[float, ...],
+            Field(label="moments", help="Moment of each value as a share of the film, ascending;"
+                " evenly spaced if left out.", range=(0.0, 1.0), listed=True,
+                example="[0, 0.5, 1]"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    law: Annotated[
+        str,
+        Field(label="law", help="Course between the values.", kind="choice",
+            choices=lambda: tuple(LAWS)),
+    ] = "linear"  # fmt: skip
+
+    def __post_init__(self) -> None:
+        numbers, _ = self._numbers()
+        if self.at is not None:
+            if len(self.at) != len(numbers):
+                raise ParameterError("at", self.at, f"{len(numbers)} moments, as many as values")
+            if any(b <= a for a, b in zip(self.at, self.at[1:], strict=False)):
+                raise ParameterError("at", self.at, "ascending moments")
+        if self.law in LOGARITHMIC and not (numbers > 0.0).all():
+            raise ParameterError("values", self.values, f"numbers above 0 by the law {self.law}")
+
+    def value(self, time: float) -> Any:
+        """Value at a time as in a file: number, text with unit, or list.
+
+        Parameters
+        ----------
+        time : float
+            Normalised time, 0 at the first frame and 1 at the last. [1]
+        """
+        numbers, unit = self._numbers()
+        at = np.linspace(0.0, 1.0, len(numbers)) if self.at is None else np.array(self.at)
+        row = LAWS[self.law](at, numbers, np.array([time]))[0]
+        # Fifteen digits: what a law leaves in the last bit is no part of the value.
+        texts = [float(f"{number:.15g}") for number in row]
+        items = [f"{number!r} {unit}" if unit else number for number in texts]
+        return items if isinstance(self._items()[0], list) else items[0]
+
+    def _items(self) -> list[Any]:
+        if isinstance(self.values, str):
+            items = [item.strip() for item in self.values.split(",")]
+            unit = _unit_of(items[-1])  # 2, 400 km: the last one's unit, as in other lists
+            return [item if _unit_of(item) else f"{item} {unit}".strip() for item in items]
+        return list(self.values) if isinstance(self.values, (list, tuple)) else [self.values]
+
+    def _numbers(self) -> tuple[np.ndarray, str]:
+        """Values as numbers, shape (k, m), and their unit or an empty text."""
+        items = self._items()
+        if not 2 <= len(items) <= LONGEST_LIST:
+            shown = self.values if items else MISSING
+            raise ParameterError("values", shown, _FORM)
+        rows = [list(item) if isinstance(item, (list, tuple)) else [item] for item in items]
+        if len({len(row) for row in rows}) > 1 or not rows[0]:
+            raise ParameterError("values", self.values, "lists of equal length")
+        unit = _unit_of(rows[0][0])
+        numbers = [
+            [_number(item, unit, f"values[{k}]") for item in row] for k, row in enumerate(rows)
+        ]
+        return np.array(numbers), unit
+
+
+def _unit_of(item: Any) -> str:
+    match = _UNIT.fullmatch(item) if isinstance(item, str) and len(item) < 100 else None
+    return "" if match is None else match[1]
+
+
+def _number(item: Any, unit: str, field: str) -> float:
+    if bool(_unit_of(item)) != bool(unit):
+        allowed = f"a number with a unit, such as {unit!r}" if unit else "a number without a unit"
+        raise ParameterError(field, item, f"{allowed}, as the first")
+    return quantity(item, unit or "1", field)

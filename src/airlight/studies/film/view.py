@@ -1,0 +1,195 @@
+"""Table ``[view]`` of a film file: observer, sun and camera."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import datetime
+from typing import Annotated
+
+from airlight.errors import ConflictError
+from airlight.planets.parameters import parameters
+from airlight.planets.planet import Planet
+from airlight.planets.schema.field import Field
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.render.star_points import check_stars
+from airlight.scene import Camera, Scene, look_at
+from airlight.scene.compass import read_bearing
+from airlight.scene.ground_detail import GROUNDS
+from airlight.scene.limits import DEEPEST_ALTITUDE, HIGHEST_ALTITUDE
+from airlight.scene.projections import PROJECTIONS
+from airlight.scene.projections.orthographic import disc_extent
+from airlight.scene.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, POLARISER, PROJECTION, ROLL
+
+
+@parameters
+class PlanetView(TomlModel):
+    """Observer, sun and camera of a single-planet film.
+
+    Parameters
+    ----------
+    latitude, longitude : float
+        Coordinates of the observer, north and east positive. [deg]
+    altitude : float
+        Altitude of the observer. [m]
+    sun_zenith, sun_azimuth : float, optional
+        Zenith angle and compass bearing of the sun, for films without a clock. [deg]
+    look_at : str, optional
+        Target as for ``airlight.scene.look_at``; ``horizon`` by default.
+    look_zenith, look_azimuth : float, optional
+        Alternative to ``look_at``: zenith angle, and azimuth from the sun's side. [deg]
+    roll : float
+        Clockwise rotation of the camera. [deg]
+    polariser : float, optional
+        Axis of a polarising filter, counterclockwise from the camera's up. [deg]
+    projection : str
+        Name of the projection.
+    field_of_view : float, optional
+        Angle as for ``Camera``. [deg]
+    extent : float, optional
+        Length from left to right for an orthographic camera, by default the whole disc. [m]
+    ground : str
+        ``plain`` or ``detailed``.
+    stars : bool
+        Whether the star catalogue is rendered.
+    """
+
+    latitude: Annotated[
+        float,
+        Field(label="latitude", help="Latitude of the observer, north positive.", unit="deg",
+            range=(-90.0, 90.0), example="59.3 deg"),
+    ] = 25.0  # fmt: skip
+    longitude: Annotated[
+        float,
+        Field(label="longitude", help="Longitude of the observer, east positive.", unit="deg",
+            range=(-360.0, 360.0), example="18.1 deg"),
+    ] = 30.0  # fmt: skip
+    altitude: Annotated[
+        float,
+        Field(label="altitude", help="Altitude of the observer; below 0, down to the planet's"
+            " deepest basin, of the floor under it. None for `orthographic`.", unit="m",
+            range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE), example="2 m"),
+    ] = 2.0  # fmt: skip
+    sun_zenith: (
+        Annotated[
+            float,
+            Field(label="sun zenith", help="Zenith angle of the sun; 72 deg without a clock.",
+                unit="deg", range=(0.0, 180.0), example="85 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    sun_azimuth: (
+        Annotated[
+            float,
+            Field(label="sun azimuth", help="Compass bearing of the sun; 105 deg without a clock.",
+                unit="deg", range=(-360.0, 360.0), example="270 deg or W", read=read_bearing),
+        ]
+        | None
+    ) = None  # fmt: skip
+    look_at: (
+        Annotated[
+            str,
+            Field(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, by a clock `moon`, or"
+                " a bearing: `NE`, `315/20`; the horizon below the sun if left out.", kind="text",
+                range=(1, 40), example="W"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    look_zenith: Annotated[float, LOOK_ZENITH] | None = None
+    look_azimuth: (
+        Annotated[
+            float,
+            Field(label="azimuth", help="Azimuth of the line of sight from the sun's side, 90 to"
+                " its right.", unit="deg", range=(-360.0, 360.0), example="30 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    roll: Annotated[float, ROLL] = 0.0
+    polariser: Annotated[float, POLARISER] | None = None
+    projection: Annotated[
+        str,
+        replace(PROJECTION, choices=lambda: tuple(PROJECTIONS)),
+    ] = "perspective"
+    field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
+    extent: (
+        Annotated[
+            float,
+            Field(label="extent", help="Length from left to right for `orthographic`, by default"
+                " the whole disc.", unit="m", range=(1.0, HIGHEST_ALTITUDE), example="14000 km"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    ground: Annotated[
+        str,
+        Field(label="ground", help="Ground below the map's resolution.", kind="choice",
+            choices=lambda: tuple(GROUNDS)),
+    ] = "detailed"  # fmt: skip
+    stars: Annotated[
+        bool,
+        Field(label="stars", help="Stars to magnitude 6.5: by the clock, without one by the place"
+            " of the sun.", kind="switch"),
+    ] = False  # fmt: skip
+
+    def __post_init__(self) -> None:
+        if self.look_at is not None:
+            for name in ("look_zenith", "look_azimuth"):
+                if getattr(self, name) is not None:
+                    raise ConflictError(name, "cannot be combined with look_at")
+
+    def scene(self, planet: Planet, time: datetime | None, width: int, height: int) -> Scene:
+        """Scene of the view.
+
+        Parameters
+        ----------
+        planet : Planet
+            Planet.
+        time : datetime, optional
+            Instant that determines the position of the sun.
+        width, height : int
+            Size of the frame. [pixel]
+
+        Raises
+        ------
+        ParameterError
+            If angles of the sun are given together with a time, the target is unknown, or stars
+            cannot be rendered.
+        """
+        parallel, extent = PROJECTIONS[self.projection].parallel, self.extent
+        if parallel and extent is None:
+            extent = disc_extent(planet.top_radius, width, height)
+        if self.stars:
+            check_stars(planet.body, self.projection)
+        camera = Camera(
+            projection=self.projection, width=width, height=height, roll=self.roll,
+            field_of_view=self.field_of_view, look_zenith=self.look_zenith,
+            look_azimuth=self.look_azimuth or 0.0, polariser=self.polariser, extent=extent,
+        )  # fmt: skip
+        upright = parallel and self.look_azimuth is None and self.look_at is None
+        standing = parallel and self.altitude == type(self).altitude
+        altitude = 0.0 if standing else self.altitude
+        given = (self.look_zenith, self.look_azimuth) != (None, None)
+        target = self.look_at
+        if target is None and not given and self.projection == "perspective":
+            target = "horizon"
+        if time is not None:
+            for name in ("sun_zenith", "sun_azimuth"):
+                if getattr(self, name) is not None:
+                    raise ConflictError(name, "cannot be combined with a time")
+            scene = Scene.at(
+                planet, latitude=self.latitude, longitude=self.longitude, time=time,
+                altitude=altitude, look_at=target, camera=camera, ground=self.ground,
+            )  # fmt: skip
+            return scene.north_up() if upright else scene
+        sun_zenith = 72.0 if self.sun_zenith is None else self.sun_zenith
+        sun_azimuth = 105.0 if self.sun_azimuth is None else self.sun_azimuth
+        if target is not None:
+            zenith, azimuth = look_at(
+                target, altitude=max(altitude, 0.0), sun_zenith=sun_zenith,
+                bottom_radius=planet.bottom_radius, sun_azimuth=sun_azimuth, planet=planet,
+            )  # fmt: skip
+            camera = replace(camera, look_zenith=zenith, look_azimuth=azimuth)
+        scene = Scene(
+            camera=camera, altitude=altitude, sun_zenith=sun_zenith,
+            latitude=self.latitude, longitude=self.longitude, sun_azimuth=sun_azimuth,
+            ground=self.ground,
+        )  # fmt: skip
+        return scene.north_up() if upright else scene

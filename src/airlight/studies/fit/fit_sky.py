@@ -1,0 +1,451 @@
+"""Fit of a planet's parameters to measured radiances, or to the colours of a photograph."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from time import perf_counter
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ConflictError, ParameterError
+from airlight.kernel.threads import Cancel, Progress
+from airlight.physics.units import Measure, quantity
+from airlight.planets.medium import Medium
+from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.planets.planet import Planet
+from airlight.planets.reading.declared_keys import spelled_out
+from airlight.planets.reading.nested_tables import Tables
+from airlight.planets.reading.overrides import overridden
+from airlight.planets.reading.reader import load_planet, nested_tables, planet_text, read_tables
+from airlight.solver.solution import Solution
+from airlight.studies.fit.free_parameters import FreeParameter, free_parameter
+from airlight.studies.fit.least_squares import Data, FitResult, fit
+from airlight.studies.fit.measurements import Measurements
+from airlight.studies.fit.parameter import FitParameter, Prior
+from airlight.studies.fit.photograph import Photograph
+from airlight.studies.fit.sky_model import Nuisance, ObservedDirections, SkyModel
+from airlight.studies.fit.smooth_settings import smooth, smooth_near
+
+FloatArray = NDArray[np.float64]
+
+#: Parameters of the instrument.
+SCALE, AZIMUTH, ZENITH = "scale", "pointing.azimuth", "pointing.zenith"
+RED, BLUE = "white_balance.red", "white_balance.blue"
+#: Largest offset of the pointing, either way. [deg]
+MOST_TURN: Final = 10.0
+#: Range of the factor of radiances that claim to be absolute. [1]
+_SCALES: Final = (0.2, 5.0)
+#: Share of the median radiance below which a relative uncertainty no longer shrinks. [1]
+_DARKEST: Final = 1e-3
+#: Number of wavelengths of a photograph's colours.
+_COLOUR_WAVELENGTHS: Final = 12
+
+
+@dataclass(frozen=True, kw_only=True)
+class FitSettings:
+    """Settings of a fit.
+
+    Attributes
+    ----------
+    free : sequence of str
+        Free parameters: those of ``free_parameter``, and of the instrument ``scale``,
+        ``pointing.azimuth``, ``pointing.zenith``; of a photograph also ``white_balance.red`` and
+        ``white_balance.blue``.
+    per_scan : sequence of str
+        Parameters of the instrument that are fitted per scan.
+    bounds : mapping of str to (float, float)
+        Narrower bounds by name.
+    priors : mapping of str to Prior
+    starts : mapping of str to float
+        Values to begin with; by default the planet's. Like bounds and priors, numbers in the
+        parameter's unit, texts with a unit or quantities.
+    uncertainty : float, optional
+        Relative standard deviation of all values; by default the data's, or estimated. [1]
+    loss : str
+        Name from ``airlight.studies.fit.loss.LOSSES``.
+    quality : str
+        Quality of the solver.
+    overrides : mapping
+        Changes of the planet's file.
+    keep : bool
+        Whether predictions are kept on disk, so that the same fit goes on where it was.
+    """
+
+    free: Sequence[str]
+    per_scan: Sequence[str] = ()
+    bounds: Mapping[str, tuple[Measure, Measure]] = field(default_factory=dict)
+    priors: Mapping[str, Prior] = field(default_factory=dict)
+    starts: Mapping[str, Measure] = field(default_factory=dict)
+    uncertainty: float | None = None
+    loss: str = "linear"
+    quality: str = "default"
+    overrides: Mapping[str, Any] = field(default_factory=dict)
+    keep: bool = True
+
+    def __post_init__(self) -> None:
+        if self.uncertainty is not None:
+            share = quantity(self.uncertainty, "1", "uncertainty")
+            object.__setattr__(self, "uncertainty", share)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SkyFit:
+    """Fitted sky.
+
+    Attributes
+    ----------
+    fitted : FitResult
+        Values, error bars and correlations.
+    data : Measurements or Photograph
+        Fitted data.
+    first : array, shape (n,)
+        Prediction at the start.
+    tables : dict
+        Tables of the fitted planet's file.
+    planet : Planet
+        Fitted planet.
+    settings : FitSettings
+    name : str
+        Planet that the fit began with.
+    solves, rough_solves : int
+        Number of solutions that were computed, at the quality of the settings and coarse ones.
+    seconds : float
+        Wall time. [s]
+    """
+
+    fitted: FitResult
+    data: Measurements | Photograph
+    first: FloatArray
+    tables: Tables
+    planet: Planet
+    settings: FitSettings
+    name: str
+    solves: int
+    rough_solves: int
+    seconds: float
+
+
+def fit_radiances(
+    planet: str | Path, data: Measurements, settings: FitSettings, *,
+    progress: Progress | None = None, cancel: Cancel | None = None,
+) -> SkyFit:  # fmt: skip
+    """Fit parameters of a planet to measured radiances.
+
+    Parameters
+    ----------
+    planet : str or Path
+        Planet to begin with, see ``load_planet``.
+    data : Measurements
+    settings : FitSettings
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    ParameterError
+        If a name or value of the settings is wrong, a wavelength is outside the planet's range, or
+        the data do not constrain a parameter.
+    ConvergenceError
+        If the fit does not converge.
+    Cancelled
+        If ``cancel`` returned True.
+    """
+    base = _Base(planet, settings, progress, cancel)
+    _check_wavelengths(base.planet, data)
+    directions, row = _directions(data)
+    nm = data.wavelengths
+    column = np.searchsorted(nm, data.wavelength)
+    uncertainty, known = _uncertainty(data, settings)
+    return _fitted(
+        base, data, nm, directions,
+        combine=lambda radiance, _: radiance[row, column],
+        observed=Data(
+            values=data.radiance, uncertainty=uncertainty, known=known, group=data.scan
+        ),
+        instrument=lambda _: _instrument(settings, data.scans, data.scan),
+        identity=row.tobytes() + column.tobytes(),
+    )  # fmt: skip
+
+
+def fit_photograph(
+    planet: str | Path, data: Photograph, settings: FitSettings, *,
+    progress: Progress | None = None, cancel: Cancel | None = None,
+) -> SkyFit:  # fmt: skip
+    """Fit parameters of a planet to the colours of a photograph of unknown exposure.
+
+    The exposure is always free, as ``scale``.
+
+    Parameters
+    ----------
+    planet, settings, progress, cancel
+        See ``fit_radiances``.
+    data : Photograph
+
+    Raises
+    ------
+    ParameterError, ConvergenceError, Cancelled
+        See ``fit_radiances``.
+    """
+    from airlight.image.spectral import rgb_weights
+
+    base = _Base(planet, settings, progress, cancel)
+    count = data.view_zenith.size
+    nm = picture_wavelengths(base.planet, _COLOUR_WAVELENGTHS)
+    whole = np.zeros(count, np.int64)
+    directions = ObservedDirections(
+        altitude=np.full(count, data.altitude), sun_zenith=np.full(count, data.sun_zenith),
+        view_zenith=data.view_zenith, azimuth=data.azimuth, scan=whole,
+    )  # fmt: skip
+
+    def colours(radiance: FloatArray, solution: Solution) -> FloatArray:
+        return np.asarray((radiance @ rgb_weights(nm, solution.lights[0].spectrum)).ravel())
+
+    relative = 1.0 if settings.uncertainty is None else settings.uncertainty
+    return _fitted(
+        base, data, nm, directions,
+        combine=colours,
+        observed=Data(
+            values=data.rgb.ravel(), uncertainty=relative * data.sizes.ravel(),
+            known=settings.uncertainty is not None, group=np.repeat(data.part, 3),
+        ),
+        instrument=lambda first: _camera(settings, first, data),
+        identity=b"colours",
+    )  # fmt: skip
+
+
+class _Base:
+    """Initial planet: its tables, and the settings."""
+
+    def __init__(
+        self, planet: str | Path, settings: FitSettings, progress: Progress | None,
+        cancel: Cancel | None,
+    ) -> None:  # fmt: skip
+        self.settings, self.progress, self.cancel = settings, progress, cancel
+        self.name = str(planet)
+        load_planet(planet, settings.overrides, progress=progress, cancel=cancel)  # its own errors
+        text, self.file, self.folder = planet_text(planet)
+        changed = overridden(nested_tables(text, self.file), settings.overrides)
+        self.tables = spelled_out(changed, self.folder)
+        self.planet = self.read(self.tables)
+
+    def read(self, tables: Tables, wavelengths: FloatArray | None = None) -> Planet:
+        """Planet of tables, sampled at some wavelengths."""
+        if wavelengths is None:
+            return read_tables(tables, self.file, self.folder)
+        return read_tables(
+            tables, self.file, self.folder, wavelengths=lambda _: wavelengths, cancel=self.cancel
+        )
+
+    def free(self, wavelengths: FloatArray) -> list[FreeParameter]:
+        """Free parameters of the planet, with the settings' starts, bounds and priors."""
+        own = (SCALE, AZIMUTH, ZENITH, RED, BLUE)
+        names = [name for name in self.settings.free if name not in own]
+        found = [free_parameter(name, self.tables, self.planet, wavelengths) for name in names]
+        return [replace(one, parameter=_adapted(one.parameter, self.settings)) for one in found]
+
+
+def _fitted(
+    base: _Base, data: Measurements | Photograph, nm: FloatArray, directions: ObservedDirections, *,
+    combine: Callable[[FloatArray, Solution], FloatArray], observed: Data,
+    instrument: Callable[[FloatArray], list[Nuisance]], identity: bytes,
+) -> SkyFit:  # fmt: skip
+    """Fit a planet to values of any kind."""
+    started = perf_counter()
+    check_names(base.settings, [SCALE] if isinstance(data, Photograph) else [])
+    free = base.free(nm)
+    if not free:
+        raise ParameterError("free", ", ".join(base.settings.free), "a parameter of the planet")
+
+    def tables_of(values: FloatArray) -> Tables:
+        tables = base.tables
+        pairs = sorted(zip(free, values, strict=True), key=lambda one: one[0].order)
+        for one, value in pairs:
+            tables = one.write(tables, float(value))
+        return tables
+
+    names = json.dumps([one.parameter.name for one in free])
+    whole = names + json.dumps(base.tables, default=str, sort_keys=True) + str(base.folder)
+    model = SkyModel(
+        planet_of=lambda values: base.read(tables_of(values), nm),
+        parameters=[one.parameter for one in free],
+        nuisances=[],
+        directions=directions,
+        wavelengths=nm,
+        combine=combine,
+        quality=smooth(base.settings.quality),
+        identity=hashlib.sha256(whole.encode() + identity).digest() if base.settings.keep else b"",
+        progress=base.progress,
+        cancel=base.cancel,
+        expected=3 * len(free) + 8,
+    )
+    rough = replace(model, quality=smooth("preview"))
+    model.nuisances = instrument(rough(np.array([one.parameter.start for one in free])))
+    rough.nuisances, parameters = model.nuisances, model.all_parameters
+    begun = fit(rough, observed, parameters, loss=base.settings.loss)
+    near = base.read(tables_of(begun.values[: len(free)]), nm)
+    model.quality = smooth_near(base.settings.quality, near, nm)
+    found = fit(model, observed, parameters, loss=base.settings.loss, start=begun.values)
+    first = rough(np.array([one.start for one in parameters]))
+    tables = tables_of(found.values[: len(free)])
+    return SkyFit(
+        fitted=found,
+        data=data,
+        first=first,
+        tables=tables,
+        planet=base.read(tables),
+        settings=base.settings,
+        name=base.name,
+        solves=model.solves,
+        rough_solves=rough.solves,
+        seconds=perf_counter() - started,
+    )
+
+
+def check_names(settings: FitSettings, always: Sequence[str] = ()) -> None:
+    """Refuse bounds, priors and starts of fixed parameters, and repeated free parameters."""
+    free = [*settings.free, *settings.per_scan]
+    free += [name for name in always if name not in free]
+    for name in free:
+        if free.count(name) > 1:
+            raise ParameterError("free", name, "each parameter once")
+    for word, given in (
+        ("bounds", settings.bounds), ("prior", settings.priors), ("start", settings.starts),
+    ):  # fmt: skip
+        for name in given:
+            if name not in free:
+                raise ParameterError(word, name, f"one of the free parameters: {', '.join(free)}")
+
+
+def _adapted(parameter: FitParameter, settings: FitSettings) -> FitParameter:
+    """Parameter with the start, bounds and prior of the settings."""
+    name = parameter.name
+    low, high = parameter.low, parameter.high
+    if name in settings.bounds:
+        low, high = (parameter.number(one, f"bounds of {name}") for one in settings.bounds[name])
+        if not parameter.low <= low < high <= parameter.high:
+            raise ParameterError(f"bounds of {name}", f"{low:g}..{high:g}", parameter.range_text)
+    start = parameter.number(
+        settings.starts.get(name, min(max(parameter.start, low), high)), f"start of {name}"
+    )
+    prior = settings.priors.get(name)
+    if prior is not None:
+        mean, sigma = prior.mean, prior.sigma
+        mean, sigma = (parameter.number(one, f"prior of {name}") for one in (mean, sigma))
+        prior = Prior(mean=mean, sigma=sigma)
+    return replace(parameter, low=low, high=high, start=start, prior=prior)
+
+
+# --- the instrument ---------------------------------------------------------------------------
+
+
+def _instrument(
+    settings: FitSettings, scans: Sequence[str], scan: NDArray[np.int64]
+) -> list[Nuisance]:
+    """Free parameters of the instrument, common or per scan."""
+    found = []
+    for name in [*settings.free, *settings.per_scan]:
+        if name in (RED, BLUE):
+            raise ConflictError(name, "requires a photograph")
+        if name not in (SCALE, AZIMUTH, ZENITH):
+            if name in settings.per_scan:
+                allowed = ", ".join((SCALE, AZIMUTH, ZENITH))
+                raise ParameterError("per_scan", name, allowed)
+            continue
+        every = np.ones(len(scans), bool)
+        if name not in settings.per_scan:
+            found.append(_nuisance(name, name, settings, np.ones(scan.size, bool), every))
+            continue
+        for number, word in enumerate(scans):
+            only = np.arange(len(scans)) == number
+            found.append(_nuisance(name, f"{name}, {word}", settings, scan == number, only))
+    return found
+
+
+def _nuisance(
+    kind: str, name: str, settings: FitSettings, values: NDArray[np.bool_], scans: NDArray[np.bool_]
+) -> Nuisance:
+    if kind == SCALE:
+        low, high = _SCALES
+        plain = FitParameter(name=kind, start=1.0, low=low, high=high, least_step=0.01)
+        form: Any = "factor"
+    else:
+        plain = FitParameter(
+            name=kind, unit="deg", start=0.0, low=-MOST_TURN, high=MOST_TURN, least_step=0.1
+        )
+        form = "zenith" if kind == ZENITH else "azimuth"
+    parameter = replace(_adapted(plain, settings), name=name)
+    return Nuisance(parameter=parameter, kind=form, values=values, scans=scans)
+
+
+def _camera(settings: FitSettings, first: FloatArray, data: Photograph) -> list[Nuisance]:
+    """Exposure and the other free parameters of the camera."""
+    if settings.per_scan:
+        raise ConflictError("per_scan", "does not apply to a photograph")
+    whole, one = np.ones(first.size, bool), np.ones(1, bool)
+    ratio = float(np.median(data.rgb.ravel()) / np.median(first))
+    exposure = FitParameter(
+        name=SCALE, start=ratio, low=1e-3 * ratio, high=1e3 * ratio, least_step=0.01 * ratio
+    )
+    found = [
+        Nuisance(parameter=_adapted(exposure, settings), kind="factor", values=whole, scans=one)
+    ]
+    channel = np.arange(first.size) % 3
+    for name in settings.free:
+        if name in (AZIMUTH, ZENITH):
+            found.append(_nuisance(name, name, settings, whole, one))
+        elif name in (RED, BLUE):
+            plain = FitParameter(name=name, start=1.0, low=0.1, high=10.0, least_step=0.01)
+            chosen = channel == (0 if name == RED else 2)
+            parameter = _adapted(plain, settings)
+            found.append(Nuisance(parameter=parameter, kind="factor", values=chosen, scans=one))
+    return found
+
+
+# --- the data ---------------------------------------------------------------------------------
+
+
+def _directions(data: Measurements) -> tuple[ObservedDirections, NDArray[np.int64]]:
+    """Different directions of the data, and the number of each value's."""
+    table = np.stack(
+        [data.altitude, data.sun_zenith, data.view_zenith, data.azimuth, data.scan], axis=-1
+    )
+    unique, row = np.unique(table, axis=0, return_inverse=True)
+    altitude, sun, view, azimuth, scan = unique.T
+    directions = ObservedDirections(
+        altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth,
+        scan=scan.astype(np.int64),
+    )  # fmt: skip
+    return directions, np.asarray(row, dtype=np.int64).reshape(-1)
+
+
+def _uncertainty(data: Measurements, settings: FitSettings) -> tuple[FloatArray, bool]:
+    """Standard deviations, and whether they are known or only relative to each other."""
+    if settings.uncertainty is None and data.uncertainty is not None:
+        return data.uncertainty, True
+    sizes = np.maximum(data.radiance, _DARKEST * float(np.median(data.radiance)))
+    if not sizes.all():
+        raise ParameterError(f"radiance in {data.source}", 0.0, "values that are mostly above 0")
+    if settings.uncertainty is not None:
+        return settings.uncertainty * sizes, True
+    return sizes, False
+
+
+def _check_wavelengths(planet: Planet, data: Measurements) -> None:
+    """Refuse a wavelength at which the planet is not known, with its line."""
+    low, high = planet.wavelength_limits
+    wrong = np.flatnonzero(~((data.wavelength >= low) & (data.wavelength <= high)))
+    if wrong.size:
+        first = int(wrong[0])
+        try:
+            Medium.from_planet(planet, [data.wavelength[first]])
+        except ParameterError as error:
+            field_name = data.named("wavelength", first)
+            raise ParameterError(
+                field_name, float(data.wavelength[first]), error.allowed, data.source
+            ) from None

@@ -1,0 +1,155 @@
+"""Measured sky radiances: directions, wavelengths, values, and the scans that they belong to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.physics.units import values_in
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+#: Units of what is measured, and of its directions.
+UNITS: Final = {
+    "wavelength": "nm", "altitude": "m", "sun_zenith": "deg", "view_zenith": "deg",
+    "azimuth": "deg", "radiance": "W/m^2/sr/nm", "uncertainty": "W/m^2/sr/nm",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Measurements:
+    """Radiances of a sky, n values: numbers, or quantities, which are converted.
+
+    Attributes
+    ----------
+    source : str
+        File that they come from.
+    wavelength : array, shape (n,)
+        [nm]
+    altitude : array, shape (n,)
+        Altitude of the instrument above the planet's ground. [m]
+    sun_zenith, view_zenith, azimuth : array, shape (n,)
+        Zenith angles of sun and view; azimuth 0 is on the sun's side. [deg]
+    radiance : array, shape (n,)
+        [W m⁻² sr⁻¹ nm⁻¹]
+    uncertainty : array, shape (n,), or None
+        Standard deviations. [W m⁻² sr⁻¹ nm⁻¹]
+    scan : array of int, shape (n,)
+        Number of the scan of each value, from 0.
+    scans : tuple of str
+        Names of the scans.
+    line : array of int, shape (n,), or None
+        Lines of the file, for errors.
+    """
+
+    source: str
+    wavelength: FloatArray
+    altitude: FloatArray
+    sun_zenith: FloatArray
+    view_zenith: FloatArray
+    azimuth: FloatArray
+    radiance: FloatArray
+    uncertainty: FloatArray | None
+    scan: IntArray
+    scans: tuple[str, ...]
+    line: IntArray | None = None
+
+    def __post_init__(self) -> None:
+        for name, unit in UNITS.items():
+            value = getattr(self, name)
+            if value is not None:
+                object.__setattr__(self, name, values_in(value, unit, name))
+
+    @property
+    def wavelengths(self) -> FloatArray:
+        """Wavelengths that occur, ascending. [nm]"""
+        return np.unique(self.wavelength)
+
+    @property
+    def angle_from_sun(self) -> FloatArray:
+        """Angle between view and sun, shape (n,). [deg]"""
+        return angle_from_sun(self.view_zenith, self.sun_zenith, self.azimuth)
+
+    def where(self, kept: NDArray[np.bool_]) -> Measurements:
+        """Some of the values, with their scans numbered anew.
+
+        Raises
+        ------
+        ParameterError
+            If no value remains.
+        """
+        if not kept.any():
+            raise ParameterError(self.source, "0 values", "at least one value that is not excluded")
+        chosen, numbered = np.unique(self.scan[kept], return_inverse=True)
+        return replace(
+            self,
+            **{
+                name: getattr(self, name)[kept]
+                for name in (
+                    "wavelength", "altitude", "sun_zenith", "view_zenith", "azimuth", "radiance",
+                )
+            },
+            uncertainty=None if self.uncertainty is None else self.uncertainty[kept],
+            scan=numbered.astype(np.int64),
+            scans=tuple(self.scans[k] for k in chosen),
+            line=None if self.line is None else self.line[kept],
+        )  # fmt: skip
+
+    def named(self, field: str, index: int) -> str:
+        """Field of a value as errors name it, with its line."""
+        return field if self.line is None else f"line {self.line[index]}, {field}"
+
+
+def angle_from_sun(
+    view_zenith: FloatArray, sun_zenith: FloatArray, azimuth: FloatArray
+) -> FloatArray:
+    """Angle between view and sun, shape (...). [deg]
+
+    Parameters
+    ----------
+    view_zenith, sun_zenith, azimuth : array, shapes that broadcast to (...)
+        [deg]
+
+    Examples
+    --------
+    >>> round(float(angle_from_sun(30.0, 60.0, 180.0)), 6)  # over the zenith
+    90.0
+    """
+    view, sun, around = np.radians(view_zenith), np.radians(sun_zenith), np.radians(azimuth)
+    nu = np.cos(view) * np.cos(sun) + np.sin(view) * np.sin(sun) * np.cos(around)
+    return np.asarray(np.degrees(np.arccos(np.clip(nu, -1.0, 1.0))))
+
+
+def turned(
+    view_zenith: FloatArray, azimuth: FloatArray, by_zenith: FloatArray, by_azimuth: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Directions of an instrument with a pointing offset.
+
+    Parameters
+    ----------
+    view_zenith, azimuth : array, shape (...)
+        Directions as recorded. [deg]
+    by_zenith, by_azimuth : array, shape (...)
+        Offsets that are added. [deg]
+
+    Returns
+    -------
+    view_zenith, azimuth : array, shape (...)
+        True directions; past the zenith the azimuth turns by 180°. [deg]
+
+    Examples
+    --------
+    >>> [float(x) for x in turned(1.0, 30.0, -3.0, 2.0)]
+    [2.0, -148.0]
+    """
+    zenith, around = np.asarray(view_zenith + by_zenith), np.asarray(azimuth + by_azimuth)
+    past = (zenith < 0.0) | (zenith > 180.0)
+    zenith = np.abs(zenith)
+    zenith = np.where(zenith > 180.0, 360.0 - zenith, zenith)
+    around = around + np.where(past, 180.0, 0.0)
+    return zenith, np.remainder(around + 180.0, 360.0) - 180.0

@@ -1,0 +1,260 @@
+"""Photograph of a sky: the colours of some directions, by a camera of known projection."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import FileError, ParameterError, warn
+from airlight.files.input_files import LARGEST_PICTURE, check_input
+from airlight.kernel.memory import check_picture
+from airlight.scene.camera import Camera
+from airlight.scene.limits import HIGHEST_ALTITUDE, within
+from airlight.studies.fit.measurements import angle_from_sun
+
+FloatArray = NDArray[np.float64]
+
+#: Cells along the longer side of the picture; each gives one colour.
+CELLS: Final = 28
+#: Share of a cell, from its middle, over which the colour is averaged.
+_MIDDLE: Final = 0.5
+#: Encoded values that count as too dark or too bright to be linear, of 8 or 16 bits. [1]
+_DARK, _BRIGHT = 0.04, 0.97
+#: Share of the largest channel that the other channels' uncertainty does not go below.
+_LEAST_SHARE: Final = 0.2
+#: Parts of a side by which colours are grouped: neighbours err alike.
+_PARTS: Final = 4
+#: Fewest directions of a photograph.
+FEWEST: Final = 12
+#: Encoding that leaves numbers as they are.
+LINEAR: Final = "linear"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Photograph:
+    """Colours of a sky in nd directions, in an unknown unit.
+
+    Attributes
+    ----------
+    source : str
+        File that they come from.
+    rgb : array, shape (nd, 3)
+        Linear sRGB.
+    view_zenith, azimuth : array, shape (nd,)
+        Zenith angle; azimuth from the sun's side. [deg]
+    sun_zenith : float
+        [deg]
+    altitude : float
+        [m]
+    place : array, shape (nd, 2)
+        Row and column of the middle of each cell in the picture. [pixel]
+    part : array of int, shape (nd,)
+        Part of the picture that a direction belongs to, from 0.
+    shape : (int, int)
+        Rows and columns of the picture. [pixel]
+    """
+
+    source: str
+    rgb: FloatArray
+    view_zenith: FloatArray
+    azimuth: FloatArray
+    sun_zenith: float
+    altitude: float
+    place: FloatArray
+    part: NDArray[np.int64]
+    shape: tuple[int, int]
+
+    @property
+    def sizes(self) -> FloatArray:
+        """Channels, at least a fifth of the largest: what relative errors refer to, (nd, 3)."""
+        largest = np.abs(self.rgb).max(axis=1, keepdims=True)
+        return np.asarray(np.maximum(np.abs(self.rgb), _LEAST_SHARE * largest))
+
+    @property
+    def angle_from_sun(self) -> FloatArray:
+        """Angle between view and sun, shape (nd,). [deg]"""
+        return angle_from_sun(self.view_zenith, np.asarray(self.sun_zenith), self.azimuth)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shot:
+    """What is known of a photograph besides its pixels.
+
+    Attributes
+    ----------
+    projection : str
+        ``fisheye`` or ``perspective``, or another of ``airlight.scene``.
+    field_of_view : float, optional
+        See ``Camera``. [deg]
+    look_zenith : float, optional
+        [deg]
+    look_azimuth : float
+        From the sun's side. [deg]
+    roll : float
+        [deg]
+    sun_zenith : float
+        [deg]
+    altitude : float
+        Altitude of the camera above the planet's ground. [m]
+    encoding : str
+        Encoding of a PNG or JPEG: ``srgb``, ``gamma`` or ``linear``; EXR is linear.
+    tone_map : str, optional
+        Name from ``airlight.image.tone_maps.TONE_MAPS`` that is taken back; by default the one that
+        a PNG of ours names, and none for others.
+    above : float
+        Smallest altitude above the horizon of directions that count. [deg]
+    exclude_sun : float
+        Directions nearer to the sun than this do not count, for a lens spreads its light. [deg]
+    """
+
+    projection: str = "fisheye"
+    field_of_view: float | None = None
+    look_zenith: float | None = None
+    look_azimuth: float = 0.0
+    roll: float = 0.0
+    sun_zenith: float
+    altitude: float = 0.0
+    encoding: str = "srgb"
+    tone_map: str | None = None
+    above: float = 5.0
+    exclude_sun: float = 15.0
+
+    def __post_init__(self) -> None:
+        for name, low, high, unit in (
+            ("sun_zenith", 0.0, 180.0, "deg"),
+            ("altitude", 0.0, HIGHEST_ALTITUDE, "m"),
+            ("above", -90.0, 90.0, "deg"),
+            ("exclude_sun", 0.0, 180.0, "deg"),
+        ):
+            object.__setattr__(self, name, within(name, getattr(self, name), low, high, unit))
+
+
+def read_photograph(path: str | Path, shot: Shot) -> Photograph:
+    """Read the colours of a photograph.
+
+    The picture is divided into cells of which each gives the mean of its middle. Cells with a pixel
+    that is too dark, too bright, near the sun, or not of the sky are left out.
+
+    Parameters
+    ----------
+    path : str or Path
+        PNG of 8 or 16 bits, JPEG, or EXR with linear sRGB.
+    shot : Shot
+        Camera, sun, and what does not count.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read, or too little of it is sky.
+    ParameterError
+        If a number of the shot is out of its range.
+    """
+    linear, sound = _pixels(Path(path), shot)
+    height, width = linear.shape[:2]
+    camera = Camera(
+        projection=shot.projection, width=width, height=height, field_of_view=shot.field_of_view,
+        look_zenith=shot.look_zenith, look_azimuth=shot.look_azimuth, roll=shot.roll,
+    )  # fmt: skip
+    seen = camera.directions()
+    side = max(max(height, width) // CELLS, 1)
+    half = max(int(0.5 * _MIDDLE * side), 0)
+    found: list[tuple[FloatArray, FloatArray, tuple[int, int]]] = []
+    for row in range(side // 2, height, side):
+        for column in range(side // 2, width, side):
+            box = (
+                slice(max(row - half, 0), row + half + 1),
+                slice(max(column - half, 0), column + half + 1),
+            )
+            if seen[row, column].any() and sound[box].all() and seen[box].any(axis=-1).all():
+                mean = seen[box].mean(axis=(0, 1))
+                mean /= np.linalg.norm(mean)
+                found.append((linear[box].mean(axis=(0, 1)), mean, (row, column)))
+    if not found:
+        raise FileError(path, "shows no sky that is neither too dark nor too bright")
+    rgb, vectors = np.array([one[0] for one in found]), np.array([one[1] for one in found])
+    place = np.array([one[2] for one in found], dtype=np.float64)
+    zenith = np.degrees(np.arccos(np.clip(vectors[:, 2], -1.0, 1.0)))
+    azimuth = np.degrees(np.arctan2(-vectors[:, 1], vectors[:, 0]))
+    away = angle_from_sun(zenith, np.asarray(shot.sun_zenith), azimuth)
+    kept = (zenith <= 90.0 - shot.above) & (away >= shot.exclude_sun)
+    if kept.sum() < FEWEST:
+        words = f"shows {int(kept.sum())} usable directions of sky; at least {FEWEST} are needed"
+        raise FileError(path, words)
+    parts = (place * _PARTS / np.array([height, width])).astype(np.int64)
+    part = np.unique((parts[:, 0] * _PARTS + parts[:, 1])[kept], return_inverse=True)[1]
+    return Photograph(
+        source=str(path), rgb=rgb[kept], view_zenith=zenith[kept], azimuth=azimuth[kept],
+        sun_zenith=shot.sun_zenith, altitude=shot.altitude, place=place[kept],
+        part=np.asarray(part, dtype=np.int64).reshape(-1), shape=(height, width),
+    )  # fmt: skip
+
+
+def _pixels(path: Path, shot: Shot) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Linear colours, shape (h, w, 3), and which pixels are neither too dark nor too bright."""
+    check_input(path, LARGEST_PICTURE)
+    if path.suffix.lower() == ".exr":
+        from airlight.image.exr import read_exr
+
+        rgb, _ = read_exr(path)
+        linear = rgb.astype(np.float64)
+        finite = np.isfinite(linear).all(axis=-1)
+        if not finite.all():
+            count = np.count_nonzero(~finite)
+            warn(f"{path}: {count} pixels are not finite and are excluded")
+        return linear, finite & (linear.max(axis=-1) > 0.0)
+    encoded, texts = _encoded(path)
+    tone_map = shot.tone_map or texts.get("airlight.tone_map")
+    encoding = texts.get("airlight.encoding", shot.encoding)
+    sound = (encoded.max(axis=-1) < _BRIGHT) & (encoded.min(axis=-1) > _DARK)
+    if encoding == LINEAR:
+        light = encoded
+    else:
+        from airlight.image.encoding import ENCODINGS
+
+        if encoding not in ENCODINGS:
+            raise ParameterError("encoding", encoding, ", ".join((*ENCODINGS, LINEAR)))
+        light = ENCODINGS[encoding].decode(encoded)
+    if tone_map is not None:
+        from airlight.image.tone_maps import tone_map_named
+
+        light = tone_map_named(tone_map).inverse(light)
+    return np.asarray(light, dtype=np.float64), sound
+
+
+def _encoded(path: Path) -> tuple[FloatArray, dict[str, str]]:
+    """Encoded red, green, blue, 0 to 1, and the text of the file."""
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        with warnings.catch_warnings():  # Pillow warns of large pictures when it opens them
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            opened = Image.open(path)
+        with opened as image:
+            check_picture(path, *image.size)
+            image.load()
+            texts = {str(k): str(v) for k, v in image.info.items() if isinstance(v, str)}
+            sixteen = _sixteen_bits(path) if image.format == "PNG" else None
+            pixels = np.asarray(image.convert("RGB"), dtype=np.float64) / 255.0
+    except (OSError, ValueError, UnidentifiedImageError, Image.DecompressionBombError) as error:
+        raise FileError(path, f"cannot be read as a picture: {error}") from None
+    return (pixels if sixteen is None else sixteen), texts
+
+
+def _sixteen_bits(path: Path) -> FloatArray | None:
+    """Pixels of a 16-bit PNG, which Pillow truncates to 8 bits; None for 8 bits."""
+    import png
+
+    try:
+        width, height, rows, info = png.Reader(bytes=path.read_bytes()).asRGB()
+    except png.Error:
+        return None
+    facts: dict[str, Any] = info
+    if facts["bitdepth"] != 16:
+        return None
+    table = np.array([np.asarray(row) for row in rows], dtype=np.float64)
+    return table.reshape(height, width, 3) / 65535.0

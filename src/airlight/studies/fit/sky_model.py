@@ -1,0 +1,234 @@
+"""Model of a measured sky: a planet of some parameters, solved, seen in the measured directions."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import Cancelled
+from airlight.kernel import disk
+from airlight.kernel.fingerprints import fingerprint
+from airlight.kernel.threads import Cancel, Progress
+from airlight.planets.planet import Planet
+from airlight.solver.solution import Solution
+from airlight.solver.solve import solve
+from airlight.studies.fit.least_squares import difference
+from airlight.studies.fit.measurements import IntArray, turned
+from airlight.studies.fit.parameter import FitParameter
+
+FloatArray = NDArray[np.float64]
+
+#: Predictions and solutions kept in memory.
+_MOST_PREDICTIONS: Final = 256
+_MOST_SOLUTIONS: Final = 2
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ObservedDirections:
+    """Directions in which a sky is seen, nd of them.
+
+    Attributes
+    ----------
+    altitude : array, shape (nd,)
+        [m]
+    sun_zenith, view_zenith, azimuth : array, shape (nd,)
+        [deg]
+    scan : array of int, shape (nd,)
+        Scan of each direction, from 0.
+    """
+
+    altitude: FloatArray
+    sun_zenith: FloatArray
+    view_zenith: FloatArray
+    azimuth: FloatArray
+    scan: IntArray
+
+    def fingerprint(self) -> bytes:
+        """Bytes of all numbers."""
+        parts = (self.altitude, self.sun_zenith, self.view_zenith, self.azimuth, self.scan)
+        return b"".join(np.ascontiguousarray(one).tobytes() for one in parts)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Nuisance:
+    """Parameter of the instrument rather than of the planet.
+
+    Attributes
+    ----------
+    parameter : FitParameter
+    kind : str
+        ``factor`` of predicted values, or an offset of the ``zenith`` or ``azimuth``. [1] or [deg]
+    values : array of bool, shape (n,)
+        Predicted values that it acts on.
+    scans : array of bool, shape (number of scans,)
+        Scans that it acts on.
+    """
+
+    parameter: FitParameter
+    kind: Literal["factor", "zenith", "azimuth"]
+    values: NDArray[np.bool_]
+    scans: NDArray[np.bool_]
+
+
+@dataclass(kw_only=True, eq=False)
+class SkyModel:
+    """Predicted values for parameters: those of the planet first, then of the instrument.
+
+    Attributes
+    ----------
+    planet_of : callable
+        Planet for its parameters, shape (p,).
+    parameters : sequence of FitParameter
+        Parameters of the planet.
+    nuisances : sequence of Nuisance
+        Parameters of the instrument.
+    directions : ObservedDirections
+    wavelengths : array, shape (nl,)
+        Wavelengths that are solved. [nm]
+    combine : callable
+        ``combine(radiance, solution)``: predicted values, shape (n,), from radiances (nd, nl).
+    quality : str or MomentsSettings
+        Quality of the solver.
+    identity : bytes
+        What, besides the numbers here, decides the predictions; with it they are kept on disk, so
+        that an interrupted fit goes on where it was. Empty: they are not.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+    expected : int
+        Number of solutions that progress is measured by.
+    solves : int
+        Number of solutions so far; predictions from disk are not counted.
+    """
+
+    planet_of: Callable[[FloatArray], Planet]
+    parameters: Sequence[FitParameter]
+    nuisances: Sequence[Nuisance]
+    directions: ObservedDirections
+    wavelengths: FloatArray
+    combine: Callable[[FloatArray, Solution], FloatArray]
+    quality: Any = "default"
+    identity: bytes = b""
+    progress: Progress | None = None
+    cancel: Cancel | None = None
+    expected: int = 1
+    solves: int = field(default=0, init=False)
+    _predictions: dict[bytes, FloatArray] = field(default_factory=dict, init=False)
+    _solutions: dict[bytes, Solution] = field(default_factory=dict, init=False)
+    _kept: dict[bytes, FloatArray] = field(default_factory=dict, init=False)
+
+    @property
+    def all_parameters(self) -> tuple[FitParameter, ...]:
+        """Parameters of the planet, then of the instrument."""
+        return (*self.parameters, *(one.parameter for one in self.nuisances))
+
+    def __call__(self, values: FloatArray) -> FloatArray:
+        """Predicted values, shape (n,)."""
+        count = len(self.parameters)
+        zenith, azimuth = self._offsets(values)
+        predicted = self._seen(values[:count], zenith, azimuth).copy()
+        for one, value in zip(self.nuisances, values[count:], strict=True):
+            if one.kind == "factor":
+                predicted[one.values] *= value
+        return predicted
+
+    def derivative(self, values: FloatArray, index: int, *, central: bool) -> FloatArray:
+        """Derivative of the predicted values by a parameter, shape (n,)."""
+        count = len(self.parameters)
+        if index < count:
+            return difference(self, self.all_parameters, values, index, central=central)
+        one = self.nuisances[index - count]
+        if one.kind == "factor":  # linear, so exact
+            return np.where(one.values, self(values) / values[index], 0.0)
+        return np.where(one.values, self._turning(values, one.kind), 0.0)
+
+    def _turning(self, values: FloatArray, kind: str) -> FloatArray:
+        """Derivative by an offset, of all scans at once: each value has one scan's."""
+        key = kind.encode() + values.tobytes()
+        if key not in self._kept:
+            self._kept.clear()
+            count = len(self.parameters)
+            sides = []
+            for sign in (1.0, -1.0):
+                moved = values.copy()
+                for k, one in enumerate(self.nuisances):
+                    if one.kind == kind:
+                        moved[count + k] += sign * one.parameter.least_step
+                sides.append(self(moved))
+            step = next(o.parameter.least_step for o in self.nuisances if o.kind == kind)
+            self._kept[key] = (sides[0] - sides[1]) / (2.0 * step)
+        return self._kept[key]
+
+    def _offsets(self, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Offsets of zenith angle and azimuth of each scan. [deg]"""
+        scans = int(self.directions.scan.max()) + 1
+        found = {"zenith": np.zeros(scans), "azimuth": np.zeros(scans)}
+        for one, value in zip(self.nuisances, values[len(self.parameters) :], strict=True):
+            if one.kind != "factor":
+                found[one.kind][one.scans] += value
+        return found["zenith"], found["azimuth"]
+
+    def _seen(self, physical: FloatArray, zenith: FloatArray, azimuth: FloatArray) -> FloatArray:
+        key = physical.tobytes() + zenith.tobytes() + azimuth.tobytes()
+        if key not in self._predictions:
+            while len(self._predictions) >= _MOST_PREDICTIONS:
+                self._predictions.pop(next(iter(self._predictions)))
+            self._predictions[key] = self._from_disk(
+                key, lambda: self._computed(physical, zenith, azimuth)
+            )
+        return self._predictions[key]
+
+    def _from_disk(self, key: bytes, compute: Callable[[], FloatArray]) -> FloatArray:
+        if not self.identity:
+            return compute()
+        sources = fingerprint(Path(__file__)).encode()
+        parts = (b"fit", sources, self.identity, self.directions.fingerprint(),
+                 self.wavelengths.tobytes(), str(self.quality).encode(), key)  # fmt: skip
+        name = hashlib.sha256(b"\0".join(parts)).hexdigest()[:40]
+        stored = disk.load(name)
+        if stored is not None and set(stored) == {"predicted"}:
+            return np.asarray(stored["predicted"], dtype=np.float64)
+        found = compute()
+        disk.save(name, {"predicted": found})
+        return found
+
+    def _computed(
+        self, physical: FloatArray, zenith: FloatArray, azimuth: FloatArray
+    ) -> FloatArray:
+        solution = self._solution(physical)
+        seen = self.directions
+        view, around = turned(seen.view_zenith, seen.azimuth, zenith[seen.scan], azimuth[seen.scan])
+        radiance = solution.radiance(
+            altitude=seen.altitude, sun_zenith=seen.sun_zenith, view_zenith=view, azimuth=around
+        )
+        return self.combine(np.asarray(radiance.values, dtype=np.float64), solution)
+
+    def _solution(self, physical: FloatArray) -> Solution:
+        key = physical.tobytes()
+        if key not in self._solutions:
+            if self.cancel is not None and self.cancel():
+                raise Cancelled("cancelled")
+            self._report(physical)
+            while len(self._solutions) >= _MOST_SOLUTIONS:
+                self._solutions.pop(next(iter(self._solutions)))
+            self._solutions[key] = solve(
+                self.planet_of(physical), self.wavelengths, self.quality, cache=False,
+                cancel=self.cancel,
+            )  # fmt: skip
+            self.solves += 1
+        return self._solutions[key]
+
+    def _report(self, physical: FloatArray) -> None:
+        if self.progress is None:
+            return
+        self.expected = max(self.expected, self.solves + 1)
+        shown = ", ".join(
+            f"{one.name} {value:.4g}"
+            for one, value in zip(self.parameters[:3], physical, strict=False)
+        )
+        self.progress(self.solves, self.expected, f"fit: {shown}")

@@ -1,0 +1,70 @@
+"""Spectra of observables as CSV, one row for each value of the axes, and as netCDF."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from airlight.errors import FileError
+from airlight.files.atomic_file import atomic_file
+from airlight.files.provenance import version
+from airlight.plain_text import plain
+
+if TYPE_CHECKING:
+    import xarray
+
+#: Suffixes of the files.
+SUFFIXES: Final = (".csv", ".nc")
+
+
+def write_spectrum(path: str | Path, data: xarray.Dataset) -> None:
+    """Write a spectrum.
+
+    Parameters
+    ----------
+    path : str or Path
+        Path whose suffix is ``.csv`` or ``.nc``: text whose header names title, notes and units, or
+        netCDF with all attributes.
+    data : xarray.Dataset
+        Variables over ``wavelength`` and at most one other dimension, from ``observe``.
+
+    Raises
+    ------
+    FileError
+        If the suffix is another, or the file cannot be written.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix not in SUFFIXES:
+        raise FileError(path, f"the name of a spectrum ends in {', '.join(SUFFIXES)}")
+    with atomic_file(path) as part:
+        if suffix == ".nc":
+            data.to_netcdf(part, engine="scipy")
+        else:
+            _write_csv(part, data)
+
+
+def _write_csv(path: Path, data: xarray.Dataset) -> None:
+    dims = [str(name) for name in data.sizes if name != "wavelength"] + ["wavelength"]
+    columns = [*dims, *(str(name) for name in data.data_vars if data[name].ndim)]
+    grids = {
+        name: data[name].broadcast_like(data.wavelength).broadcast_like(
+            data[dims[0]]).transpose(*dims).to_numpy().ravel()
+        for name in columns
+    }  # fmt: skip
+    with path.open("w", encoding="utf-8", newline="") as stream:
+        stream.write(f"# {plain(data.attrs['title'])}\n# airlight {version()}\n")
+        for name in ("solver", "notes"):
+            stream.write(f"# {name}: {plain(data.attrs[name])}\n")
+        for label, one in data.data_vars.items():
+            if not one.ndim:
+                meant = one.attrs["long_name"]
+                stream.write(f"# {label}: {one.item():.8g} {one.attrs['units']} ({meant})\n")
+        for name in columns:
+            stream.write(f"# unit of {name}: {data[name].attrs['units']}\n")
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(columns)
+        for row in np.stack(list(grids.values()), axis=-1):
+            writer.writerow([f"{value:.8g}" for value in row])

@@ -1,0 +1,342 @@
+"""Catalogue of figures: subject and settings of each, and its construction from a planet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Final
+
+from airlight.errors import ConflictError, ParameterError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from airlight.kernel.threads import Cancel, Progress
+    from airlight.planets.planet import Planet
+    from airlight.solver.solution import Solution
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choices:
+    """Settings of a figure; None leaves the choice to the figure.
+
+    Attributes
+    ----------
+    wavelengths : tuple of float, optional
+        Wavelengths of the figure. [nm]
+    sun_zenith : float, optional
+        Solar zenith angle. [deg]
+    altitude : float, optional
+        Altitude of the observer. [m]
+    quality : str, optional
+        Quality of the solution: ``"preview"``, ``"default"`` or ``"fine"``.
+    polarisation : bool, optional
+        Whether light is polarised, as for ``airlight.solve``.
+    """
+
+    wavelengths: tuple[float, ...] | None = None
+    sun_zenith: float | None = None
+    altitude: float | None = None
+    quality: str | None = None
+    polarisation: bool | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Work:
+    """Options of ``solve``: ``cache``, ``progress`` and ``cancel``."""
+
+    cache: bool = True
+    progress: Progress | None = None
+    cancel: Cancel | None = None
+
+
+@dataclass(frozen=True)
+class PlotKind:
+    """Kind of figure.
+
+    Attributes
+    ----------
+    sentence : str
+        Description of the figure.
+    takes : tuple of str
+        Names of the ``Choices`` that it accepts.
+    draw : callable
+        Function that makes the figure, with the signature ``draw(planet, choices, work)``.
+    """
+
+    sentence: str
+    takes: tuple[str, ...]
+    draw: Callable[[Planet, Choices, Work], Figure]
+
+
+def _solve(
+    planet: Planet,
+    choices: Choices,
+    work: Work,
+    *,
+    solver: str = "moments",
+    quality: str = "default",
+    colored: bool = False,
+) -> Solution:
+    from airlight.solver import solve
+
+    nm = choices.wavelengths
+    if nm is None and colored:
+        from airlight.planets.picture_wavelengths import picture_wavelengths
+
+        nm = tuple(picture_wavelengths(planet).tolist())
+    return solve(
+        planet,
+        nm,
+        choices.quality or quality,
+        solver=solver,
+        polarisation=choices.polarisation is not False,
+        cache=work.cache,
+        progress=work.progress,
+        cancel=work.cancel,
+    )
+
+
+def _given(choices: Choices, *names: str) -> dict[str, Any]:
+    """Return the settings that were chosen, by name."""
+    pairs = {name: getattr(choices, name) for name in names}
+    return {name: value for name, value in pairs.items() if value is not None}
+
+
+def _solar_spectrum(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.solar_spectrum import solar_spectrum
+
+    return solar_spectrum(planet, choices.wavelengths)
+
+
+def _spectral_to_rgb(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.spectral_to_rgb import spectral_to_rgb
+
+    return spectral_to_rgb(choices.wavelengths or planet.wavelengths)
+
+
+def _cie(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.chromaticity import cie
+
+    return cie(_solve(planet, choices, work, colored=True))
+
+
+def _density(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.density import density
+
+    return density(planet)
+
+
+def _phase(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.phase_functions import phase_functions
+
+    return phase_functions(planet, choices.wavelengths)
+
+
+def _optical_depth(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.optical_depth import optical_depth
+
+    return optical_depth(planet, choices.wavelengths)
+
+
+def _transmittance_surface(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.transmittance import transmittance_surface
+
+    return transmittance_surface(planet, choices.wavelengths)
+
+
+def _transmittance_map(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.transmittance import transmittance_map
+
+    return transmittance_map(planet, choices.wavelengths)
+
+
+def _mapping_regions(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.mapping_regions import mapping_regions
+
+    return mapping_regions(planet, choices.altitude)
+
+
+def _mapping_comparison(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.mapping_comparison import mapping_comparison
+
+    return mapping_comparison(
+        _solve(planet, choices, work, colored=True), progress=work.progress, cancel=work.cancel
+    )
+
+
+def _sky_profile(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.sky_profile import sky_profile
+
+    solution = _solve(planet, choices, work)
+    return sky_profile(solution, **_given(choices, "sun_zenith", "altitude"))
+
+
+def _polarisation_plane(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.polarisation import polarisation_plane
+
+    solution = _solve(planet, choices, work)
+    return polarisation_plane(solution, **_given(choices, "sun_zenith", "altitude"))
+
+
+def _polarisation_dome(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.polarisation import polarisation_dome
+
+    solution = _solve(planet, choices, work)
+    return polarisation_dome(solution, **_given(choices, "sun_zenith", "altitude"))
+
+
+def _limb(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.limb import SUN_ZENITHS, limb
+
+    suns = SUN_ZENITHS if choices.sun_zenith is None else (choices.sun_zenith,)
+    return limb(_solve(planet, choices, work), suns)
+
+
+def _order_convergence(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.studies.plots.order_convergence import order_convergence
+
+    solution = _solve(planet, choices, work, solver="direct", quality="preview")
+    return order_convergence(
+        solution,
+        **_given(choices, "sun_zenith"),
+        progress=work.progress,
+        cancel=work.cancel,
+    )
+
+
+#: Every kind, from the star's spectrum to the sky.
+KINDS: Final[dict[str, PlotKind]] = {
+    "solar-spectrum": PlotKind(
+        "The star's spectrum at the planet, the visible band in its colours.",
+        ("wavelengths",),
+        _solar_spectrum,
+    ),
+    "spectral-to-rgb": PlotKind(
+        "RGB of pure wavelengths with the normalisations none, sum and peak.",
+        ("wavelengths",),
+        _spectral_to_rgb,
+    ),
+    "cie": PlotKind(
+        "CIE 1931 matching functions, and the sky's colours in the chromaticity diagram.",
+        ("wavelengths", "quality", "polarisation"),
+        _cie,
+    ),
+    "density": PlotKind(
+        "Density of each constituent over altitude, linear and logarithmic.", (), _density
+    ),
+    "phase": PlotKind(
+        "Phase function of each constituent that scatters, polar and Cartesian.",
+        ("wavelengths",),
+        _phase,
+    ),
+    "optical-depth": PlotKind(
+        "Vertical optical depth of each constituent over wavelength.",
+        ("wavelengths",),
+        _optical_depth,
+    ),
+    "transmittance-surface": PlotKind(
+        "Mean transmittance over altitude and view zenith angle, as a surface.",
+        ("wavelengths",),
+        _transmittance_surface,
+    ),
+    "transmittance-map": PlotKind(
+        "Mean transmittance over altitude and view zenith angle, as a map.",
+        ("wavelengths",),
+        _transmittance_map,
+    ),
+    "mapping-regions": PlotKind(
+        "Regions U, L and S of the weighted power mapping, on the ground and aloft.",
+        ("altitude",),
+        _mapping_regions,
+    ),
+    "mapping-comparison": PlotKind(
+        "The scattering table on the linear and on the weighted power mapping.",
+        ("wavelengths", "quality", "polarisation"),
+        _mapping_comparison,
+    ),
+    "sky-profile": PlotKind(
+        "Radiance of the sky through the sun and around at the sun's height.",
+        ("wavelengths", "sun_zenith", "altitude", "quality", "polarisation"),
+        _sky_profile,
+    ),
+    "polarisation-plane": PlotKind(
+        "Degree of polarisation in the plane of sun and zenith, with the neutral points.",
+        ("wavelengths", "sun_zenith", "altitude", "quality"),
+        _polarisation_plane,
+    ),
+    "polarisation-dome": PlotKind(
+        "Degree and angle of polarisation over the sky, with bars along which light swings.",
+        ("wavelengths", "sun_zenith", "altitude", "quality"),
+        _polarisation_dome,
+    ),
+    "limb": PlotKind(
+        "Radiance of the limb over tangent height, seen from space.",
+        ("wavelengths", "sun_zenith", "quality", "polarisation"),
+        _limb,
+    ),
+    "order-convergence": PlotKind(
+        "Radiance by order of scattering, and what is missing after each.",
+        ("wavelengths", "sun_zenith", "quality"),
+        _order_convergence,
+    ),
+}
+
+
+def kind_named(name: str) -> PlotKind:
+    """Return the kind of the given name.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such kind.
+    """
+    if name not in KINDS:
+        raise ParameterError("KIND", name, ", ".join(KINDS))
+    return KINDS[name]
+
+
+def draw(
+    planet: Planet, kind: str, choices: Choices | None = None, work: Work | None = None
+) -> Figure:
+    """Draw a figure of a planet.
+
+    Parameters
+    ----------
+    planet : Planet
+    kind : str
+        One of ``KINDS``.
+    choices : Choices, optional
+        Settings; a setting that the kind does not take is refused.
+    work : Work, optional
+        Options for solving the planet, if the figure needs a solution.
+
+    Returns
+    -------
+    Figure
+        Figure of matplotlib.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such kind, or it does not take one of the settings.
+    AirlightError
+        If matplotlib is not installed.
+    """
+    found = kind_named(kind)
+    chosen = choices or Choices()
+    check_choices(kind, chosen)
+    from airlight.studies.plots.figure import require_matplotlib
+
+    require_matplotlib()  # before any long work
+    return found.draw(planet, chosen, work or Work())
+
+
+def check_choices(kind: str, choices: Choices) -> None:
+    """Refuse settings that a kind of figure does not take."""
+    takes = kind_named(kind).takes
+    for field in fields(choices):
+        value = getattr(choices, field.name)
+        if value is not None and field.name not in takes:
+            named = ", ".join(one.replace("_", "-") for one in takes) or "nothing"
+            raise ConflictError(field.name, f"does not apply to {kind}, which takes {named}")

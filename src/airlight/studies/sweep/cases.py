@@ -1,0 +1,368 @@
+"""CSV files of observers: read with every cell checked, written with the results appended."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import math
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final, TextIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import FileError, ParameterError
+from airlight.files.atomic_file import atomic_file, check_target
+from airlight.solver.stokes_frame import (
+    STOKES,
+    angle_of_polarisation,
+    degree_of_polarisation,
+)
+
+if TYPE_CHECKING:
+    import xarray
+
+#: Columns that are read, with the smallest and largest number allowed in them.
+COLUMNS: dict[str, tuple[float, float]] = {
+    "altitude_m": (0.0, 1e12),
+    "sun_zenith_deg": (0.0, 180.0),
+    "view_zenith_deg": (0.0, 180.0),
+    "azimuth_deg": (-360.0, 360.0),
+}
+
+
+#: Suffixes of tables that are written.
+SUFFIXES: Final = (".csv", ".nc")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cases:
+    """Table of observers.
+
+    Parameters
+    ----------
+    comments : list of str
+        Lines that begin with ``#`` above the header.
+    header : list of str
+        Names of all columns of the file.
+    rows : list of list of str
+        Cells as they are in the file.
+    values : array, shape (n, 4)
+        Numbers under ``COLUMNS``. [m, deg, deg, deg]
+    """
+
+    comments: list[str]
+    header: list[str]
+    rows: list[list[str]]
+    values: NDArray[np.float64]
+
+
+def check_table(path: str, suffixes: Sequence[str] = SUFFIXES) -> None:
+    """Refuse, before long work, a table that cannot be written, or not in its suffix's format.
+
+    Parameters
+    ----------
+    path : str
+        Path of the future file; ``-`` is the standard output.
+    suffixes : sequence of str
+        Suffixes of the formats that can be written.
+
+    Raises
+    ------
+    FileError
+        If it is none of these, or as for ``check_target``.
+    """
+    if path == "-":
+        return
+    if Path(path).suffix.lower() not in suffixes:
+        raise FileError(path, f"the name of a table ends in {' or '.join(suffixes)}")
+    check_target(path)
+
+
+def read_cases(path: str) -> Cases:
+    """Read observers from a CSV file.
+
+    Parameters
+    ----------
+    path : str
+        Path of a file in UTF-8 with a header; ``-`` is the standard input.
+
+    Returns
+    -------
+    Cases
+        Table in the file's order; empty lines are left out.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read, or lacks a header or a column.
+    ParameterError
+        For the first cell that is not a number in its range, with line and column.
+    """
+    with case_blocks(path, None) as (head, blocks):
+        some = list(blocks)
+    rows = [row for one in some for row in one.rows]
+    values = np.concatenate([one.values for one in some]) if some else head.values
+    return Cases(comments=head.comments, header=head.header, rows=rows, values=values)
+
+
+@contextlib.contextmanager
+def case_blocks(path: str, size: int | None) -> Iterator[tuple[Cases, Iterator[Cases]]]:
+    """Read observers from a CSV file block by block, in bounded memory.
+
+    Parameters
+    ----------
+    path : str
+        Path as for ``read_cases``.
+    size : int, optional
+        Number of rows in a block; all if left out.
+
+    Yields
+    ------
+    (Cases, iterator of Cases)
+        Comments and header, without rows; and the blocks, as they are read.
+
+    Raises
+    ------
+    FileError, ParameterError
+        As for ``read_cases``, from the blocks too.
+    """
+    name = "standard input" if path == "-" else path
+    with contextlib.ExitStack() as stack:
+        with _explained(name):
+            lines = _without_nulls(stack.enter_context(_opened(path)), name)
+            head, positions = _head(lines, name)
+        yield head, _guarded(_rows(lines, head, positions, name, size), name)
+
+
+def _guarded(blocks: Iterator[Cases], name: str) -> Iterator[Cases]:
+    """Blocks, with explained reading errors."""
+    while True:
+        with _explained(name):
+            block = next(blocks, None)
+        if block is None:
+            return
+        yield block
+
+
+@contextlib.contextmanager
+def _explained(name: str) -> Iterator[None]:
+    try:
+        yield
+    except UnicodeDecodeError as error:
+        raise FileError(name, "is not UTF-8 text") from error
+    except (OSError, csv.Error) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise FileError(name, f"cannot be read: {reason}") from error
+
+
+@contextlib.contextmanager
+def _opened(path: str) -> Iterator[TextIO]:
+    if path == "-":
+        yield sys.stdin
+        return
+    with Path(path).open(encoding="utf-8-sig", newline="") as stream:
+        yield stream
+
+
+def _head(lines: Iterator[str], name: str) -> tuple[Cases, list[int]]:
+    """Comments and header, and the positions of ``COLUMNS``."""
+    comments: list[str] = []
+    first = ""
+    for first in lines:
+        if not first.startswith("#"):
+            break
+        comments.append(first.rstrip("\r\n"))
+        first = ""
+    header = [cell.strip() for cell in next(csv.reader([first]), [])]
+    missing = [column for column in COLUMNS if column not in header]
+    if missing:
+        raise FileError(name, f"has no column {', '.join(missing)} in its header")
+    positions = []
+    for column in COLUMNS:
+        if header.count(column) > 1:
+            raise FileError(name, f"has the column {column} more than once")
+        positions.append(header.index(column))
+    empty = np.empty((0, len(COLUMNS)))
+    return Cases(comments=comments, header=header, rows=[], values=empty), positions
+
+
+def _rows(
+    lines: Iterator[str], head: Cases, positions: list[int], name: str, size: int | None
+) -> Iterator[Cases]:
+    rows: list[list[str]] = []
+    values: list[list[float]] = []
+
+    def block() -> Cases:
+        table = np.array(values, dtype=np.float64).reshape(-1, len(COLUMNS))
+        return Cases(comments=head.comments, header=head.header, rows=list(rows), values=table)
+
+    reader = csv.reader(lines)
+    for row in reader:
+        line = reader.line_num + len(head.comments) + 1
+        if not any(cell.strip() for cell in row):
+            continue
+        if len(row) != len(head.header):
+            found, allowed = f"{len(row)} cells", f"{len(head.header)}, as in the header"
+            raise ParameterError(f"line {line}", found, allowed, name)
+        values.append(
+            [
+                _number(row[position], line, column, limits, name)
+                for position, (column, limits) in zip(positions, COLUMNS.items(), strict=True)
+            ]
+        )
+        rows.append(row)
+        if size is not None and len(rows) == size:
+            yield block()
+            rows, values = [], []
+    if rows:
+        yield block()
+
+
+def _without_nulls(stream: TextIO, name: str) -> Iterator[str]:
+    for line in stream:
+        if "\0" in line:
+            raise FileError(name, "is not text")
+        yield line
+
+
+def _number(cell: str, line: int, column: str, limits: tuple[float, float], name: str) -> float:
+    low, high = limits
+    try:
+        value = float(cell)
+    except ValueError:
+        value = math.nan
+    if not low <= value <= high:
+        raise ParameterError(f"line {line}, {column}", cell, f"{low:g} to {high:g}", name)
+    return value
+
+
+def radiance_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> list[str]:
+    """Names of the columns of radiances.
+
+    Parameters
+    ----------
+    wavelengths : sequence of float
+        Wavelengths. [nm]
+    stokes : bool
+        Whether light is given by I, Q and U, the degree and the angle of its polarisation.
+
+    Examples
+    --------
+    >>> radiance_columns([680.0, 550.5])
+    ['radiance_680nm', 'radiance_550.5nm']
+    >>> radiance_columns([680.0], stokes=True)
+    ['I_680nm', 'Q_680nm', 'U_680nm', 'dolp_680nm', 'aolp_680nm']
+    """
+    names = (*STOKES, "dolp", "aolp") if stokes else ("radiance",)
+    return [f"{name}_{nm:.10g}nm" for name in names for nm in wavelengths]
+
+
+def error_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> list[str]:
+    """Names of the columns of standard errors, of I, Q and U where light is given by them.
+
+    Examples
+    --------
+    >>> error_columns([680.0])
+    ['standard_error_680nm']
+    >>> error_columns([680.0], stokes=True)
+    ['standard_error_I_680nm', 'standard_error_Q_680nm', 'standard_error_U_680nm']
+    """
+    names = [f"standard_error_{name}" for name in STOKES] if stokes else ["standard_error"]
+    return [f"{name}_{nm:.10g}nm" for name in names for nm in wavelengths]
+
+
+def polarised_answers(found: xarray.DataArray) -> NDArray[np.float64]:
+    """Cells under the columns of I, Q and U, degree and angle, shape (n, 5·wavelengths).
+
+    Parameters
+    ----------
+    found : xarray.DataArray, shape (n, stokes, wavelength)
+        I, Q and U. [W m⁻² sr⁻¹ nm⁻¹]
+    """
+    parts = [found.sel(stokes=name) for name in STOKES]
+    parts += [degree_of_polarisation(found), angle_of_polarisation(found)]
+    return np.concatenate([np.asarray(part, np.float64) for part in parts], axis=-1)
+
+
+def write_cases(
+    path: str,
+    cases: Cases,
+    wavelengths: Sequence[float],
+    radiance: NDArray[np.float64],
+    standard_error: NDArray[np.float64] | None = None,
+    *,
+    stokes: bool = False,
+) -> None:
+    """Write the table with the radiances appended.
+
+    Parameters
+    ----------
+    path : str
+        Path of the .csv, which appears whole or not at all; ``-`` is the standard output.
+    cases : Cases
+        Table, written as it was read.
+    wavelengths : sequence of float
+        Wavelengths of the radiances. [nm]
+    radiance : array, shape (n, wavelengths)
+        Radiances, written with nine digits. [W m⁻² sr⁻¹ nm⁻¹]
+    standard_error : array, shape (n, wavelengths), optional
+        Standard errors, written with two digits in columns after the radiances. [W m⁻² sr⁻¹ nm⁻¹]
+    stokes : bool
+        Whether the numbers are those of polarised light, as ``radiance_columns`` and
+        ``error_columns`` name them.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be written; an existing file is then unchanged.
+    """
+    check_table(path, (".csv",))
+    if path == "-":
+        _write(sys.stdout, cases, wavelengths, radiance, standard_error, stokes)
+        return
+    with (
+        atomic_file(path) as part,
+        part.open("w", encoding="utf-8", newline="") as stream,
+    ):
+        _write(stream, cases, wavelengths, radiance, standard_error, stokes)
+
+
+def _write(
+    stream: TextIO,
+    cases: Cases,
+    wavelengths: Sequence[float],
+    radiance: NDArray[np.float64],
+    standard_error: NDArray[np.float64] | None,
+    stokes: bool,
+) -> None:
+    columns = radiance_columns(wavelengths, stokes=stokes)
+    if standard_error is not None:
+        columns += error_columns(wavelengths, stokes=stokes)
+    write_head(stream, cases, columns)
+    write_rows(stream, cases, radiance, standard_error)
+
+
+def write_head(stream: TextIO, cases: Cases, columns: Sequence[str]) -> None:
+    """Write the comments and the header of a table, with columns appended."""
+    stream.writelines(f"{comment}\n" for comment in cases.comments)
+    csv.writer(stream, lineterminator="\n").writerow([*cases.header, *columns])
+
+
+def write_rows(
+    stream: TextIO,
+    cases: Cases,
+    radiance: NDArray[np.float64],
+    standard_error: NDArray[np.float64] | None = None,
+) -> None:
+    """Write rows with the radiances appended; arguments as for ``write_cases``."""
+    writer = csv.writer(stream, lineterminator="\n")
+    answers = [[f"{value:.8e}" for value in row] for row in radiance]
+    if standard_error is not None:
+        for row, errors in zip(answers, standard_error, strict=True):
+            row += [f"{value:.1e}" for value in errors]
+    for cells, answer in zip(cases.rows, answers, strict=True):
+        writer.writerow([*cells, *answer])

@@ -1,0 +1,339 @@
+"""``sweep``: the blocks of a grid that are missing, by many processes, into Zarr."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ConflictError
+from airlight.files.output_lock import output_lock
+from airlight.kernel.cost import LINES, announce_all
+from airlight.kernel.memory import check_memory
+from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
+from airlight.planets.planet import Planet
+from airlight.solver.moments.settings import settings_for
+from airlight.solver.moments.solve import solve_work
+from airlight.solver.stokes_frame import (
+    STOKES,
+    angle_of_polarisation,
+    degree_of_polarisation,
+)
+from airlight.studies.distribution import opened_runner
+from airlight.studies.distribution.fingerprint import check_code, code_digest, digest
+from airlight.studies.sweep.grid import Grid
+from airlight.studies.sweep.shared_solution import shared_solution
+from airlight.studies.sweep.store import (
+    State,
+    SweepStore,
+    check_room,
+    check_store,
+    in_words,
+    size_on_disk,
+)
+from airlight.studies.sweep.store_layout import POLARISED, chunk_shape
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
+    from airlight.solver.moments.solution import MomentsSolution
+
+#: Source that computes radiances: this file's imports.
+_SOURCE: Final = Path(__file__)
+#: Size from which a store is announced. [byte]
+_LARGE: Final = 10**9
+#: Memory of a radiance of a block, from lines of sight to the compressed chunk, and of the mark of
+#: a block. [byte]
+_MEMORY: Final = 40
+_MEMORY_OF_A_MARK: Final = 400
+
+
+@dataclass(frozen=True, kw_only=True)
+class Swept:
+    """Sweep that was written.
+
+    Attributes
+    ----------
+    path : Path
+        Folder of the Zarr group.
+    computed, kept : int
+        Number of blocks that were computed, and that were there already.
+    damaged : int
+        Number of the computed blocks that were there, and damaged.
+    radiances : int
+        Number of radiances in all.
+    """
+
+    path: Path
+    computed: int
+    kept: int
+    damaged: int
+    radiances: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class CaseBlock:
+    """Lines of sight of one block.
+
+    Attributes
+    ----------
+    planet : Planet
+        Planet.
+    quality : str
+        Quality of its solution.
+    polarisation, stokes : bool
+        Whether light is polarised, and whether Q, U, degree and angle are wanted.
+    altitude : float
+        Altitude of the observer. [m]
+    sun_zenith, view_zenith, azimuth : tuple of float
+        Angles. [deg]
+    wavelengths : tuple of float
+        Wavelengths. [nm]
+    """
+
+    planet: Planet
+    quality: str
+    polarisation: bool
+    stokes: bool
+    altitude: float
+    sun_zenith: tuple[float, ...]
+    view_zenith: tuple[float, ...]
+    azimuth: tuple[float, ...]
+    wavelengths: tuple[float, ...]
+
+
+def sweep(
+    grid: Grid,
+    path: str | Path,
+    *,
+    quality: str = "default",
+    polarisation: bool = True,
+    stokes: bool = False,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    on_message: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
+) -> Swept:
+    """Compute the radiances of a grid that are missing, damaged or have changed.
+
+    All bytes of blocks that are there are read and compared with their checksums. The folder
+    appears with the first block; one process writes it at a time.
+
+    Parameters
+    ----------
+    grid : Grid
+        Planets, what varies, observers, suns, views and wavelengths.
+    path : str or Path
+        Folder of the Zarr group: new, or that of the same grid.
+    quality : str
+        Quality as for ``airlight.solve``.
+    polarisation : bool
+        Whether light is polarised, as for ``airlight.solve``.
+    stokes : bool
+        Whether the arrays ``Q``, ``U``, ``dolp`` and ``aolp`` are written beside the radiance.
+    scheduler, workers : optional
+        See ``airlight.studies.distribution.opened_runner``.
+    on_message : callable, optional
+        Receives lines about the course.
+    progress : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Swept
+        The store's ``radiance`` is in W m⁻² sr⁻¹ nm⁻¹, float32; ``xarray.open_zarr`` opens it.
+
+    Raises
+    ------
+    ParameterError
+        If a planet cannot be read, or is not known at a wavelength; or Stokes parameters are
+        requested of scalar transfer.
+    FileError
+        If the folder is named as a file of another format, holds another grid, one with or without
+        Stokes parameters, or a damaged group; cannot be written to, or another process writes it;
+        or the disk has less room than the grid needs, or becomes full.
+    CostError
+        If a block needs more memory than is free.
+    WorkerError
+        If workers or their scheduler are lost.
+    """
+    if stokes and not polarisation:
+        raise ConflictError("stokes", "requires polarisation")
+    check_store(Path(path), "path")
+    say = on_message or (lambda line: None)
+    light = "radiance" if polarisation else "radiance of scalar transfer"
+    light = "radiance and Stokes parameters" if stokes else light
+    settings = replace(settings_for(quality), polarisation=polarisation)
+    about = {"title": f"{light}, quality {quality}", "solver": "moments"}
+    about["settings"] = settings.as_text()
+    how = quality, polarisation, stokes
+    code = code_digest(_SOURCE)
+    with output_lock(Path(path).resolve()):
+        _check_cost(grid, Path(path), stokes, say)
+        marks = _marks(grid, how, code, progress)
+        store = SweepStore(Path(path), grid, about, stokes=stokes)
+        states = {}
+        for done, (block, mark) in enumerate(marks.items()):
+            states[block] = store.state(block, mark)
+            if progress is not None and states[block] is not State.MISSING:
+                progress(done + 1, len(marks), "verifying")
+        missing = [block for block, state in states.items() if state is not State.WHOLE]
+        damaged = sum(state is State.DAMAGED for state in states.values())
+        for name in store.renew():
+            say(f"the axis {name} was damaged and is written again")
+        if damaged:
+            say(f"{damaged} of {len(marks)} blocks are damaged and will be recomputed")
+        if missing:
+            first = _first_of_variants(grid, missing)
+            _announce(grid, first, missing, how)
+            with opened_runner(len(missing), scheduler=scheduler, workers=workers) as runner:
+                tasks = ((one, (_block(grid, block, how), code)) for one, block in first.items())
+                for done, _ in enumerate(runner.run(solved, tasks)):
+                    if progress is not None:
+                        progress(done + 1, len(first), "solving")
+                blocks = ((block, (_block(grid, block, how), code)) for block in missing)
+                for done, (block, values) in enumerate(runner.run(radiances, blocks)):
+                    store.write(block, values, marks[block])
+                    if progress is not None:
+                        progress(done + 1, len(missing), "radiances")
+    return Swept(
+        path=Path(path), computed=len(missing), kept=len(marks) - len(missing), damaged=damaged,
+        radiances=int(np.prod(grid.shape)),
+    )  # fmt: skip
+
+
+def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:
+    """Refuse a grid that exceeds disk or memory; announce the size of a large one."""
+    count = math.prod(grid.blocks)
+    size = size_on_disk(grid, stokes=stokes)
+    work = f"a sweep of {math.prod(grid.shape):.3g} radiances in {count} blocks"
+    check_room(path.resolve(), size)
+    block = math.prod(chunk_shape(grid)) * _MEMORY * (len(POLARISED) + 1 if stokes else 1)
+    check_memory(block + count * _MEMORY_OF_A_MARK, work)
+    if size > _LARGE:
+        say(f"{path}: up to {in_words(size)}, {work}")
+
+
+def _marks(
+    grid: Grid, how: tuple[str, bool, bool], code: str, progress: Progress | None
+) -> dict[tuple[int, ...], int]:
+    """Fingerprint of each block: sixty-three bits of a hash, never 0."""
+    found: dict[tuple[int, ...], int] = {}
+    count = math.prod(grid.variants)
+    suns, views = (
+        [np.array(values[first : first + step]) for first in range(0, len(values), step)]
+        for values, step in zip((grid.sun_zenith, grid.view_zenith), grid.steps, strict=True)
+    )
+    described = {
+        (k, sun, view): (grid.altitude[k], suns[sun], views[view])
+        for k, sun, view in _indices(grid.blocks[len(grid.variants) :])
+    }
+    for done, variant in enumerate(_indices(grid.variants)):
+        planet = digest((grid.planet(variant), how, grid.azimuth, grid.nm, code))
+        for inner, lines in described.items():
+            found[*variant, *inner] = 1 + int(digest((planet, *lines))[:15], 16)
+        if progress is not None and count > 1:
+            progress(done + 1, count, "reading planets")
+    return found
+
+
+def _announce(
+    grid: Grid, variants: Collection[tuple[int, ...]], missing: list[tuple[int, ...]],
+    how: tuple[str, bool, bool],
+) -> None:  # fmt: skip
+    """Announce the work, and emit the warnings that would be lost in a worker."""
+    quality, _, stokes = how
+    for one in sorted({variant[0] for variant in variants}):
+        warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
+    lines = sum(_lines(grid, block) for block in missing)
+    amounts = [
+        ("solve", len(variants) * solve_work(quality, len(grid.nm))),
+        (LINES, float(lines * len(grid.nm) * (3 if stokes else 1))),
+    ]
+    announce_all(f"{len(variants)} solutions and {lines} lines of sight", amounts)
+
+
+def _first_of_variants(
+    grid: Grid, blocks: list[tuple[int, ...]]
+) -> dict[tuple[int, ...], tuple[int, ...]]:
+    """First of the blocks of each planet of the grid that has one."""
+    first: dict[tuple[int, ...], tuple[int, ...]] = {}
+    for block in blocks:
+        first.setdefault(block[: len(grid.variants)], block)
+    return first
+
+
+def _lines(grid: Grid, block: tuple[int, ...]) -> int:
+    """Number of lines of sight of a block."""
+    suns, views = grid.region(block)[-4:-2]
+    return int((suns.stop - suns.start) * (views.stop - views.start) * len(grid.azimuth))
+
+
+def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
+    return itertools.product(*(range(count) for count in shape))
+
+
+_PLANETS: Final[dict[tuple[Any, ...], Planet]] = {}
+
+
+def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> CaseBlock:
+    quality, polarisation, stokes = how
+    *variant, altitude, _, _ = block
+    suns, views = grid.region(block)[-4:-2]
+    key = (id(grid), *variant)
+    if key not in _PLANETS:
+        _PLANETS.clear()
+        _PLANETS[key] = grid.planet(tuple(variant))
+    return CaseBlock(
+        planet=_PLANETS[key], quality=quality, polarisation=polarisation, stokes=stokes,
+        altitude=grid.altitude[altitude],
+        sun_zenith=tuple(grid.sun_zenith[suns]), view_zenith=tuple(grid.view_zenith[views]),
+        azimuth=tuple(grid.azimuth), wavelengths=grid.nm,
+    )  # fmt: skip
+
+
+# --- on a worker ------------------------------------------------------------------------------
+
+
+def solved(block: CaseBlock, code: str) -> None:
+    """Solve a block's planet, and keep the solution on the disk of this machine."""
+    check_code(code, _SOURCE)
+    _solution(block)
+
+
+def radiances(block: CaseBlock, code: str) -> NDArray[np.float32]:
+    """Arrays of a block, shape (1 or 5, suns, views, azimuths, wavelengths).
+
+    The radiance [W m⁻² sr⁻¹ nm⁻¹], and with Stokes parameters ``POLARISED``.
+
+    Parameters
+    ----------
+    block : CaseBlock
+        Lines of sight.
+    code : str
+        Hash of the source of the process that sent it.
+    """
+    check_code(code, _SOURCE)
+    found = _solution(block).radiance(
+        altitude=block.altitude,
+        sun_zenith=np.array(block.sun_zenith)[:, None, None],
+        view_zenith=np.array(block.view_zenith)[:, None],
+        azimuth=np.array(block.azimuth),
+        stokes=block.stokes,
+    )
+    if not block.stokes:
+        return np.asarray(found, np.float32)[None]
+    layers = [found.sel(stokes=name) for name in STOKES]
+    layers += [degree_of_polarisation(found), angle_of_polarisation(found)]
+    return np.stack([np.asarray(one, np.float32) for one in layers])
+
+
+def _solution(block: CaseBlock) -> MomentsSolution:
+    return shared_solution(
+        block.planet, block.wavelengths, block.quality, polarisation=block.polarisation
+    )

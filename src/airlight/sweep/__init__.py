@@ -1,8 +1,0 @@
-"""Sweeps: radiances on grids of planets, suns and views, as Zarr, computed by many processes."""
-
-from __future__ import annotations
-
-from airlight.sweep.grid import Grid
-from airlight.sweep.sweep import Swept, sweep
-
-__all__ = ["Grid", "Swept", "sweep"]

@@ -1,0 +1,128 @@
+"""Exposure: given, of a camera, and measured on the picture."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.errors import ParameterError
+from airlight.image.exposure import (
+    automatic_exposure,
+    camera_exposure,
+    eased,
+    exposure_factor,
+)
+from airlight.physics.constants import LUMINOUS_EFFICACY
+
+#: A sunlit sky and ground of some 3000 cd/m². [W m⁻² sr⁻¹]
+DAY = np.random.default_rng(3).lognormal(1.5, 0.5, size=(37, 53, 3))
+
+
+def shown(luminance: float) -> float:
+    """Light as which a uniform grey of a luminance [cd m⁻²] is shown. [1]"""
+    grey = np.full((4, 4, 3), luminance / LUMINOUS_EFFICACY)
+    return float(grey[0, 0, 0] * exposure_factor(automatic_exposure(grey)))
+
+
+def test_one_ev_doubles_the_light():
+    assert exposure_factor(0.0) == 1.0
+    assert_allclose(exposure_factor(1.5) / exposure_factor(0.5), 2.0, rtol=1e-15)
+
+
+def test_by_day_the_picture_does_not_depend_on_the_light():
+    for factor in (1.0, 4.0, 100.0):
+        change = automatic_exposure(factor * DAY) - automatic_exposure(DAY)
+        assert_allclose(change, -math.log2(factor), atol=5e-3)
+
+
+@pytest.mark.parametrize(
+    ("sky", "luminance", "low", "high"),
+    [
+        # shown light of typical skies; 0.0313 of light is a value of 50 of 255, 0.009 one of 25
+        ("noon", 5000.0, 0.345, 0.355),
+        ("sunset", 500.0, 0.33, 0.355),
+        ("end of civil twilight", 3.0, 0.15, 0.30),
+        ("full moon", 0.01, 0.02, 0.06),
+        ("airglow alone", 2e-4, 0.005, 0.015),
+        ("less than a night", 1e-6, 0.0, 1e-4),
+    ],
+)
+def test_skies_are_shown_as_an_adapted_eye_sees_them(sky, luminance, low, high):
+    assert low < shown(luminance) < high, sky
+
+
+def test_darker_skies_are_never_shown_brighter():
+    seen = [shown(one) for one in np.geomspace(1e-7, 1e5, 200)]
+    assert np.all(np.diff(seen) >= -1e-12)
+    # nothing jumps: a fifteenth of a decade changes it by no more than the light itself
+    assert np.all(np.diff(np.log2(seen)) < 1.01 * np.log2(10.0) * 12.0 / 199.0)
+
+
+def test_highlights_are_protected():
+    # a tenth of the picture is forty times as bright: it decides
+    plain = np.full((40, 40, 3), 5.0)
+    lit = plain.copy()
+    lit[:4] *= 40.0
+    assert_allclose(200.0 * exposure_factor(automatic_exposure(lit)), 1.5, rtol=1e-2)
+    # a hundredth of it does not
+    few = plain.copy()
+    few[0, :16] *= 40.0
+    assert_allclose(automatic_exposure(few), automatic_exposure(plain), atol=0.1)
+
+
+@pytest.mark.parametrize(("times", "darker"), [(1, 0.5 ** (1.0 / 3.0)), (9, 0.6)])
+def test_black_space_makes_a_dark_picture_at_most_three_quarters_of_a_stop_darker(times, darker):
+    # neither its depth of black nor how much of it there is decides beyond that
+    space = np.full((37, times * 53, 3), 1e-9)
+    space[::2] = 0.0
+    both = automatic_exposure(np.concatenate([DAY, space], axis=1))
+    assert_allclose(both, automatic_exposure(DAY) + np.log2(darker), atol=1e-9)
+
+
+def test_weights_count_pixels():
+    doubled = np.concatenate([DAY, DAY[:10]])
+    weights = np.ones(DAY.shape[:2])
+    weights[:10] = 2.0
+    assert_allclose(automatic_exposure(DAY, weights), automatic_exposure(doubled), atol=1e-9)
+    weights[:10] = 0.0
+    assert_allclose(automatic_exposure(DAY, weights), automatic_exposure(DAY[10:]), atol=1e-9)
+
+
+def test_the_exposure_of_odd_pictures_is_a_number():
+    night = automatic_exposure(np.full((3, 3, 3), 1e-12))
+    assert_allclose(automatic_exposure(np.zeros((3, 3, 3))), night, atol=1e-9)
+    odd = np.ones((3, 3, 3), dtype=np.float32)
+    odd[0, 0] = np.nan
+    odd[1, 1] = np.inf
+    odd[2, 2] = -1.0
+    # less than nothing is black: one of the seven pixels that have a light
+    even = automatic_exposure(np.ones((3, 3, 3))) + np.log2(6.0 / 7.0) / 3.0
+    assert_allclose(automatic_exposure(odd), even, atol=1e-6)
+
+
+def test_a_large_picture_is_sampled_evenly():
+    ramp = np.linspace(1.0, 3.0, 2400, dtype=np.float32)
+    large = np.broadcast_to(ramp[:, None, None], (2400, 2400, 3))
+    small = np.broadcast_to(ramp[::8, None, None], (300, 2, 3))
+    assert_allclose(automatic_exposure(large), automatic_exposure(small), atol=1e-2)
+
+
+def test_a_camera_s_exposure_saturates_where_iso_12232_says():
+    # H = q L t / N² = 78 / S lx s, worked by hand: L = 78 · 64 · 250 / (100 · 0.65)
+    saturating = 78.0 * 64.0 * 250.0 / (100.0 * 0.65)
+    factor = exposure_factor(camera_exposure(iso=100.0, aperture=8.0, shutter=1.0 / 250.0))
+    assert_allclose(factor * saturating / LUMINOUS_EFFICACY, 1.0, rtol=1e-12)
+    with pytest.raises(ParameterError, match=r"^shutter is 0"):
+        camera_exposure(100.0, 8.0, 0.0)
+
+
+def test_the_exposure_eases_towards_the_wanted_one():
+    assert eased(2.0, -1.0, 0.0, 0.4) == 2.0
+    assert_allclose(eased(2.0, -1.0, 0.4, 0.4), -1.0 + 3.0 / math.e, rtol=1e-12)
+    # two steps are one
+    halfway = eased(2.0, -1.0, 0.1, 0.4)
+    assert_allclose(eased(halfway, -1.0, 0.3, 0.4), eased(2.0, -1.0, 0.4, 0.4), rtol=1e-12)
+    assert eased(2.0, -1.0, 0.1, 0.0) == -1.0

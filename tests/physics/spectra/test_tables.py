@@ -1,0 +1,114 @@
+"""Tables against their sources and the door against bad wavelengths."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from airlight.errors import ParameterError
+from airlight.physics.spectra.color_matching import cie_1931
+from airlight.physics.spectra.sun import solar_irradiance
+from airlight.physics.spectra.tables import Spectrum, read_spectrum, spectrum_names
+
+
+def test_every_table_names_its_quantity_unit_source_and_licence():
+    # The header is the only place where a table's origin stands.
+    for name in spectrum_names():
+        table = read_spectrum(name)
+        assert table.unit
+        assert len(table.source) > 20
+        assert table.licence
+        steps = np.diff(table.wavelengths)
+        assert_array_equal(steps, 10.0 if name in ("earth-albedo", "methane-bands") else 1.0)
+        assert np.all(np.isfinite(table.values))
+        assert np.all(table.values >= 0.0)
+
+
+def test_earth_albedo_is_the_mean_of_the_map():
+    # Second path: the spectrum, seen in the sun's light, has the mean colour of the packaged map,
+    # and what its water mirrors without colouring it.
+    from airlight.image.spectral import sun_color
+    from airlight.physics.optics.water import mean_specular
+    from airlight.scene.surface_map import surface_map
+
+    eye = np.arange(360.0, 831.0)
+    reflected = sun_color(solar_irradiance(eye) * read_spectrum("earth-albedo").at(eye))
+    earth = surface_map("earth")
+    wanted = earth.mean_rgb + earth.mean_water * mean_specular(5.0)
+    assert_allclose(reflected / sun_color(), wanted, rtol=2e-3)
+
+
+def test_solar_spectrum_is_astm_g173_as_pvlib_ships_it():
+    # The second copy is the one installed with pvlib; the table keeps every printed digit.
+    spectrum = pytest.importorskip("pvlib.spectrum").get_reference_spectra()
+    table = read_spectrum("astm-g173")
+    assert_array_equal(table.values, spectrum["extraterrestrial"].loc[table.wavelengths])
+
+
+@pytest.mark.filterwarnings("ignore::Warning")  # of colour-science, about its own extras
+def test_colour_matching_functions_are_those_of_colour_science():
+    with np.printoptions():  # colour-science changes how NumPy prints, for everyone
+        colour = pytest.importorskip("colour")
+    functions = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
+    assert_array_equal(cie_1931().wavelengths, functions.wavelengths)
+    assert_allclose(cie_1931().values, functions.values, rtol=1e-12)
+
+
+def test_colour_matching_functions_have_the_printed_values():
+    # CIE 15, table T.4, at 450, 555 and 600 nm, all printed digits.
+    printed = [[0.33620, 0.038, 1.77211], [0.5120501, 1.0, 0.00575], [1.0622, 0.631, 0.0008]]
+    assert_allclose(cie_1931().at([450.0, 555.0, 600.0]), printed, rtol=0, atol=5e-8)
+
+
+def test_the_three_functions_have_equal_areas():
+    # Equal energy is white by definition; the 1 nm table, interpolated by the CIE from 5 nm, keeps
+    # that to 3.4e-4.
+    areas = cie_1931().values.sum(axis=0)
+    assert_allclose(areas / areas[1], 1.0, rtol=4e-4)
+
+
+def test_sun_at_the_printed_wavelengths():
+    # ASTM G173-03, column extraterrestrial, at 300, 500, 800 nm, and half-way in between rows.
+    assert_allclose(solar_irradiance([300.0, 500.0, 800.0]), [0.45794, 1.916, 1.1248], rtol=1e-12)
+    assert_allclose(
+        solar_irradiance(500.5), 0.5 * (solar_irradiance(500.0) + solar_irradiance(501.0))
+    )
+
+
+def test_end_values_stand_for_ten_nanometres_and_no_further():
+    assert_array_equal(solar_irradiance(1010.0), solar_irradiance(1000.0))
+    assert_array_equal(cie_1931().at(350.0), cie_1931().values[0])
+    for beyond in (269.9, 1010.1, np.nan, np.inf, -550.0):
+        with pytest.raises(ParameterError, match="270 to 1010 nm"):
+            solar_irradiance([550.0, beyond])
+
+
+def test_the_error_names_the_field_that_the_caller_gives():
+    with pytest.raises(ParameterError, match=r"constituents\[2\]\.wavelengths is 100\.0"):
+        read_spectrum("astm-g173").at(100.0, field="constituents[2].wavelengths")
+
+
+def test_shapes_follow_the_wavelengths():
+    assert solar_irradiance(550.0).shape == ()
+    assert solar_irradiance(np.full((2, 5), 550.0)).shape == (2, 5)
+    assert cie_1931().at(np.full((2, 5), 550.0)).shape == (2, 5, 3)
+
+
+def test_an_unknown_table_is_refused_with_the_known_names():
+    known = (
+        "astm-g173, cie-1931, earth-albedo, methane-bands, oxygen-bands, oxygen-pairs, "
+        "ozone-293k, water-vapour-bands$"
+    )
+    with pytest.raises(ParameterError, match=known):
+        read_spectrum("../../planets/earth")
+
+
+def test_shipped_tables_cannot_be_written_to():
+    with pytest.raises(ValueError, match="read-only"):
+        read_spectrum("astm-g173").values[0] = 1.0
+
+
+def test_a_user_s_own_spectrum_interpolates_linearly():
+    ramp = Spectrum("ramp", np.array([400.0, 500.0]), np.array([0.0, 1.0]), "1", "a line", ("r",))
+    assert_allclose(ramp.at([395.0, 425.0, 505.0]), [0.0, 0.25, 1.0])
