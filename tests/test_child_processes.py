@@ -154,7 +154,7 @@ def wait_until(condition: Callable[[], bool]) -> None:
     [
         (LONG_FILM, "first child", 1),
         (LONG_FILM, "all children", 2),
-        # of a film that is computing: tests/film/test_animate.py
+        # of a film that is computing: tests/studies/film/test_animate.py
         pytest.param(LONG_FILM, "computing", 1, marks=pytest.mark.validation),
         pytest.param(LONG_GRID, "first child", 2, marks=pytest.mark.validation),
         (LONG_GRID, "computing", 2),

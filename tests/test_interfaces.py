@@ -150,7 +150,7 @@ def test_points_of_the_compass_are_bearings_everywhere(number: int, point: str) 
     assert airlight.Scene(sun_azimuth=point).sun_azimuth == degrees
     placed = Placement(heading=point, sun_azimuth=point.lower())
     assert (placed.heading, placed.sun_azimuth) == (degrees, degrees)
-    assert PlaceOptions(sun_azimuth=point).placed(airlight.load_planet(NAME)).sun_azimuth == degrees
+    assert PlaceOptions(sun_azimuth=point).scene(airlight.load_planet(NAME)).sun_azimuth == degrees
 
 
 def test_files_of_scenes_and_films_take_points_of_the_compass() -> None:
@@ -189,7 +189,7 @@ def test_the_command_answers_lists_and_ranges_as_a_table(
 
 def test_commands_begin_with_the_observer_of_a_scene(tmp_path: Path) -> None:
     default = airlight.Scene()
-    placed = PlaceOptions().placed(airlight.load_planet(NAME))
+    placed = PlaceOptions().scene(airlight.load_planet(NAME))
     for name in ("altitude", "latitude", "longitude", "sun_zenith", "sun_azimuth"):
         assert getattr(placed, name) == getattr(default, name)
     quick = ["--quality", "preview", "--wavelengths", "rgb"]

@@ -6,7 +6,7 @@ import io
 
 import pytest
 
-from airlight.cli.progress import shown_progress
+from airlight.cli.console import shown_progress
 
 
 class Terminal(io.StringIO):

@@ -71,7 +71,7 @@ def test_no_command_has_many_parameters() -> None:
 
 def test_given_options_are_those_that_differ_from_their_defaults() -> None:
     place = PlaceOptions(at="1N,2E", season="90", sun_distance="true")
-    assert given_options(place) == {"--at": "1N,2E", "--ls": "90"}
+    assert given_options(place) == {"--at": "1N,2E", "--ls": 90.0}
 
 
 def test_a_sky_is_exposed_by_a_camera(tmp_path: Path) -> None:

@@ -43,7 +43,7 @@ def test_the_first_and_the_last_frame_of_each_command_can_be_made(command: str) 
             keys.append({"path": path, "values": values, "law": law or "linear"})
     film = load_film(words[0], {**changes, "film.keys": keys})
     for number in range(2):
-        film.frame_spec(number, 64, 64, Quality())
+        film.frame_spec(number, Quality(width=64, height=64))
 
 
 @pytest.mark.slow

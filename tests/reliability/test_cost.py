@@ -29,10 +29,11 @@ from airlight.planets.matter.particle_index import GivenIndex
 from airlight.planets.matter.particle_sizes import GammaSizes
 from airlight.render import render
 from airlight.scene import Camera, Scene
-from airlight.studies.film import animate, load_film
+from airlight.studies.film import Finish, Quality, animate, load_film
 from airlight.studies.film.frame_spec import PlanetFrameSpec
 from airlight.studies.fit.photograph import Shot, read_photograph
 from airlight.studies.sweep import Grid, rows
+from airlight.studies.sweep.shared_solution import RadianceTask
 
 #: The module, whose function has its name.
 sweep_module = import_module("airlight.studies.sweep.sweep")
@@ -156,12 +157,12 @@ def test_the_frames_of_a_film_are_announced_before_the_first(
 ) -> None:
     monkeypatch.setattr(PlanetFrameSpec, "prepare", never)
     monkeypatch.setattr(PlanetFrameSpec, "render", never)
-    found = []
+    found, how = [], Quality(width=480, height=270)
     for frames, albedo in ((60, "0.1, 0.1"), (600, "0.1, 0.1"), (600, "0.1, 0.2")):
         keys = [{"path": "ground.albedo", "values": albedo}]
         film = load_film("earth-openspace", {"film.frames": frames, "film.keys": keys})
         with pytest.raises(KeyboardInterrupt):
-            animate(film, tmp_path / "frames", width=480, height=270, exposure=0.0, workers=1)
+            animate(film, tmp_path / "frames", how=how, finish=Finish(exposure=0.0), workers=1)
         assert announced[-1].startswith(f"{frames} frames of 480x270 pixels: about ")
         found.append(seconds(announced[-1]))
     # ten times the frames take ten times as long, and a solution for each of them much longer
@@ -179,15 +180,15 @@ def test_a_sweep_and_a_table_of_observers_are_announced_before_they_begin(
     with pytest.raises(KeyboardInterrupt):
         sweep_module.sweep(grid, tmp_path / "a.zarr", workers=1)
     assert announced[-1].startswith("3 solutions and 300 lines of sight: about ")
-    monkeypatch.setattr(rows, "shared_solution", lambda *_, **__: None)
+    monkeypatch.setattr(RadianceTask, "solution", lambda *_, **__: None)
     monkeypatch.setattr(rows, "radiances_of_lines", never)
     table = tmp_path / "in.csv"
     table.write_text(
         "altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg\n" + "0,60,30,90\n" * 70
     )
     with pytest.raises(KeyboardInterrupt):
-        rows.answer_rows(grid.planet((0, 0)), str(table), str(tmp_path / "out.csv"),
-                         wavelengths=[550.0])  # fmt: skip
+        task = RadianceTask(planet=grid.planet((0, 0)), wavelengths=(550.0,))
+        rows.answer_rows(task, str(table), str(tmp_path / "out.csv"))
     assert announced[-1].startswith("70 lines of sight: about ")
 
 

@@ -161,8 +161,9 @@ def test_a_film_of_a_planet_has_stars() -> None:
     # The second method: the same frame without stars, and the catalogue added to it.
     changes = {"view.stars": True, "view.sun_zenith": "120 deg", "view.look_at": "S/40"}
     film = load_film("earth", changes)
-    how = Quality(wavelengths=(680.0, 550.0, 440.0), quality="preview")
-    still = film.frame_spec(0, 96, 54, how)
+    nm = (680.0, 550.0, 440.0)
+    how = Quality(width=96, height=54, wavelengths=nm, quality="preview")
+    still = film.frame_spec(0, how)
     assert isinstance(still, PlanetFrameSpec)
     dark = replace(still, stars=False)
     assert still.defined_by != dark.defined_by

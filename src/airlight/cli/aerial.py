@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from airlight.cli import options
-from airlight.cli.console import say
-from airlight.cli.examples import examples
+from airlight.cli.console import examples, say, shown_progress
 from airlight.cli.place_options import PlaceOptions
 from airlight.cli.planet_options import PlanetOptions
-from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import SolveOptions
 
 if TYPE_CHECKING:
@@ -29,10 +28,7 @@ EPILOG = examples(
 def aerial(
     planet: PlanetOptions,
     output: Annotated[
-        Path,
-        typer.Option(
-            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of such tables."
-        ),
+        Path, options.output_option("DIR", "Output folder: new, empty, or of such tables.")
     ],
     place: PlaceOptions,
     solve: SolveOptions,
@@ -54,22 +50,18 @@ def aerial(
     from airlight.engines.composition.aerial_perspective import AerialPerspective, check_request
     from airlight.files.atomic_folder import check_folder
     from airlight.render.solve_planet import solve_planet
-    from airlight.scene import Scene
     from airlight.scene.local_ground import local_ground
 
     check_folder(output, FORMAT, FILES, overwrite=overwrite)
     between = options.length(nearest, "--nearest"), options.length(farthest, "--farthest")
     world = planet.load()
-    placed = place.placed(world)
-    world = place.lit(world, placed)
+    scene = place.scene(world)
+    world = place.lit(world, scene)
+    scene = replace(scene, time=None, secondary_lights=())
     nm = solve.nm(world)
     world = local_ground(
-        world, latitude=placed.latitude, longitude=placed.longitude, altitude=placed.altitude
+        world, latitude=scene.latitude, longitude=scene.longitude, altitude=scene.altitude
     )
-    scene = Scene(
-        altitude=placed.altitude, sun_zenith=placed.sun_zenith,
-        sun_azimuth=placed.sun_azimuth, latitude=placed.latitude, longitude=placed.longitude,
-    )  # fmt: skip
     check_request(world.thickness, scene, *between)
     with shown_progress() as report:
         solution = solve_planet(world, nm, progress=report, **solve.keywords())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -12,18 +12,16 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.camera_options import Samples, Size
-from airlight.cli.console import note, say
+from airlight.cli.console import examples, note, say, shown_progress
 from airlight.cli.display_options import DisplayOptions
-from airlight.cli.distribution_options import DistributionOptions
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import given_options
+from airlight.cli.option_groups import OptionGroup, given_options, given_values, option
 from airlight.cli.place_options import Zone
-from airlight.cli.progress import shown_progress
-from airlight.cli.solve_options import AccuracyOptions, Exact
+from airlight.cli.planet_options import overrides_of
+from airlight.cli.solve_options import AccuracyOptions, DistributionOptions, Exact
 from airlight.errors import ConflictError, FileError, ParameterError, WorkerError
 
 if TYPE_CHECKING:
-    from airlight.studies.film import Animated, Film
+    from airlight.studies.film import Film
     from airlight.studies.film import Quality as Accuracy
 
 EPILOG = examples(
@@ -41,49 +39,30 @@ EPILOG = examples(
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlanOptions:
+class PlanOptions(OptionGroup):
     """Options of the animated quantities."""
 
-    frames: Annotated[int | None, typer.Option(metavar="N", help="Number of frames (120).")] = None
-    rate: Annotated[
-        float | None, typer.Option(metavar="N", help="Frames per second of the MP4 (30).")
-    ] = None
-    start: Annotated[
-        str | None,
-        typer.Option(
-            metavar="TIME", help="Time of the first frame, as --time of render; requires --end."
-        ),
-    ] = None
-    end: Annotated[str | None, typer.Option(metavar="TIME", help="Time of the last frame.")] = None
+    frames: int | None = option("Number of frames (120).", "N")
+    rate: float | None = option("Frames per second of the MP4 (30).", "N")
+    start: str | None = option(
+        "Time of the first frame, as --time of render; requires --end.", "TIME"
+    )
+    end: str | None = option("Time of the last frame.", "TIME")
     zone: Zone = None
-    key: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="PATH=A,B[,C …] [LAW]",
-            help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
-            "{studies.film.laws:LAWS}. May be repeated.",
-        ),
-    ] = None
-    set_: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--set",
-            metavar="PATH=VALUE",
-            help="Override a key: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.",
-        ),
-    ] = None
+    key: list[str] | None = option(
+        "Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
+        "{studies.film.laws:LAWS}. May be repeated.",
+        "PATH=A,B[,C …] [LAW]",
+    )
+    set_: list[str] | None = option(
+        "Override a key: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.", "PATH=VALUE"
+    )
 
     def changes(self) -> dict[str, Any]:
         """Overrides of the film's keys, without key frames."""
-        from airlight.planets.reading.overrides import parsed
-
-        try:
-            changes: dict[str, Any] = dict(parsed(change) for change in self.set_ or [])
-        except ParameterError as error:
-            raise error.named("--set") from None
-        names = ("frames", "rate", "start", "end", "zone")
-        given = {f"film.{name}": getattr(self, name) for name in names}
-        return changes | {path: value for path, value in given.items() if value is not None}
+        given = given_values(self, "frames", "rate", "start", "end", "zone")
+        film = {f"film.{name}": value for name, value in given.items()}
+        return overrides_of(self.set_) | film
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,37 +70,24 @@ class FrameOptions(DisplayOptions):
     """Options of the frames' files and display."""
 
     size: Size = None
-    format_: Annotated[
-        Literal["png", "exr"],
-        typer.Option("--format", help="File format of the frames; EXR is linear."),
-    ] = "png"
-    name: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Prefix of NAME_00001.png (the film's name).")
-    ] = None
-    exposure: Annotated[
-        str | None,
-        typer.Option(
-            metavar="EV|auto|locked",
-            help="Exposure compensation, a power of 2; default auto, smoothly adapting; or locked, "
-            "that of the first frame.",
-        ),
-    ] = None
-
-    def _compensation(self, text: str) -> Any:
-        if text.strip().lower() == "locked":
-            return "locked"
-        try:
-            return options.exposure(text)
-        except ParameterError as error:
-            raise ParameterError("--exposure", text, "auto, locked, or -100 to 100 EV") from error
+    format_: Literal["png", "exr"] = option(
+        "File format of the frames; EXR is linear.", default="png"
+    )
+    name: str | None = option("Prefix of NAME_00001.png (the film's name).", "NAME")
+    exposure: float | str | None = option(
+        "Exposure compensation, a power of 2; default auto, smoothly adapting; or locked, that of "
+        "the first frame.",
+        "EV|auto|locked",
+        read=options.film_exposure,
+    )
 
     def check_movie(self, movie: Path) -> None:
         """Raise an error if an MP4 of these frames cannot be written."""
         from airlight.studies.film.movie import check_movie
 
         plain = {"--format": "png", "--bits": 8, "--encoding": "srgb", "--primaries": "srgb"}
-        for option in given_options(self, "format_", "bits", "encoding", "primaries"):
-            raise ConflictError(option, f"must be {plain[option]} for an MP4")
+        for given in given_options(self, "format_", "bits", "encoding", "primaries"):
+            raise ConflictError(given, f"must be {plain[given]} for an MP4")
         check_movie(movie, "--output")
 
 
@@ -132,16 +98,20 @@ class FilmAccuracyOptions(AccuracyOptions):
     exact: Exact = False
     samples: Samples = None
 
-    def accuracy(self, film: Film) -> Accuracy:
-        """Accuracy settings of the frames."""
+    def accuracy(self, film: Film, size: tuple[int, int]) -> Accuracy:
+        """Settings of the film's frames of a size. [pixel]"""
         from airlight.studies.film import Quality
 
         if self.wavelengths is not None and not film.planets:
             raise ConflictError("--wavelengths", "does not apply to a scene without air")
         return Quality(
+            width=size[0],
+            height=size[1],
             wavelengths=self.picture_nm(film.planets[0]) if film.planets else None,
-            quality=self.quality, exact=self.exact, samples=self.samples,
-        )  # fmt: skip
+            quality=self.quality,
+            exact=self.exact,
+            samples=self.samples,
+        )
 
 
 def animate(
@@ -151,12 +121,7 @@ def animate(
     ],
     output: Annotated[
         list[Path],
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FOLDER|FILM.mp4",
-            help="Folder of the frames; repeated, also an MP4.",
-        ),
+        options.output_option("FOLDER|FILM.mp4", "Folder of the frames; repeated, also an MP4."),
     ],
     plan: PlanOptions,
     frame: FrameOptions,
@@ -178,8 +143,8 @@ def animate(
         frame.check_movie(movie)
     changes = plan.changes()
     made = load_film(film, {**changes, **_keys(film, plan.key, changes)})
-    columns, rows = options.picture_size(frame.size, made.projection)
-    how = accuracy.accuracy(made)
+    made = made if frame.name is None else replace(made, name=frame.name)
+    how = accuracy.accuracy(made, options.picture_size(frame.size, made.projection))
     count = [0]
     try:
         with shown_progress() as report, distribution.named():
@@ -190,24 +155,27 @@ def animate(
                 report(done, total, message)
 
             result = rendered(
-                made, folder, width=columns, height=rows, how=how,
-                finish=Finish(suffix=f".{frame.format_}", **frame.finish()), exposure=frame.ev,
-                movie=movie, name=frame.name, on_message=note, progress=counted,
+                made,
+                folder,
+                how=how,
+                finish=Finish(suffix=f".{frame.format_}", **frame.keywords()),
+                movie=movie,
+                on_message=note,
+                progress=counted,
                 **distribution.keywords(),
-            )  # fmt: skip
+            )
     except (KeyboardInterrupt, WorkerError, FileError):
         if count[0]:
             note(f"{count[0]} frames are complete; the same command renders the others")
         raise
-    _report(result, movie, columns, rows, time.perf_counter() - started)
-
-
-def _report(result: Animated, movie: Path | None, columns: int, rows: int, seconds: float) -> None:
-    frames = result.frames
-    say(f"{frames.path(0)} … {frames.path(frames.count - 1).name}  {columns}x{rows}  "
-          f"{result.rendered} rendered, {result.kept} unchanged  {seconds:.1f} s"
-          + ("  linear" if result.exposures is None else
-             "  exposure {:+.2f} to {:+.2f} EV".format(*result.exposures)))  # fmt: skip
+    frames, light = result.frames, "linear"
+    if result.exposures is not None:
+        light = "exposure {:+.2f} to {:+.2f} EV".format(*result.exposures)
+    say(
+        f"{frames.path(0)} … {frames.path(frames.count - 1).name}  {how.width}x{how.height}  "
+        f"{result.rendered} rendered, {result.kept} unchanged  "
+        f"{time.perf_counter() - started:.1f} s  {light}"
+    )
     if movie is not None:
         say(f"{movie}  {movie.stat().st_size / 1e3:.0f} kB")
 

@@ -17,8 +17,7 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from airlight.child_processes import SAFE_PATH
-from airlight.cli.console import note, noted_warnings
-from airlight.cli.examples import examples
+from airlight.cli.console import examples, note, noted_warnings
 from airlight.cli.interrupt import (
     INTERRUPTED,
     end_when_interrupted,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -12,17 +13,22 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from airlight.cli import options
-from airlight.cli.bake_target import BakeSolveOptions, bake_target, check_options
-from airlight.cli.console import note, say
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import given_options
+from airlight.cli.console import examples, note, say, shown_progress
+from airlight.cli.option_groups import (
+    OptionGroup,
+    given_options,
+    named_errors,
+    option,
+    option_name,
+)
 from airlight.cli.planet_options import PlanetOptions
-from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import SolveOptions, wavelengths_option
 from airlight.engines.targets import MODULES
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.engines.baking.bake import Baked
+    from airlight.engines.targets.target import ErrorRow, Export, Target
 
 #: Layouts of tables, and programs.
 LAYOUTS = ("bruneton", "atmosphere-plus", *MODULES)
@@ -36,68 +42,41 @@ EPILOG = examples(
 
 
 @dataclass(frozen=True, kw_only=True)
-class TableOptions:
+class TableOptions(OptionGroup):
     """Options of the tables."""
 
-    mapping: Annotated[
-        Literal["linear", "power", "weighted-power"] | None,
-        typer.Option(help="Atmosphere-plus: mapping of the axes (weighted-power)."),
-    ] = None
-    packing: Annotated[
-        Literal["rgba", "separate", "phase-included"] | None,
-        typer.Option(
-            help="Atmosphere-plus: rgba (phase functions at look-up, particles in alpha, grey), "
-            "separate (a table of the particles), phase-included (radiance at --azimuth)."
-        ),
-    ] = None
-    azimuth: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="Phase-included: azimuth from the sun (0deg)."),
-    ] = None
-    mie: Annotated[
-        Literal["separate", "combined"] | None,
-        typer.Option(
-            help="Bruneton: single scattering of particles in a separate table, or in alpha with "
-            "colours restored at look-up."
-        ),
-    ] = None
-    size: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NxNxN",
-            help="Table size: altitude x view x sun x angle (32x128x32x8), or altitude x view x "
-            "sun (32x256x32).",
-        ),
-    ] = None
-    lowest_sun: Annotated[
-        str | None,
-        typer.Option(
-            "--lowest-sun",
-            metavar="ANGLE",
-            help="Bruneton: largest sun zenith angle in the tables, 90deg to 180deg (the end of "
-            "twilight).",
-        ),
-    ] = None
-    smooth_phase: Annotated[
-        Literal["own", "rayleigh"] | None,
-        typer.Option(
-            help="Bruneton: phase function that divides all but the particles' single scattering: "
-            "own (fitted, in phase-functions.npz), or rayleigh (for shaders with Bruneton's "
-            "look-up, worse in dusty air) (own)."
-        ),
-    ] = None
-    precision: Annotated[
-        Literal["half", "single"], typer.Option(help="Number format; half is scaled.")
-    ] = "single"
-    order: Annotated[
-        str,
-        typer.Option(
-            metavar="K|all", help="Scattering order K only, reflections included; or all."
-        ),
-    ] = "all"
-    cumulative: Annotated[
-        bool, typer.Option("--cumulative", help="Scattering orders up to K of --order.")
-    ] = False
+    mapping: Literal["linear", "power", "weighted-power"] | None = option(
+        "Atmosphere-plus: mapping of the axes (weighted-power)."
+    )
+    packing: Literal["rgba", "separate", "phase-included"] | None = option(
+        "Atmosphere-plus: rgba (phase functions at look-up, particles in alpha, grey), separate "
+        "(a table of the particles), phase-included (radiance at --azimuth).",
+    )
+    azimuth: float | None = option("Phase-included: azimuth from the sun (0deg).", "ANGLE")
+    mie: Literal["separate", "combined"] | None = option(
+        "Bruneton: single scattering of particles in a separate table, or in alpha with colours "
+        "restored at look-up.",
+    )
+    size: str | None = option(
+        "Table size: altitude x view x sun x angle (32x128x32x8), or altitude x view x sun "
+        "(32x256x32).",
+        "NxNxN",
+    )
+    lowest_sun: str | None = option(
+        "Bruneton: largest sun zenith angle in the tables, 90deg to 180deg (the end of twilight).",
+        "ANGLE",
+        read=options.unread,
+    )
+    smooth_phase: Literal["own", "rayleigh"] | None = option(
+        "Bruneton: phase function that divides all but the particles' single scattering: own "
+        "(fitted, in phase-functions.npz), or rayleigh (for shaders with Bruneton's look-up, "
+        "worse in dusty air) (own).",
+    )
+    precision: Literal["half", "single"] = option(
+        "Number format; half is scaled.", default="single"
+    )
+    order: str = option("Scattering order K only, reflections included; or all.", "K|all", "all")
+    cumulative: bool = option("Scattering orders up to K of --order.", default=False)
 
     def check(self, layout: str) -> None:
         """Raise an error for options of other layouts."""
@@ -106,8 +85,8 @@ class TableOptions:
             "bruneton": ("mie", "smooth_phase", "lowest_sun"),
             "atmosphere-plus": ("packing", "mapping"),
         }
-        for option in given_options(self, *foreign[other]):
-            raise ConflictError(option, f"requires --layout {other}")
+        for given in given_options(self, *foreign[other]):
+            raise ConflictError(given, f"requires --layout {other}")
         if self.azimuth is not None and self.packed(layout) != "phase-included":
             raise ConflictError("--azimuth", "requires --packing phase-included")
 
@@ -158,6 +137,14 @@ class TableOptions:
         return int(self.order)
 
 
+@dataclass(frozen=True, kw_only=True)
+class BakeSolveOptions(SolveOptions):
+    """Options of the solution of tables."""
+
+    wavelengths: str = wavelengths_option(default="rgb")
+    solver: Literal["moments", "direct", "montecarlo"] = option("Solver.", default="moments")
+
+
 def bake(
     planet: PlanetOptions,
     layout: Annotated[
@@ -169,10 +156,7 @@ def bake(
         ),
     ],
     output: Annotated[
-        Path,
-        typer.Option(
-            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of tables."
-        ),
+        Path, options.output_option("DIR", "Output folder: new, empty, or of tables.")
     ],
     tables: TableOptions,
     solve: BakeSolveOptions,
@@ -215,7 +199,7 @@ def bake(
             layout,
             mapping=tables.mapping or "weighted-power",
             packing=tables.packed(layout),
-            azimuth=0.0 if tables.azimuth is None else options.angle(tables.azimuth, "--azimuth"),
+            azimuth=tables.azimuth or 0.0,
             size=texels,
             precision=tables.precision,
             order=number,
@@ -250,3 +234,101 @@ def _print(manifest: Path, baked: Baked) -> None:
         kind = "absolute" if "absolute" in error.quantity else "relative"
         values = (error.median, error.rms, error.percentile_95, error.maximum)
         say(f"{name:<30} " + " ".join(f"{value:>9.1e}" for value in values) + f"  {kind}")
+
+
+def bake_target(
+    name: str,
+    planet: PlanetOptions,
+    output: Path,
+    chosen: Mapping[str, Any],
+    solve: BakeSolveOptions,
+    *,
+    overwrite: bool,
+) -> None:
+    """Solve a planet and write it for a program.
+
+    Parameters
+    ----------
+    name : str
+        Name of the layout.
+    planet, output, solve, overwrite
+        Options of the command.
+    chosen : mapping
+        Options of tables that were given, by their names in Python: ``size`` as numbers of texels,
+        ``lowest_sun`` in degrees, others as texts.
+
+    Raises
+    ------
+    ParameterError
+        For an option that the program does not have.
+    """
+    started = time.perf_counter()
+    from airlight.engines.targets import target_of
+    from airlight.files.atomic_folder import check_folder
+    from airlight.planets import replace
+
+    program = target_of(name)
+    wavelengths = None if solve.wavelengths == "rgb" else solve.wavelengths
+    if wavelengths is not None and program.wavelengths is not None:
+        fixed = ", ".join(f"{one:g}" for one in program.wavelengths)
+        raise ConflictError(f"--layout {name}", f"takes no --wavelengths: they are {fixed} nm")
+    check_folder(output, program.form, program.files, overwrite=overwrite)
+    world = planet.load()
+    if world.refraction != "none" and not program.bends_light:
+        note(f"{program.program} ignores refraction")
+        world = replace(world, refraction="none")
+    text = wavelengths or program.default_wavelengths
+    nm = program.wavelengths or options.wavelengths(text, world)
+
+    from airlight.solver import solve as solved
+
+    with shown_progress() as report:
+        solution = solved(
+            world, wavelengths=nm, solver=solve.solver, progress=report, **solve.keywords()
+        )
+        with named_errors(*chosen):
+            export = program.write(solution, output, overwrite=overwrite, progress=report, **chosen)
+    print_export(program, export)
+    say()
+    say(f"{export.folder}  {time.perf_counter() - started:.1f} s")
+
+
+def check_options(name: str, chosen: Mapping[str, Any]) -> None:
+    """Refuse options of tables that a program does not have."""
+    from airlight.engines.targets import target_of
+
+    try:
+        target_of(name).check_options(chosen)
+    except ConflictError as error:
+        raise ConflictError(f"--layout {name}", f"takes no {option_name(error.field)}") from None
+
+
+def print_export(program: Target, export: Export) -> None:
+    """Print the files of a folder, their errors, fitted formulas and notes."""
+    say(f"for {program.program} {program.version}")
+    for name, size in export.files.items():
+        say(f"  {name:<32} {_bytes(size):>10}")
+    if export.errors:
+        say()
+        say(f"{'error against the solver':<40} {'median':>9} {'95 %':>9} {'largest':>9}")
+        for row in export.errors:
+            say(f"  {row.name:<38} {_statistics(row)}  {row.measure}; {row.where}")
+    for fit in export.fitted:
+        numbers = (f"{name} = {value:.4g}" for name, value in fit.parameters.items())
+        say()
+        say(f"fitted: {fit.name}: {', '.join((fit.form, *numbers))}; {fit.where}")
+        for name, value in fit.errors.items():
+            say(f"  {name:<38} {value:>9.1e}")
+    if export.notes:
+        say()
+    for line in export.notes:
+        say(f"note: {line}")
+
+
+def _statistics(row: ErrorRow) -> str:
+    values = (row.median, row.percentile_95, row.largest)
+    return " ".join(f"{value:>9.1e}" for value in values)
+
+
+def _bytes(size: int) -> str:
+    return f"{size} B" if size < 1000 else f"{size / 1e3:.0f} kB"

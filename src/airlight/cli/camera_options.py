@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from airlight.cli import options
-from airlight.cli.option_groups import given_options
-from airlight.errors import ConflictError, ParameterError
+from airlight.cli.option_groups import OptionGroup, given_options, named_errors, option
+from airlight.errors import ConflictError
 
 if TYPE_CHECKING:
-    from airlight.cli.place_options import Placed, PlaceOptions
+    from collections.abc import Callable
+
+    from airlight.cli.place_options import PlaceOptions
     from airlight.planets.planet import Planet
-    from airlight.scene import Camera
+    from airlight.scene import Scene
 
 Size = Annotated[
     str | None,
@@ -33,6 +35,8 @@ Samples = Annotated[
     ),
 ]
 
+#: Left and top edge, width and height of a part of a picture; None for the whole. [pixel]
+Window = tuple[int, int, int, int] | None
 #: Projection whose field of view is a length, and whose camera is far away.
 _ORTHOGRAPHIC = "orthographic"
 #: Default azimuth of the camera: across the sunlight, which shows the atmosphere best. [deg]
@@ -40,73 +44,55 @@ _ACROSS = -75.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class DirectionOptions:
+class DirectionOptions(OptionGroup):
     """Options of the direction and the field of view of a camera."""
 
-    look: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ZENITH,AZIMUTH",
-            help="Camera direction; azimuth 0 is towards the sun, 90 to its right. Default: the "
-            "horizon at azimuth -75; the zenith for a fisheye.",
-        ),
-    ] = None
-    look_at: Annotated[
-        str | None,
-        typer.Option(
-            metavar="horizon|nadir|zenith|sun|moon|BEARING",
-            help="Camera target, instead of --look: moon requires --time; a compass bearing is NE "
-            "or 315, with an elevation 315/20.",
-        ),
-    ] = None
-    roll: Annotated[str, typer.Option(metavar="ANGLE", help="Camera roll, clockwise.")] = "0deg"
-    fov: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ANGLE",
-            help="Field of view: horizontal (60deg); of a fisheye across the circle (180deg); of "
-            "orthographic a width, e.g. 14000km (the whole disc).",
-        ),
-    ] = None
-    projection: Annotated[
-        str,
-        typer.Option(
-            metavar="NAME",
-            help="Projection: {scene.projections:PROJECTIONS}. orthographic shows the planet's "
-            "disc, north up.",
-        ),
-    ] = "perspective"
+    look: tuple[float, float] | None = option(
+        "Camera direction; azimuth 0 is towards the sun, 90 to its right. Default: the horizon at "
+        "azimuth -75; the zenith for a fisheye.",
+        "ZENITH,AZIMUTH",
+    )
+    look_at: str | None = option(
+        "Camera target, instead of --look: moon requires --time; a compass bearing is NE or 315, "
+        "with an elevation 315/20.",
+        "horizon|nadir|zenith|sun|moon|BEARING",
+    )
+    roll: float | None = option("Camera roll, clockwise (0deg).", "ANGLE")
+    fov: str | None = option(
+        "Field of view: horizontal (60deg); of a fisheye across the circle (180deg); of "
+        "orthographic a width, e.g. 14000km (the whole disc).",
+        "ANGLE",
+        read=options.unread,
+    )
+    projection: str = option(
+        "Projection: {scene.projections:PROJECTIONS}. orthographic shows the planet's disc, north "
+        "up.",
+        "NAME",
+        "perspective",
+    )
     size: Size = None
 
     def direction(self) -> tuple[float, float] | None:
         """Zenith angle and azimuth of ``--look``; None without it. [deg]"""
-        if self.look is None:
-            return None
-        if self.look_at is not None:
+        if self.look is not None and self.look_at is not None:
             raise ConflictError("--look", "cannot be combined with --look-at")
-        return options.direction(self.look, "--look")
+        return self.look
 
 
 @dataclass(frozen=True, kw_only=True)
 class CameraOptions(DirectionOptions):
     """Options of the camera, its filter and its frame."""
 
-    polariser: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ANGLE",
-            help="Axis of an ideal polarising filter in front of the camera, counterclockwise "
-            "from the camera's up.",
-        ),
-    ] = None
-    crop: Annotated[
-        str | None,
-        typer.Option(
-            metavar="X,Y,W,H",
-            help="Window of the picture to render, in pixels from the left and top edge. Only it "
-            "is computed for an .exr or .hdr, or with --exposure EV and --glare 0.",
-        ),
-    ] = None
+    polariser: float | None = option(
+        "Axis of an ideal polarising filter in front of the camera, counterclockwise from the "
+        "camera's up.",
+        "ANGLE",
+    )
+    crop: str | None = option(
+        "Window of the picture to render, in pixels from the left and top edge. Only it is "
+        "computed for an .exr or .hdr, or with --exposure EV and --glare 0.",
+        "X,Y,W,H",
+    )
     samples: Samples = None
 
     @property
@@ -119,23 +105,20 @@ class CameraOptions(DirectionOptions):
         if not self.parallel:
             return
         placing = {**given_options(place, "altitude"), **given_options(self, "look", "look_at")}
-        for option in [*placing, *(["an altitude in --at"] if place.altitude_in_at else [])]:
-            raise ConflictError(f"--projection {self.projection}", f"takes no {option}")
+        for given in [*placing, *(["an altitude in --at"] if place.altitude_in_at else [])]:
+            raise ConflictError(f"--projection {self.projection}", f"takes no {given}")
 
-    def window(self, columns: int, rows: int) -> tuple[int, int, int, int] | None:
+    def window(self, columns: int, rows: int) -> Window:
         """Window of ``--crop``. [pixel]"""
         return options.crop(self.crop, columns, rows)
 
-    def camera(
-        self, planet: Planet, placed: Placed, size: tuple[int, int],
-        window: tuple[int, int, int, int] | None,
-    ) -> Camera:  # fmt: skip
-        """Camera of a scene of a planet.
+    def seen(self, scene: Scene, planet: Planet, size: tuple[int, int], window: Window) -> Scene:
+        """Scene of a planet, seen by the camera.
 
         Parameters
         ----------
-        placed : Placed
-            Observer and sun.
+        scene : Scene
+            Observer and lights.
         size : (int, int)
             Width and height of the picture. [pixel]
         window : (int, int, int, int), optional
@@ -143,54 +126,38 @@ class CameraOptions(DirectionOptions):
         """
         from airlight.scene import Camera
 
-        zenith, azimuth = self._target(planet, placed)
-        fov = None if self.fov is None or self.parallel else options.angle(self.fov, "--fov")
-        polariser = self.polariser
-        return Camera(
+        look = self.direction()
+        zenith, azimuth = (None, 0.0) if look is None else look
+        camera = Camera(
             projection=self.projection,
             width=size[0],
             height=size[1],
-            field_of_view=fov,
+            field_of_view=None if self.parallel else self._fov(options.angle),
             extent=self._extent(planet, size) if self.parallel else None,
             crop=window,
             look_zenith=zenith,
             look_azimuth=azimuth,
-            roll=options.angle(self.roll, "--roll"),
-            polariser=None if polariser is None else options.angle(polariser, "--polariser"),
+            roll=self.roll or 0.0,
+            polariser=self.polariser,
         )
+        if self.parallel:
+            return replace(scene, camera=camera, altitude=0.0).north_up()
+        scene = replace(scene, camera=camera)
+        if look is not None or (self.look_at is None and self.projection != "perspective"):
+            return scene
+        with named_errors(look_at="--look-at"):
+            scene = scene.aimed(self.look_at or "horizon", planet)
+        if self.look_at is not None:
+            return scene
+        return replace(scene, camera=replace(scene.camera, look_azimuth=_ACROSS))
 
     def _extent(self, planet: Planet, size: tuple[int, int]) -> float:
         """Length from left to right of the picture; by default the whole disc. [m]"""
         from airlight.scene.projections.orthographic import disc_extent
 
-        if self.fov is None:
-            return disc_extent(planet.top_radius, *size)
-        return options.length(self.fov, "--fov")
+        extent = self._fov(options.length)
+        return disc_extent(planet.top_radius, *size) if extent is None else extent
 
-    def _target(self, planet: Planet, placed: Placed) -> tuple[float | None, float]:
-        """Direction of the camera: zenith angle, None for the projection's own, and azimuth. [deg]
-
-        Notes
-        -----
-        Default of a perspective: the horizon.
-        """
-        from airlight.scene import look_at
-
-        given = self.direction()
-        if given is not None:
-            return given
-        if self.look_at is None and self.projection != "perspective":
-            return None, 0.0
-        try:
-            zenith, azimuth = look_at(
-                self.look_at or "horizon",
-                altitude=max(placed.altitude, 0.0),
-                sun_zenith=placed.sun_zenith,
-                bottom_radius=planet.bottom_radius,
-                sun_azimuth=placed.sun_azimuth,
-                moon=None if placed.moon is None else (placed.moon.zenith, placed.moon.azimuth),
-                planet=planet,
-            )
-        except ParameterError as error:
-            raise error.named("--look-at") from None
-        return zenith, azimuth if self.look_at is not None else _ACROSS
+    def _fov(self, read: Callable[[str, str], float]) -> float | None:
+        """Value of ``--fov``; None without it. [deg] or [m]"""
+        return None if self.fov is None else read(self.fov, "--fov")

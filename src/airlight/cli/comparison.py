@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from airlight.cli.console import console
+from airlight.cli.console import console, shown_progress
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -48,7 +48,6 @@ def print_comparison(first: Planet, second: Planet, *, cache: bool) -> None:
 
 def _sky(planet: Planet, *, cache: bool) -> tuple[SkyColor, ...]:
     """Colours of the sky; empty if the planet has no data in the visible."""
-    from airlight.cli.progress import shown_progress
     from airlight.render.sky_color import sky_colors
 
     try:

@@ -10,21 +10,19 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from airlight.cli import options
-from airlight.cli.console import note, say
+from airlight.cli.console import examples, note, say, shown_progress
 from airlight.cli.display_options import DisplayOptions
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import named_errors
+from airlight.cli.option_groups import OptionGroup, given_values, named_errors, option
 from airlight.cli.place_options import PlaceOptions
 from airlight.cli.planet_options import PlanetOptions, Set
-from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import Exact, SolveOptions
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
-    from airlight.cli.place_options import Placed
     from airlight.engines.composition import Composed, Pinhole, Placement
     from airlight.engines.composition.render_passes import RenderPasses
     from airlight.planets.planet import Planet
+    from airlight.scene import Scene
 
 EPILOG = examples(
     "airlight compose render.exr --camera camera.json --planet earth -o composed.exr",
@@ -40,7 +38,7 @@ EPILOG = examples(
 
 
 @dataclass(frozen=True, kw_only=True)
-class PassOptions:
+class PassOptions(OptionGroup):
     """Options of the passes of a rendered picture, and of its camera."""
 
     color: Annotated[
@@ -49,54 +47,29 @@ class PassOptions:
             metavar="COLOR.exr", help="Rendered picture without atmosphere, linear sRGB."
         ),
     ]
-    depth: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Depth pass, .exr (COLOR.exr)."),
-    ] = None
-    depth_kind: Annotated[
-        Literal["auto", "planar", "distance", "position", "inverse"],
-        typer.Option(
-            metavar="auto|planar|distance|position|inverse",
-            help="Depth kind: planar (along the camera's axis), distance (along the ray), "
-            "position, inverse (1 / planar), or auto (by the channel's name).",
-        ),
-    ] = "auto"
-    depth_channel: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Channel of the depth, if it is not found.")
-    ] = None
-    layer: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Layer of the colour, if there are several.")
-    ] = None
-    albedo: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="Albedo pass, to relight surfaces by the planet's sun and sky; requires "
-            "--normals. An .exr with R, G, B or Blender's Diffuse Color; may be COLOR.exr.",
-        ),
-    ] = None
-    normals: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="Normal pass in scene coordinates, an .exr with Normal; requires --albedo.",
-        ),
-    ] = None
-    shadow: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="Shadow pass, visible fraction of the sun, 0 to 1; an .exr of one channel.",
-        ),
-    ] = None
-    camera: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="Camera file transforms.json (default: worldToCamera and worldToNDC of "
-            "COLOR.exr).",
-        ),
-    ] = None
+    depth: Path | None = option("Depth pass, .exr (COLOR.exr).", "FILE")
+    depth_kind: Literal["auto", "planar", "distance", "position", "inverse"] = option(
+        "Depth kind: planar (along the camera's axis), distance (along the ray), position, "
+        "inverse (1 / planar), or auto (by the channel's name).",
+        "auto|planar|distance|position|inverse",
+        "auto",
+    )
+    depth_channel: str | None = option("Channel of the depth, if it is not found.", "NAME")
+    layer: str | None = option("Layer of the colour, if there are several.", "NAME")
+    albedo: Path | None = option(
+        "Albedo pass, to relight surfaces by the planet's sun and sky; requires --normals. An "
+        ".exr with R, G, B or Blender's Diffuse Color; may be COLOR.exr.",
+        "FILE",
+    )
+    normals: Path | None = option(
+        "Normal pass in scene coordinates, an .exr with Normal; requires --albedo.", "FILE"
+    )
+    shadow: Path | None = option(
+        "Shadow pass, visible fraction of the sun, 0 to 1; an .exr of one channel.", "FILE"
+    )
+    camera: Path | None = option(
+        "Camera file transforms.json (default: worldToCamera and worldToNDC of COLOR.exr).", "FILE"
+    )
 
     def read(self) -> tuple[RenderPasses, dict[str, Any]]:
         """Passes of the picture, and its depth as arguments of ``airlight.compose``."""
@@ -113,13 +86,13 @@ class PassOptions:
         """Passes by which surfaces are relit, as arguments of ``airlight.compose``."""
         from airlight.engines.composition.render_passes import read_render_passes
 
-        for option, one, other, required in (
+        for given, one, other, required in (
             ("--albedo", self.albedo, self.normals, "--normals"),
             ("--normals", self.normals, self.albedo, "--albedo"),
             ("--shadow", self.shadow, self.albedo, "--albedo and --normals"),
         ):
             if one is not None and other is None:
-                raise ConflictError(option, f"requires {required}")
+                raise ConflictError(given, f"requires {required}")
         if self.albedo is None or self.normals is None:
             return {}
         albedo, normals = read_render_passes(self.albedo), read_render_passes(self.normals)
@@ -153,35 +126,23 @@ class PassOptions:
 class PlacementOptions(PlaceOptions):
     """Options of the placement of a scene on a planet; the observer is at its origin."""
 
-    altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Altitude of the scene's origin (0m).")
-    ] = None
-    heading: Annotated[
-        str | None,
-        typer.Option(metavar="BEARING", help="Compass bearing of the scene's +Y: NE, 45deg (N)."),
-    ] = None
-    metres_per_unit: Annotated[
-        float | None,
-        typer.Option(metavar="NUMBER", help="Length of the scene's unit in metres (1)."),
-    ] = None
-    up: Annotated[
-        Literal["z", "y"] | None, typer.Option(metavar="z|y", help="Up axis of the scene (z).")
-    ] = None
+    altitude: float | None = option("Altitude of the scene's origin (0m).", "LENGTH")
+    heading: float | None = option("Compass bearing of the scene's +Y: NE, 45deg (N).", "BEARING")
+    metres_per_unit: float | None = option("Length of the scene's unit in metres (1).", "NUMBER")
+    up: Literal["z", "y"] | None = option("Up axis of the scene (z).", "z|y")
 
-    def placement(self, block: dict[str, Any], placed: Placed | None) -> Placement:
+    def placement(self, block: dict[str, Any], scene: Scene | None) -> Placement:
         """Placement by the camera's block, overridden by options."""
         from airlight.engines.composition import Placement
 
         given: dict[str, Any] = self.numbers()
-        given |= {"metres_per_unit": self.metres_per_unit, "up": self.up}
-        if self.heading is not None:
-            given["heading"] = options.bearing(self.heading, "--heading")
-        if placed is not None:
+        given |= given_values(self, "metres_per_unit", "up", "heading")
+        if scene is not None:
             for name in ("latitude", "longitude", "sun_zenith", "sun_azimuth"):
-                given[name] = getattr(placed, name)
+                given[name] = getattr(scene, name)
             if self.altitude_in_at:
-                given["altitude"] = placed.altitude
-        with named_errors(*(name for name, value in given.items() if value is not None)):
+                given["altitude"] = scene.altitude
+        with named_errors(*given):
             return Placement.from_block(block, **given)
 
 
@@ -195,10 +156,7 @@ class ComposeSolveOptions(SolveOptions):
 def compose(
     passes: PassOptions,
     output: Annotated[
-        Path,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Output picture: linear .exr or .hdr, or .png."
-        ),
+        Path, options.output_option("FILE", "Output picture: linear .exr or .hdr, or .png.")
     ],
     place: PlacementOptions,
     display: DisplayOptions,
@@ -237,17 +195,15 @@ def compose(
     pinhole, block = passes.pinhole(picture)
     chosen = PlanetOptions(planet=planet or block.get("planet", "earth"), set_=set_)
     world = chosen.load()
-    placed = place.placed(world) if place.timed else None
-    if placed is not None:
-        world = place.lit(world, placed)
-    placement = place.placement(block, placed)
+    scene = place.scene(world) if place.timed else None
+    if scene is not None:
+        world = place.lit(world, scene)
+    placement = place.placement(block, scene)
     solution = _solved(world, placement, solve)
-    kind = layers["depth_kind"]
+    kind, passed = layers["depth_kind"], (layers.pop("rgb"), layers.pop("depth"))
+    settings = {"white": per_white, "exact": solve.exact, "disc": disc, **layers, **surfaces}
     with shown_progress() as report:
-        composed = composed_over(
-            layers.pop("rgb"), layers.pop("depth"), pinhole, solution, placement, white=per_white,
-            exact=solve.exact, disc=disc, progress=report, **layers, **surfaces,
-        )  # fmt: skip
+        composed = composed_over(*passed, pinhole, solution, placement, progress=report, **settings)
     metadata = {
         "planet": solution.planet.name,
         "picture": passes.color.name,
@@ -287,10 +243,8 @@ def _solved(world: Planet, place: Placement, solve: SolveOptions) -> Any:
     from airlight.scene.local_ground import local_ground
 
     nm = solve.picture_nm(world)
-    world = local_ground(
-        world, latitude=place.latitude, longitude=place.longitude,
-        altitude=max(place.altitude, 0.0),
-    )  # fmt: skip
+    above = max(place.altitude, 0.0)
+    world = local_ground(world, latitude=place.latitude, longitude=place.longitude, altitude=above)
     with shown_progress() as report:
         return solve_planet(world, nm, progress=report, **solve.keywords())
 

@@ -1,17 +1,25 @@
-"""Console output, with control characters and markup of external texts escaped."""
+"""Output of the command line: lines, tables, progress, and the examples of a help text.
+
+Every command writes by these functions, and none by ``print``: characters that steer a terminal
+stand as escapes, and Rich reads no markup.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import sys
 import warnings
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, TextIO
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
 
 from airlight.plain_text import plain
 
 if TYPE_CHECKING:
     from rich.console import Console
+
+
+#: Called with the amount done, the total, and a description of the work.
+Report = Callable[[int, int, str], None]
 
 
 def say(line: object = "", *, flush: bool = False) -> None:
@@ -34,12 +42,9 @@ def noted_warnings() -> Iterator[None]:
         warnings.simplefilter("always", AirlightWarning)
         others = warnings.showwarning
 
-        def show(
-            message: Warning | str, category: type[Warning], filename: str, lineno: int,
-            file: TextIO | None = None, line: str | None = None,
-        ) -> None:  # fmt: skip
+        def show(message: Warning | str, category: type[Warning], *where: Any, **to: Any) -> None:
             if not issubclass(category, AirlightWarning):
-                others(message, category, filename, lineno, file, line)
+                others(message, category, *where, **to)
             elif str(message) not in noted:
                 noted.add(str(message))
                 note(message)
@@ -68,3 +73,76 @@ def console(width: int | None = None) -> Console:
     if width is None or made.is_terminal:
         return made
     return PlainConsole(markup=False, emoji=False, width=width)
+
+
+@contextlib.contextmanager
+def shown_progress() -> Iterator[Report]:
+    """Yield a callback that draws a bar on a terminal and does nothing elsewhere.
+
+    Yields
+    ------
+    callable
+        Function ``report(done, total, message)``, which any thread may call. The bar is removed
+        when the block ends. Work that is expected to take long is announced by a line before it.
+    """
+    from airlight.kernel.cost import announce
+
+    before = announce.set(note)
+    try:
+        with _bar() as report:
+            yield report
+    finally:
+        announce.reset(before)
+
+
+@contextlib.contextmanager
+def _bar() -> Iterator[Report]:
+    if not sys.stderr.isatty():
+        yield lambda done, total, message: None
+        return
+    from rich.console import Console
+    from rich.progress import (
+        BarColumn,
+        Progress,
+        TextColumn,
+        TimeElapsedColumn,
+        TimeRemainingColumn,
+    )
+
+    with Progress(
+        TextColumn("{task.description}", markup=False),
+        BarColumn(),
+        TextColumn("{task.completed:.0f}/{task.total:.0f}"),
+        TimeElapsedColumn(),
+        TextColumn("left"),
+        TimeRemainingColumn(),
+        console=Console(stderr=True),
+        transient=True,
+    ) as bar:
+        task = bar.add_task("starting", total=1)
+
+        def report(done: int, total: int, message: str) -> None:
+            bar.update(task, completed=done, total=max(total, 1), description=plain(message))
+
+        yield report
+
+
+def examples(*lines: str) -> str:
+    r"""Format command lines under the word "Examples" for Typer's epilogue.
+
+    Parameters
+    ----------
+    *lines : str
+        Commands, one each.
+
+    Returns
+    -------
+    str
+        Paragraph whose lines the help does not wrap, which ``\b`` says.
+
+    Examples
+    --------
+    >>> examples("airlight planets")
+    '\x08\nExamples:\n  $ airlight planets'
+    """
+    return "\n".join(["\b", "Examples:", *(f"  $ {line}" for line in lines)])

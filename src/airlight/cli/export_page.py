@@ -8,10 +8,9 @@ from typing import Annotated, Literal
 
 import typer
 
-from airlight.cli.console import say
-from airlight.cli.examples import examples
-from airlight.cli.planet_options import PlanetOptions
-from airlight.cli.progress import shown_progress
+from airlight.cli.console import examples, say, shown_progress
+from airlight.cli.options import output_option
+from airlight.cli.planet_options import PlanetOptions, overrides_of
 from airlight.cli.solve_options import NoCache, Quality
 from airlight.errors import ParameterError
 
@@ -24,9 +23,7 @@ EPILOG = examples(
 
 def export_page(
     planet: PlanetOptions,
-    output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="Output page, .html.")
-    ],
+    output: Annotated[Path, output_option("FILE", "Output page, .html.")],
     view: Annotated[
         list[str] | None,
         typer.Option(
@@ -48,13 +45,12 @@ def export_page(
     The page renders with WebGPU or WebGL2, and loads nothing from a network.
     """
     started = time.perf_counter()
-    from airlight.planets.reading.overrides import parsed
     from airlight.viewer.browser.page import export_page as export
 
     if output.suffix.lower() not in (".html", ".htm"):
         raise ParameterError("--output", str(output), "a name that ends with .html")
     values = dict(_view_value(text) for text in view or [])
-    changes = dict(parsed(text) for text in planet.set_ or [])
+    changes = overrides_of(planet.set_)
     with shown_progress() as report:
         page = export(
             planet.planet,

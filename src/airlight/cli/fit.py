@@ -11,11 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from airlight.cli import options
-from airlight.cli.console import note, say
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import named_errors
-from airlight.cli.planet_options import PlanetOptions
-from airlight.cli.progress import shown_progress
+from airlight.cli.console import examples, note, say, shown_progress
+from airlight.cli.option_groups import REQUIRED, OptionGroup, named_errors, option
+from airlight.cli.planet_options import PlanetOptions, overrides_of
 from airlight.cli.solve_options import NoCache, Quality
 from airlight.errors import ConflictError, ParameterError
 
@@ -41,53 +39,34 @@ _BOUNDS = re.compile(rf"({_NUMBER})\s*\.\.\s*({_NUMBER})")
 
 
 @dataclass(frozen=True, kw_only=True)
-class FitOptions:
+class FitOptions(OptionGroup):
     """Options of the fit."""
 
-    free: Annotated[
-        str,
-        typer.Option(
-            metavar="LIST",
-            help="Free parameters: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, "
-            "or the path of a number of the planet's file; of the instrument scale, "
-            "pointing.azimuth, pointing.zenith, and white_balance.red, .blue of a photograph.",
-        ),
-    ]
-    each_scan: Annotated[
-        str,
-        typer.Option(metavar="LIST", help="Instrument parameters fitted per scan."),
-    ] = ""
-    bounds: Annotated[
-        str, typer.Option(metavar="LIST", help="Bounds of parameters, e.g. ground.albedo=0..0.4.")
-    ] = ""
-    prior: Annotated[
-        str,
-        typer.Option(
-            metavar="LIST", help="Prior values with standard deviations, e.g. ozone.column=320±20."
-        ),
-    ] = ""
-    start: Annotated[
-        str, typer.Option(metavar="LIST", help="Starting values (those of the planet).")
-    ] = ""
-    uncertainty: Annotated[
-        str | None,
-        typer.Option(
-            metavar="FRACTION",
-            help="Relative standard deviation of the data, e.g. 3% (that of the file, or estimated "
-            "from the residuals).",
-        ),
-    ] = None
-    loss: Annotated[
-        str,
-        typer.Option(metavar="linear|soft_l1|huber|cauchy", help="Loss function of the residuals."),
-    ] = "linear"
+    free: str = option(
+        "Free parameters: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, or the "
+        "path of a number of the planet's file; of the instrument scale, pointing.azimuth, "
+        "pointing.zenith, and white_balance.red, .blue of a photograph.",
+        "LIST",
+        REQUIRED,
+    )
+    each_scan: str = option("Instrument parameters fitted per scan.", "LIST", "")
+    bounds: str = option("Bounds of parameters, e.g. ground.albedo=0..0.4.", "LIST", "")
+    prior: str = option(
+        "Prior values with standard deviations, e.g. ozone.column=320±20.", "LIST", ""
+    )
+    start: str = option("Starting values (those of the planet).", "LIST", "")
+    uncertainty: str | None = option(
+        "Relative standard deviation of the data, e.g. 3% (that of the file, or estimated from "
+        "the residuals).",
+        "FRACTION",
+    )
+    loss: str = option("Loss function of the residuals.", "linear|soft_l1|huber|cauchy", "linear")
     quality: Quality = "default"
     no_cache: NoCache = False
 
     def settings(self, planet: PlanetOptions) -> FitSettings:
         """Settings of the fit."""
         from airlight.physics.units import quantity
-        from airlight.planets.reading.overrides import parsed
         from airlight.studies.fit.fit_sky import FitSettings
         from airlight.studies.fit.loss import LOSSES
 
@@ -115,60 +94,32 @@ class FitOptions:
             uncertainty=share,
             loss=self.loss,
             quality=self.quality,
-            overrides=dict(parsed(change) for change in planet.set_ or []),
+            overrides=overrides_of(planet.set_),
             keep=not self.no_cache,
         )
 
 
 @dataclass(frozen=True, kw_only=True)
-class PhotographOptions:
+class PhotographOptions(OptionGroup):
     """Options of a photograph: camera, sun and encoding."""
 
-    photo: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="Photograph, instead of --data: PNG, JPEG, or linear EXR."
-        ),
-    ] = None
-    exclude_sun: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ANGLE",
-            help="Exclude directions closer to the sun (photograph: 15deg).",
-        ),
-    ] = None
-    sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Photograph: sun zenith angle.")
-    ] = None
-    altitude: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Photograph: altitude of the camera.")
-    ] = "0m"
-    projection: Annotated[
-        str,
-        typer.Option(
-            metavar="NAME", help="Photograph: projection: {scene.projections:PROJECTIONS}."
-        ),
-    ] = "fisheye"
-    fov: Annotated[str | None, typer.Option(metavar="ANGLE", help="Photograph: field of view.")] = (
-        None
+    photo: Path | None = option("Photograph, instead of --data: PNG, JPEG, or linear EXR.", "FILE")
+    exclude_sun: float | None = option(
+        "Exclude directions closer to the sun (photograph: 15deg).", "ANGLE"
     )
-    look: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ZENITH,AZIMUTH", help="Photograph: camera direction; azimuth from the sun."
-        ),
-    ] = None
-    roll: Annotated[str, typer.Option(metavar="ANGLE", help="Photograph: camera roll.")] = "0deg"
-    encoding: Annotated[
-        str, typer.Option(metavar="srgb|gamma|linear", help="Photograph: encoding, unless EXR.")
-    ] = "srgb"
-    tone_map: Annotated[
-        str | None,
-        typer.Option(metavar="NAME", help="Photograph: tone map to invert."),
-    ] = None
-    above: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Photograph: lowest elevation angle used.")
-    ] = "5"
+    sun_zenith: float | None = option("Photograph: sun zenith angle.", "ANGLE")
+    altitude: float = option("Photograph: altitude of the camera.", "LENGTH", "0m")
+    projection: str = option(
+        "Photograph: projection: {scene.projections:PROJECTIONS}.", "NAME", "fisheye"
+    )
+    fov: float | None = option("Photograph: field of view.", "ANGLE")
+    look: tuple[float, float] | None = option(
+        "Photograph: camera direction; azimuth from the sun.", "ZENITH,AZIMUTH"
+    )
+    roll: float = option("Photograph: camera roll.", "ANGLE", "0deg")
+    encoding: str = option("Photograph: encoding, unless EXR.", "srgb|gamma|linear", "srgb")
+    tone_map: str | None = option("Photograph: tone map to invert.", "NAME")
+    above: float = option("Photograph: lowest elevation angle used.", "ANGLE", "5")
 
     def shot(self) -> Shot:
         """Camera, sun and encoding of the photograph."""
@@ -177,20 +128,19 @@ class PhotographOptions:
 
         if self.sun_zenith is None:
             raise ConflictError("--photo", "requires --sun-zenith, such as 55deg")
-        sun = options.angle(self.sun_zenith, "--sun-zenith")
-        look = (None, 0.0) if self.look is None else options.direction(self.look, "--look")
+        look = (None, 0.0) if self.look is None else self.look
         return Shot(
             projection=options.projection(self.projection),
-            field_of_view=None if self.fov is None else options.angle(self.fov, "--fov"),
+            field_of_view=self.fov,
             look_zenith=look[0],
             look_azimuth=look[1],
-            roll=options.angle(self.roll, "--roll"),
-            sun_zenith=within("--sun-zenith", sun, 0.0, 180.0, "deg"),
-            altitude=options.length(self.altitude, "--altitude"),
+            roll=self.roll,
+            sun_zenith=within("--sun-zenith", self.sun_zenith, 0.0, 180.0, "deg"),
+            altitude=self.altitude,
             encoding=self.encoding,
             tone_map=self.tone_map,
-            above=options.angle(self.above, "--above"),
-            exclude_sun=options.angle(self.exclude_sun or "15", "--exclude-sun"),
+            above=self.above,
+            exclude_sun=15.0 if self.exclude_sun is None else self.exclude_sun,
         )
 
 
@@ -199,10 +149,7 @@ def fit(
     settings: FitOptions,
     photograph: PhotographOptions,
     output: Annotated[
-        Path,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Output planet file with the fitted values."
-        ),
+        Path, options.output_option("FILE", "Output planet file with the fitted values.")
     ],
     data: Annotated[
         Path | None,
@@ -256,15 +203,13 @@ def _named_errors() -> AbstractContextManager[None]:
 
 
 def _radiances(
-    planet: str, file: Path, exclude_sun: str | None, settings: FitSettings, progress: Any
+    planet: str, file: Path, exclude_sun: float | None, settings: FitSettings, progress: Any
 ) -> SkyFit:
     from airlight.studies.fit.fit_sky import fit_radiances
 
     measured = _measurements(file)
     if exclude_sun is not None:
-        measured = measured.where(
-            measured.angle_from_sun >= options.angle(exclude_sun, "--exclude-sun")
-        )
+        measured = measured.where(measured.angle_from_sun >= exclude_sun)
     return fit_radiances(planet, measured, settings, progress=progress)
 
 

@@ -1,6 +1,7 @@
 """Groups of options shared by commands, declared as dataclasses.
 
-A command parameter whose type is a dataclass represents its fields as options.
+A parameter of a command whose type is a dataclass stands for the options that are its fields, with
+their names, defaults and help. A field declared by ``option`` holds the value of its text.
 """
 
 from __future__ import annotations
@@ -9,10 +10,65 @@ import contextlib
 import dataclasses
 import functools
 import inspect
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, get_type_hints
+from collections.abc import Callable, Iterator
+from typing import Annotated, Any, Final, get_type_hints
 
-from airlight.errors import ParameterError
+import typer
+
+from airlight.cli import options
+from airlight.errors import ParameterError, changed
+
+#: Function of the text of an option and of its name.
+Reader = Callable[[str, str], Any]
+#: Readers of texts by the word that stands for them in the help.
+READERS: Final[dict[str | None, Reader]] = {
+    "ANGLE": options.angle,
+    "BEARING": options.bearing,
+    "LENGTH": options.length,
+    "ZENITH,AZIMUTH": options.direction,
+}
+#: Default of an option that is required.
+REQUIRED: Final = dataclasses.MISSING
+
+
+def option(
+    words: str,
+    metavar: str | None = None,
+    default: Any = None,
+    *,
+    flags: tuple[str, ...] = (),
+    read: Reader | None = None,
+) -> Any:
+    """Field of a group: an option, whose name is that of the field.
+
+    Parameters
+    ----------
+    words : str
+        Help text.
+    metavar : str, optional
+        Word that stands for the value in the help.
+    default : object
+        Value, or text of it, without the option; ``REQUIRED`` for none.
+    flags : tuple of str
+        Names of the option, if not that of the field alone.
+    read : callable, optional
+        Reader of the text; by default that of the metavar in ``READERS``.
+    """
+    read = read or READERS.get(metavar)
+    declared = {"words": words, "metavar": metavar, "flags": flags, "read": read, "text": default}
+    if read is not None and isinstance(default, str):
+        default = read(default, "default")
+    return dataclasses.field(default=default, metadata=declared)
+
+
+class OptionGroup:
+    """Base of groups, in which texts of options are read."""
+
+    def __post_init__(self) -> None:
+        for one in dataclasses.fields(self):  # type: ignore[arg-type]
+            read, value = one.metadata.get("read"), getattr(self, one.name)
+            if read is not None and isinstance(value, str):
+                object.__setattr__(self, one.name, read(value, option_name(one.name)))
 
 
 def expand_groups(command: Callable[..., None]) -> Callable[..., None]:
@@ -69,15 +125,21 @@ def expand_groups(command: Callable[..., None]) -> Callable[..., None]:
 def _fields(kind: type) -> list[inspect.Parameter]:
     """Parameters of the options of a group."""
     hints = get_type_hints(kind, include_extras=True)
-    return [
-        inspect.Parameter(
-            one.name,
-            inspect.Parameter.KEYWORD_ONLY,
-            default=inspect.Parameter.empty if one.default is dataclasses.MISSING else one.default,
-            annotation=hints[one.name],
-        )
-        for one in dataclasses.fields(kind)
-    ]
+    found = []
+    for one in dataclasses.fields(kind):
+        declared, hint, default = one.metadata, hints[one.name], one.default
+        if declared:
+            default = declared["text"]
+            if declared["read"] is not None:
+                hint = str | None if default is None else str
+            flags = declared["flags"] or (option_name(one.name),)
+            words = typer.Option(*flags, metavar=declared["metavar"], help=declared["words"])
+            hint = Annotated[hint, words]
+        if default is dataclasses.MISSING:
+            default = inspect.Parameter.empty
+        kind_of = inspect.Parameter.KEYWORD_ONLY
+        found.append(inspect.Parameter(one.name, kind_of, default=default, annotation=hint))
+    return found
 
 
 def option_name(field: str) -> str:
@@ -101,25 +163,15 @@ def given_options(group: Any, *fields: str) -> dict[str, Any]:
     *fields : str
         Names of the fields; default: all.
     """
-    defaults: Mapping[str, Any] = {one.name: one.default for one in dataclasses.fields(group)}
+    defaults = {one.name: one.default for one in dataclasses.fields(group)}
     values = {name: getattr(group, name) for name in fields or defaults}
     return {option_name(name): v for name, v in values.items() if v != defaults[name]}
 
 
-def read_options(group: Any, readers: Mapping[str, Callable[[str, str], Any]]) -> dict[str, Any]:
-    """Values of the texts of a group that are not None, by field.
-
-    Parameters
-    ----------
-    readers : mapping
-        Functions of text and name of the option, by field.
-    """
-    texts = {name: getattr(group, name) for name in readers}
-    return {
-        name: readers[name](text, option_name(name))
-        for name, text in texts.items()
-        if text is not None
-    }
+def given_values(group: Any, *fields: str) -> dict[str, Any]:
+    """Values of a group that are not None, by field."""
+    values = {name: getattr(group, name) for name in fields}
+    return {name: value for name, value in values.items() if value is not None}
 
 
 @contextlib.contextmanager
@@ -142,6 +194,8 @@ def named_errors(*fields: str, **options: str) -> Iterator[None]:
     try:
         yield
     except ParameterError as error:
-        if error.field not in names:
-            raise
-        raise error.named(names[error.field]) from None
+
+        def renamed(one: ParameterError) -> ParameterError:
+            return one.named(names[one.field]) if one.field in names else one
+
+        raise changed(error, renamed) from None

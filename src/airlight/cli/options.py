@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -20,6 +20,12 @@ Overwrite = Annotated[
         help="Also replace files that airlight has not written, or that have changed since.",
     ),
 ]
+
+
+def output_option(metavar: str, words: str) -> Any:
+    """Option ``--output`` of a command that has no group with it."""
+    return typer.Option("--output", "-o", metavar=metavar, help=words)
+
 
 #: Wavelengths of the three-wavelength mode. [nm]
 RGB = (680.0, 550.0, 440.0)
@@ -63,6 +69,21 @@ def values(text: str, unit: str, option: str) -> list[float]:
     if ":" not in text:
         return quantities(text, unit, option, bare=unit in UNDERSTOOD)
     return values_in(text, unit, option).tolist()  # type: ignore[no-any-return]
+
+
+def lengths(text: str, option: str) -> tuple[float, ...]:
+    """Parse a list or range of lengths, see ``values``. [m]"""
+    return tuple(values(text, "m", option))
+
+
+def angles(text: str, option: str) -> tuple[float, ...]:
+    """Parse a list or range of angles, see ``values``. [deg]"""
+    return tuple(values(text, "deg", option))
+
+
+def unread(text: str, option: str) -> str:
+    """Return the text of an option whose meaning depends on others."""
+    return text
 
 
 def angle(text: str, option: str) -> float:
@@ -178,7 +199,7 @@ def projection(text: str) -> str:
     return text
 
 
-def exposure(text: str) -> float | Literal["auto"]:
+def exposure(text: str, option: str = "--exposure") -> float | Literal["auto"]:
     """Parse an exposure: ``auto`` or a power of two. [EV]
 
     Examples
@@ -188,10 +209,32 @@ def exposure(text: str) -> float | Literal["auto"]:
     """
     if text.strip().lower() == "auto":
         return "auto"
-    value = quantity(text.strip().removesuffix("EV"), "1", "--exposure")
+    value = quantity(text.strip().removesuffix("EV"), "1", option)
     if not -100.0 <= value <= 100.0:
-        raise ParameterError("--exposure", text, "auto, or -100 to 100 EV")
+        raise ParameterError(option, text, "auto, or -100 to 100 EV")
     return value
+
+
+def film_exposure(text: str, option: str) -> float | Literal["auto", "locked"]:
+    """Parse an exposure of a film: ``locked``, ``auto`` or a power of two. [EV]"""
+    if text.strip().lower() == "locked":
+        return "locked"
+    try:
+        return exposure(text, option)
+    except ParameterError as error:
+        raise ParameterError(option, text, "auto, locked, or -100 to 100 EV") from error
+
+
+def f_number(text: str, option: str) -> float:
+    """Parse the f-number of an aperture, such as ``f/8``. [1]"""
+    return quantity(text.strip().lower().removeprefix("f/"), "1", option)
+
+
+def shutter_time(text: str, option: str) -> float:
+    """Parse a shutter time such as ``1/250s``; seconds without a unit. [s]"""
+    over, _, under = text.strip().rpartition("/")
+    seconds = quantity(under, "s", option, bare=True)
+    return quantity(over, "1", option) / seconds if over and seconds > 0 else seconds
 
 
 def wavelengths(text: str, planet: Planet) -> tuple[float, ...]:

@@ -3,44 +3,42 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
 import typer
 
 from airlight.cli import options
 from airlight.cli.console import note
-from airlight.cli.option_groups import given_options, named_errors, read_options
+from airlight.cli.option_groups import (
+    OptionGroup,
+    given_options,
+    given_values,
+    named_errors,
+    option,
+)
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from datetime import datetime
 
-    from airlight.geometry.ephemeris.sky import MoonSighting, Place
+    from airlight.geometry.ephemeris.sky import Place
     from airlight.planets.planet import Planet
+    from airlight.scene import Scene
 
-Latitude = Annotated[
-    str | None,
-    typer.Option(metavar="ANGLE", help="Observer latitude, for the planet's map, e.g. 25deg."),
-]
-Longitude = Annotated[
-    str | None,
-    typer.Option(
-        metavar="ANGLE",
-        help="Observer longitude, east positive, for the planet's map, e.g. 30deg.",
-    ),
-]
+#: Coordinates of the observer.
+latitude_option: Final = partial(
+    option, "Observer latitude, for the planet's map, e.g. 25deg.", "ANGLE"
+)
+longitude_option: Final = partial(
+    option, "Observer longitude, east positive, for the planet's map, e.g. 30deg.", "ANGLE"
+)
 Zone = Annotated[
     str | None,
     typer.Option(metavar="ZONE", help="Time zone: Europe/Stockholm; or solar, true solar time."),
 ]
 
-#: Readers of the options' texts.
-_READERS: Final[dict[str, Callable[[str, str], float]]] = {
-    "altitude": options.length, "latitude": options.angle, "longitude": options.angle,
-    "sun_zenith": options.angle, "sun_azimuth": options.bearing,
-}  # fmt: skip
 #: Options that ``--at`` and ``--time`` replace.
 _ANGLES: Final = ("sun_zenith", "sun_azimuth", "latitude", "longitude")
 #: Wavelength at which the visible fraction of an eclipsed sun is given. [nm]
@@ -48,52 +46,18 @@ _MIDDLE = 550.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class Placed:
-    """Observer and sun of the options.
-
-    Attributes
-    ----------
-    altitude : float
-        Altitude of the observer. [m]
-    latitude, longitude : float
-        Coordinates of the observer. [deg]
-    sun_zenith, sun_azimuth : float
-        Zenith angle and compass bearing of the sun. [deg]
-    time : datetime or None
-        Instant, if given.
-    moon : MoonSighting or None
-        Moon, if its position is known.
-    """
-
-    altitude: float
-    latitude: float
-    longitude: float
-    sun_zenith: float
-    sun_azimuth: float
-    time: datetime | None = None
-    moon: MoonSighting | None = None
-
-
-@dataclass(frozen=True, kw_only=True)
-class AngleOptions:
+class AngleOptions(OptionGroup):
     """Options of the observer and the sun by angles."""
 
-    altitude: Annotated[
-        str | None,
-        typer.Option(metavar="LENGTH", help="Observer altitude above ground, e.g. 400km (2m)."),
-    ] = None
-    sun_zenith: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer, e.g. 72deg (60deg)."),
-    ] = None
-    sun_azimuth: Annotated[
-        str | None,
-        typer.Option(metavar="BEARING", help="Compass bearing of the sun: 105deg, ESE (S)."),
-    ] = None
-    latitude: Latitude = None
-    longitude: Longitude = None
+    altitude: float | None = option("Observer altitude above ground, e.g. 400km (2m).", "LENGTH")
+    sun_zenith: float | None = option(
+        "Sun zenith angle at the observer, e.g. 72deg (60deg).", "ANGLE"
+    )
+    sun_azimuth: float | None = option("Compass bearing of the sun: 105deg, ESE (S).", "BEARING")
+    latitude: float | None = latitude_option()
+    longitude: float | None = longitude_option()
 
-    def numbers(self) -> dict[str, float]:
+    def numbers(self) -> dict[str, Any]:
         """Values of the given options by name. [m], [deg]
 
         Examples
@@ -101,47 +65,34 @@ class AngleOptions:
         >>> AngleOptions(altitude="35km", sun_azimuth="SE").numbers()
         {'altitude': 35000.0, 'sun_azimuth': 135.0}
         """
-        return read_options(self, _READERS)
+        return given_values(self, *(one.name for one in fields(AngleOptions)))
 
 
 @dataclass(frozen=True, kw_only=True)
 class PlaceOptions(AngleOptions):
     """Options of the observer and the sun, by angles or by place and time."""
 
-    at: Annotated[
-        str | None,
-        typer.Option(
-            metavar="LAT,LON[,ALTITUDE]",
-            help="Observer position, with --time: 59.33N,18.07E or 59.33,18.07; optionally ,35km. "
-            "Mars and Titan: planetocentric, east positive.",
-        ),
-    ] = None
-    time_: Annotated[
-        str | None,
-        typer.Option(
-            "--time",
-            metavar="TIME",
-            help="Time, with --at: 2026-06-21T22:10+02:00, …Z, or without a zone with --zone; or "
-            "an event, optionally after a date: {geometry.ephemeris.events:WORDS}.",
-        ),
-    ] = None
+    at: str | None = option(
+        "Observer position, with --time: 59.33N,18.07E or 59.33,18.07; optionally ,35km. Mars and "
+        "Titan: planetocentric, east positive.",
+        "LAT,LON[,ALTITUDE]",
+    )
+    time_: str | None = option(
+        "Time, with --at: 2026-06-21T22:10+02:00, …Z, or without a zone with --zone; or an event, "
+        "optionally after a date: {geometry.ephemeris.events:WORDS}.",
+        "TIME",
+    )
     zone: Zone = None
-    season: Annotated[
-        str | None,
-        typer.Option(
-            "--ls",
-            metavar="ANGLE",
-            help="Solar longitude Ls, 0 at the northern spring equinox; --time is then an event or "
-            "a true solar time such as 14:30 (noon), after its date or after 2000.",
-        ),
-    ] = None
-    sun_distance: Annotated[
-        Literal["true", "file"],
-        typer.Option(
-            metavar="true|file",
-            help="Sun distance with --time: true at that time, or that of the planet's file.",
-        ),
-    ] = "true"
+    season: float | None = option(
+        "Solar longitude Ls, 0 at the northern spring equinox; --time is then an event or a true "
+        "solar time such as 14:30 (noon), after its date or after 2000.",
+        "ANGLE",
+    )
+    sun_distance: Literal["true", "file"] = option(
+        "Sun distance with --time: true at that time, or that of the planet's file.",
+        "true|file",
+        "true",
+    )
 
     @property
     def timed(self) -> bool:
@@ -156,87 +107,83 @@ class PlaceOptions(AngleOptions):
     def _time_options(self) -> dict[str, Any]:
         return given_options(self, "at", "time_", "zone", "season")
 
-    def placed(self, planet: Planet) -> Placed:
-        """Observer and sun by place and time, or by angles with defaults of ``Scene()``.
+    def scene(self, planet: Planet) -> Scene:
+        """Observer and lights by place and time, or by angles with the rest as in ``Scene()``.
 
         Parameters
         ----------
         planet : Planet
             Planet with its ``body``.
         """
-        if self.timed:
-            return self._by_time(planet)
         from airlight.scene import Scene
 
-        given, scene = self.numbers(), Scene()
-        return Placed(**{name: given.get(name, getattr(scene, name)) for name in _READERS})
+        if self.timed:
+            return self._by_time(planet)
+        with named_errors(**{"scene.altitude": "--altitude"}):
+            return Scene(**self.numbers())
 
-    def _by_time(self, planet: Planet) -> Placed:
+    def _by_time(self, planet: Planet) -> Scene:
         if self.at is None:
             raise ConflictError(next(iter(self._time_options())), "requires --at")
-        for option in given_options(self, *_ANGLES):
-            raise ConflictError(option, "cannot be combined with --at and --time")
+        for given in given_options(self, *_ANGLES):
+            raise ConflictError(given, "cannot be combined with --at and --time")
         if self.time_ is None and self.season is None:
             raise ConflictError("--at", "requires --time or --ls")
-        from airlight.geometry.ephemeris.place_text import read_place
-        from airlight.geometry.ephemeris.sky import Place, moon_seen, sun_seen
-        from airlight.geometry.ephemeris.time_text import read_time
-        from airlight.scene.scene import STANDING
+        from airlight.scene.scene import STANDING, Scene
 
-        latitude, longitude, above = read_place(self.at, "--at")
-        if above is not None and self.altitude is not None:
-            raise ConflictError("--altitude", "cannot be combined with an altitude in --at")
-        height = self.numbers().get("altitude", STANDING)
-        if above is not None:
-            height = options.length(above, "--at")
-        place = Place(
-            body=planet.world.name, latitude=latitude, longitude=longitude, altitude=height
-        )
-        ls = None if self.season is None else options.angle(self.season, "--ls")
+        latitude, longitude, height = self.position(self.at)
+        _ = planet.world  # refused under the name of its key
         try:
-            with named_errors("zone", solar_longitude="--ls"):
-                moment = read_time(
-                    self.time_ or "noon", place, zone=self.zone, season=ls, field="--time"
+            with named_errors("zone", time="--time", solar_longitude="--ls"):
+                return Scene.at(
+                    planet,
+                    latitude=latitude,
+                    longitude=longitude,
+                    time=self.time_ or "noon",
+                    zone=self.zone,
+                    season=self.season,
+                    altitude=STANDING if height is None else height,
                 )
         except ParameterError as error:
             if error.field != "body":
                 raise
             raise ParameterError("--time", self.time_, error.allowed) from None
-        sun = sun_seen(place, moment)
-        return Placed(
-            altitude=height,
-            latitude=latitude,
-            longitude=longitude,
-            sun_zenith=sun.zenith,
-            sun_azimuth=sun.azimuth,
-            time=moment,
-            moon=moon_seen(place, moment) if place.world.has_moon else None,
-        )
 
-    def lit(self, planet: Planet, placed: Placed) -> Planet:
+    def position(self, at: str) -> tuple[float, float, float | None]:
+        """Latitude, longitude and altitude of ``--at`` and ``--altitude``. [deg], [m]"""
+        from airlight.geometry.ephemeris.place_text import read_place
+
+        latitude, longitude, above = read_place(at, "--at")
+        if above is None:
+            return latitude, longitude, self.altitude
+        if self.altitude is not None:
+            raise ConflictError("--altitude", "cannot be combined with an altitude in --at")
+        return latitude, longitude, options.length(above, "--at")
+
+    def lit(self, planet: Planet, scene: Scene) -> Planet:
         """Planet with the sun at its distance at that time, or at that of the file."""
-        if placed.time is None or self.sun_distance == "file":
+        if scene.time is None or self.sun_distance == "file":
             return planet
-        return planet.lit_at(placed.time)
+        return planet.lit_at(scene.time)
 
-    def line(self, planet: Planet, placed: Placed) -> str:
+    def line(self, planet: Planet, scene: Scene) -> str:
         """Text line with place, time, sun, moon, and the sun's distance."""
         from airlight.geometry.ephemeris.sky import Place
         from airlight.geometry.ephemeris.sky_line import sky_line
         from airlight.planets.lowered_ground import stands_on_floor
         from airlight.scene.apparent_sun import apparent_altitude
 
-        assert placed.time is not None
+        assert scene.time is not None
         place = Place(
             body=planet.world.name,
-            latitude=placed.latitude,
-            longitude=placed.longitude,
-            altitude=placed.altitude,
+            latitude=scene.latitude,
+            longitude=scene.longitude,
+            altitude=scene.altitude,
         )
-        seen = apparent_altitude(*stands_on_floor(planet, placed.altitude), placed.sun_zenith)
-        text = sky_line(place, placed.time, seen=seen)
-        if placed.moon is not None:
-            text += _eclipse(planet, place, placed.time, placed.moon)
+        seen = apparent_altitude(*stands_on_floor(planet, scene.altitude), scene.sun_zenith)
+        text = sky_line(place, scene.time, seen=seen)
+        if place.world.has_moon:
+            text += _eclipse(planet, place, scene.time)
         if self.sun_distance == "file":
             return f"{text}  lit as in the planet's file"
         if planet.star.irradiance is not None:
@@ -269,12 +216,12 @@ def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
     return lowered, height
 
 
-def _eclipse(planet: Planet, place: Place, time: datetime, moon: MoonSighting) -> str:
+def _eclipse(planet: Planet, place: Place, time: datetime) -> str:
     """Remark on a solar eclipse, with the visible fraction of the sun's light."""
     from airlight.geometry.disc_overlap import visible_light
-    from airlight.geometry.ephemeris.sky import sun_seen
+    from airlight.geometry.ephemeris.sky import moon_seen, sun_seen
 
-    sun = sun_seen(place, time)
+    sun, moon = sun_seen(place, time), moon_seen(place, time)
     apart = math.degrees(2.0 * math.asin(0.5 * math.dist(sun.direction, moon.direction)))
     if sun.altitude < -1.0 or apart >= sun.angular_radius + moon.angular_radius:
         return ""

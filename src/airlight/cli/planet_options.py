@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from airlight.cli.console import note
-from airlight.cli.option_groups import given_options, named_errors, read_options
-from airlight.cli.place_options import Latitude, Longitude, check_coordinates
-from airlight.errors import ConflictError, ParameterError, changed
+from airlight.cli.console import note, shown_progress
+from airlight.cli.option_groups import (
+    OptionGroup,
+    given_options,
+    given_values,
+    named_errors,
+    option,
+)
+from airlight.cli.place_options import check_coordinates, latitude_option, longitude_option
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -27,7 +33,7 @@ Set = Annotated[
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlanetOptions:
+class PlanetOptions(OptionGroup):
     """Planet and overrides of its file."""
 
     planet: Annotated[
@@ -48,15 +54,12 @@ class PlanetOptions:
 class GroundOptions(PlanetOptions):
     """Planet, overrides of its file, and its surface albedo."""
 
-    ground_albedo: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ALBEDO",
-            help="Surface albedo used by the solver: 0.3; 440:0.2,550:0.3,680:0.35 by wavelength "
-            "in nm; or the name of a table. Default: the planet's map around the observer, or the "
-            "planet's file if there is no map.",
-        ),
-    ] = None
+    ground_albedo: str | None = option(
+        "Surface albedo used by the solver: 0.3; 440:0.2,550:0.3,680:0.35 by wavelength in nm; or "
+        "the name of a table. Default: the planet's map around the observer, or the planet's file "
+        "if there is no map.",
+        "ALBEDO",
+    )
 
     def load(self) -> Planet:
         """Planet with its overrides and ``--ground-albedo``."""
@@ -75,24 +78,31 @@ class GroundOptions(PlanetOptions):
 class LocalGroundOptions(GroundOptions):
     """Planet, overrides of its file, and surface albedo, optionally around an observer."""
 
-    latitude: Latitude = None
-    longitude: Longitude = None
+    latitude: float | None = latitude_option()
+    longitude: float | None = longitude_option()
 
     def local(self, planet: Planet, altitude: float = 0.0) -> Planet:
         """Planet with the surface albedo around the coordinates; unchanged without them."""
         given = given_options(self, "latitude", "longitude")
-        for option in given:
+        for one in given:
             if self.ground_albedo is not None:
-                raise ConflictError(option, "cannot be combined with --ground-albedo")
+                raise ConflictError(one, "cannot be combined with --ground-albedo")
         check_coordinates(self)
         if not given:
             return planet
-        from airlight.cli.options import angle
         from airlight.scene.local_ground import local_ground
 
-        numbers = read_options(self, {"latitude": angle, "longitude": angle})
+        numbers = given_values(self, "latitude", "longitude")
         with named_errors("latitude", "longitude", "altitude"):
             return local_ground(planet, **numbers, altitude=altitude)
+
+
+def overrides_of(changes: list[str] | None) -> dict[str, Any]:
+    """Overrides of the arguments of ``--set``, by path."""
+    from airlight.planets.reading.overrides import FIELD, parsed
+
+    with named_errors(**{FIELD: "--set"}):
+        return dict(parsed(change) for change in changes or [])
 
 
 def load(name: str, changes: list[str] | None = None) -> Planet:
@@ -109,23 +119,12 @@ def load(name: str, changes: list[str] | None = None) -> Planet:
     -----
     Truncated constituents are reported on the standard error stream.
     """
-    from airlight.cli.progress import shown_progress
     from airlight.planets import load_planet
-    from airlight.planets.reading.overrides import FIELD, parsed
+    from airlight.planets.reading.overrides import FIELD
     from airlight.planets.truncated_constituents import truncated_constituents
 
-    try:
-        paths = dict(parsed(change) for change in changes or [])
-        with shown_progress() as report:
-            loaded = load_planet(name, paths, progress=report)
-    except ParameterError as error:
-
-        def of_the_option(one: ParameterError) -> ParameterError:
-            if one.field != FIELD:
-                return one
-            return one.named("--set")
-
-        raise changed(error, of_the_option) from None
+    with named_errors(**{FIELD: "--set"}), shown_progress() as report:
+        loaded = load_planet(name, overrides_of(changes), progress=report)
     for line in truncated_constituents(loaded):
         note(line)
     return loaded

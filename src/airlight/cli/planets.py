@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from airlight.cli.console import console
-from airlight.cli.examples import examples
-from airlight.cli.progress import shown_progress
+from airlight.cli.console import console, examples, shown_progress
 
 EPILOG = examples("airlight planets", "airlight show earth")
 

@@ -9,11 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli import options
-from airlight.cli.console import console, say
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import named_errors, read_options
+from airlight.cli.console import console, examples, say, shown_progress
+from airlight.cli.option_groups import OptionGroup, named_errors, option
 from airlight.cli.planet_options import PlanetOptions
-from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import NoCache, NoPolarisation, wavelengths_option
 from airlight.errors import FileError, ParameterError
 from airlight.studies.plots.catalogue import KINDS, Choices, Work, check_choices, draw, kind_named
@@ -57,20 +55,15 @@ def _print_kinds(asked: bool) -> None:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ChoiceOptions:
+class ChoiceOptions(OptionGroup):
     """Options of some kinds of figures."""
 
-    wavelengths: Annotated[str | None, wavelengths_option("those of the kind")] = None
-    sun_zenith: Annotated[str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle.")] = (
-        None
+    wavelengths: str | None = wavelengths_option("those of the kind")
+    sun_zenith: float | None = option("Sun zenith angle.", "ANGLE")
+    altitude: float | None = option("Observer altitude above ground.", "LENGTH")
+    quality: Literal["preview", "default", "fine"] | None = option(
+        "Solver accuracy (that of the kind)."
     )
-    altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground.")
-    ] = None
-    quality: Annotated[
-        Literal["preview", "default", "fine"] | None,
-        typer.Option(help="Solver accuracy (that of the kind)."),
-    ] = None
     no_polarisation: NoPolarisation = False
 
     def choices(self, planet: Planet) -> Choices:
@@ -78,7 +71,8 @@ class ChoiceOptions:
         nm = self.wavelengths
         return Choices(
             wavelengths=None if nm is None else options.wavelengths(nm, planet),
-            **read_options(self, {"sun_zenith": options.angle, "altitude": options.length}),
+            sun_zenith=self.sun_zenith,
+            altitude=self.altitude,
             quality=self.quality,
             polarisation=False if self.no_polarisation else None,
         )
@@ -87,10 +81,7 @@ class ChoiceOptions:
 def plot(
     planet: PlanetOptions,
     kind: Annotated[str, typer.Argument(metavar="KIND", help="Kind of figure; see --list.")],
-    output: Annotated[
-        Path,
-        typer.Option("--output", "-o", metavar="FILE", help="Output figure: .png, .svg or .pdf."),
-    ],
+    output: Annotated[Path, options.output_option("FILE", "Output figure: .png, .svg or .pdf.")],
     chosen: ChoiceOptions,
     no_cache: NoCache = False,
     dpi: Annotated[

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
 from airlight.cli import options
-from airlight.cli.console import note, say
-from airlight.cli.distribution_options import DistributionOptions
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import given_options, named_errors, option_name
+from airlight.cli.console import examples, note, say, shown_progress
+from airlight.cli.option_groups import (
+    OptionGroup,
+    given_options,
+    given_values,
+    named_errors,
+    option,
+    option_name,
+)
 from airlight.cli.place_options import on_floor
 from airlight.cli.planet_options import LocalGroundOptions
-from airlight.cli.progress import shown_progress
-from airlight.cli.solve_options import SolveOptions, wavelengths_option
+from airlight.cli.solve_options import DistributionOptions, SolveOptions, wavelengths_option
 from airlight.errors import ConflictError, ParameterError
 from airlight.files.input_files import LARGEST_CASES, check_input
 
@@ -24,7 +28,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from airlight.cli.progress import Report
+    from airlight.cli.console import Report
     from airlight.planets.planet import Planet
     from airlight.studies.sweep.cases import Cases
 
@@ -42,52 +46,44 @@ EPILOG = examples(
 #: Solvers that can be selected.
 SOLVERS = ("moments", "direct", "montecarlo")
 
+#: Options of an observer, in the order of a file's columns.
+AXES = ("altitude", "sun_zenith", "view_zenith", "azimuth")
+
 #: Rows of a file per call of the solution.
 BLOCK = 4096
 
 
 @dataclass(frozen=True, kw_only=True)
-class ObserverOptions:
+class ObserverOptions(OptionGroup):
     """Options of the observers: one, lists and ranges, or a file."""
 
-    altitude: Annotated[
-        str | None,
-        typer.Option(
-            metavar="LENGTH",
-            help="Observer altitude above ground (0m). Lists (0m,2km) and ranges (0:10:2km), here "
-            "and below, print a table.",
-        ),
-    ] = None
-    sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer.")
-    ] = None
-    view_zenith: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="View zenith angle at the observer."),
-    ] = None
-    azimuth: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="Azimuth between view and sun (0deg)."),
-    ] = None
-    input_: Annotated[
-        str | None,
-        typer.Option(
-            "--input",
-            metavar="FILE",
-            help="Input CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is "
-            "standard input.",
-        ),
-    ] = None
-    output: Annotated[
-        str,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FILE",
-            help="Output, with --input: .csv (the input with radiance_<nm>nm appended) or .nc "
-            "(netCDF); - is standard output. An interrupted .csv is continued.",
-        ),
-    ] = "-"
+    altitude: tuple[float, ...] | None = option(
+        "Observer altitude above ground (0m). Lists (0m,2km) and ranges (0:10:2km), here and "
+        "below, print a table.",
+        "LENGTH",
+        read=options.lengths,
+    )
+    sun_zenith: tuple[float, ...] | None = option(
+        "Sun zenith angle at the observer.", "ANGLE", read=options.angles
+    )
+    view_zenith: tuple[float, ...] | None = option(
+        "View zenith angle at the observer.", "ANGLE", read=options.angles
+    )
+    azimuth: tuple[float, ...] | None = option(
+        "Azimuth between view and sun (0deg).", "ANGLE", read=options.angles
+    )
+    input_: str | None = option(
+        "Input CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is standard "
+        "input.",
+        "FILE",
+    )
+    output: str = option(
+        "Output, with --input: .csv (the input with radiance_<nm>nm appended) or .nc (netCDF); - "
+        "is standard output. An interrupted .csv is continued.",
+        "FILE",
+        "-",
+        flags=("--output", "-o"),
+    )
 
     @property
     def labelled(self) -> bool:
@@ -99,24 +95,19 @@ class ObserverOptions:
         """Whether the observers are read from a file on disk."""
         return self.input_ not in (None, "-")
 
-    def _texts(self) -> dict[str, str | None]:
-        names = ("altitude", "sun_zenith", "view_zenith", "azimuth")
-        return {option_name(name): getattr(self, name) for name in names}
-
     def check_file(self, planet: LocalGroundOptions) -> None:
         """Raise an error for observer options with a file of observers, or an unwritable target."""
         from airlight.studies.sweep.cases import check_table
 
         where = given_options(planet, "latitude", "longitude")
-        for option, text in {**self._texts(), **where}.items():
-            if text is not None:
-                raise ConflictError(option, "cannot be combined with --input")
+        for given in {**given_options(self, *AXES), **where}:
+            raise ConflictError(given, "cannot be combined with --input")
         check_table(self.output)
 
     def cases(self, planet: LocalGroundOptions) -> Cases:
         """Observers of the file, or of the options."""
         if self.input_ is None:
-            return _observers(self._texts(), self.output)
+            return _observers(self)
         from airlight.studies.sweep.cases import read_cases
 
         self.check_file(planet)
@@ -127,34 +118,22 @@ class ObserverOptions:
 class SolverOptions(SolveOptions):
     """Options of the solution and of the solver."""
 
-    wavelengths: Annotated[str | None, wavelengths_option("those of the planet")] = None
-    stokes: Annotated[
-        bool,
-        typer.Option(
-            "--stokes",
-            help="Stokes parameters I, Q and U, degree (dolp) and angle of linear polarisation "
-            "(aolp, from the meridian plane, counterclockwise, in degrees).",
-        ),
-    ] = False
-    solver: Annotated[
-        str,
-        typer.Option(
-            metavar="|".join(SOLVERS),
-            help="Solver; montecarlo traces every radiance and adds its standard error.",
-        ),
-    ] = "moments"
-    relative_error: Annotated[
-        float | None,
-        typer.Option(
-            metavar="NUMBER",
-            help="Monte Carlo: target relative standard error (preview 0.03, default 0.005, fine "
-            "0.001).",
-        ),
-    ] = None
-    seed: Annotated[
-        int | None,
-        typer.Option(metavar="NUMBER", help="Monte Carlo: seed of the random numbers (1)."),
-    ] = None
+    wavelengths: str | None = wavelengths_option("those of the planet")
+    stokes: bool = option(
+        "Stokes parameters I, Q and U, degree (dolp) and angle of linear polarisation (aolp, from "
+        "the meridian plane, counterclockwise, in degrees).",
+        default=False,
+    )
+    solver: str = option(
+        "Solver; montecarlo traces every radiance and adds its standard error.",
+        "|".join(SOLVERS),
+        "moments",
+    )
+    relative_error: float | None = option(
+        "Monte Carlo: target relative standard error (preview 0.03, default 0.005, fine 0.001).",
+        "NUMBER",
+    )
+    seed: int | None = option("Monte Carlo: seed of the random numbers (1).", "NUMBER")
 
     def settings(self) -> Any:
         """Name of the quality, or Monte Carlo settings."""
@@ -165,15 +144,14 @@ class SolverOptions(SolveOptions):
         if self.stokes and self.no_polarisation:
             raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
         if self.solver != "montecarlo":
-            for option in given_options(self, "relative_error", "seed"):
-                raise ConflictError(option, "requires --solver montecarlo")
+            for one in given_options(self, "relative_error", "seed"):
+                raise ConflictError(one, "requires --solver montecarlo")
             return self.quality
         from airlight.solver.montecarlo.settings import settings_for
 
-        given = {"relative_error": self.relative_error, "seed": self.seed}
-        given = {name: value for name, value in given.items() if value is not None}
+        given = given_values(self, "relative_error", "seed")
         with named_errors(*given):
-            return replace(settings_for(self.quality), **given)  # type: ignore[arg-type]
+            return replace(settings_for(self.quality), **given)
 
 
 def radiance(
@@ -190,8 +168,8 @@ def radiance(
     if observers.from_file:
         check_input(str(observers.input_), LARGEST_CASES)
     long = observers.from_file and solve.solver == "moments" and not observers.labelled
-    for option in () if long else given_options(distribution):
-        raise ConflictError(option, "requires --input FILE, a .csv output and --solver moments")
+    for given in () if long else given_options(distribution):
+        raise ConflictError(given, "requires --input FILE, a .csv output and --solver moments")
     if long:
         observers.check_file(planet)
         world = planet.load()
@@ -213,10 +191,8 @@ def radiance(
     errors: NDArray[np.float64] | None = None
     histories: NDArray[np.int64] | None = None
     with shown_progress() as report:
-        solution: Any = solved(
-            world, wavelengths=nm, solver=solve.solver, progress=report,
-            **{**solve.keywords(), "quality": settings},
-        )  # fmt: skip
+        how = {**solve.keywords(), "quality": settings, "progress": report}
+        solution: Any = solved(world, wavelengths=nm, solver=solve.solver, **how)
         if sampled:
             values, errors, histories = _estimates(solution, cases, stokes)
         else:
@@ -303,6 +279,7 @@ def _long_table(
     """Append radiances to the rows of a file, block by block."""
     from airlight.studies.sweep.cases import case_blocks, radiance_columns
     from airlight.studies.sweep.rows import answer_rows
+    from airlight.studies.sweep.shared_solution import RadianceTask
 
     assert observers.input_ is not None
     with case_blocks(observers.input_, 1) as (head, _):
@@ -310,11 +287,11 @@ def _long_table(
     parallel = distribution.keywords()
     if not given_options(distribution):
         parallel["workers"] = 1
+    task = RadianceTask(
+        planet=planet, wavelengths=tuple(nm), stokes=solve.stokes, **solve.keywords()
+    )
     with shown_progress() as report, distribution.named():
-        kept = answer_rows(
-            planet, observers.input_, observers.output, wavelengths=nm, stokes=solve.stokes,
-            progress=report, **solve.keywords(), **parallel,
-        )  # fmt: skip
+        kept = answer_rows(task, observers.input_, observers.output, progress=report, **parallel)
     if kept:
         note(f"{kept} rows had been computed before")
 
@@ -328,7 +305,7 @@ def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
         )
 
 
-def _observers(texts: dict[str, str | None], output: str) -> Cases:
+def _observers(observers: ObserverOptions) -> Cases:
     """Observers of the options: one, or all combinations of lists and ranges."""
     import numpy as np
 
@@ -336,20 +313,17 @@ def _observers(texts: dict[str, str | None], output: str) -> Cases:
     from airlight.scene.limits import DEEPEST_ALTITUDE, within
     from airlight.studies.sweep.cases import COLUMNS, Cases
 
-    if output != "-":
-        raise ParameterError("--output", output, "only together with --input")
-    filled = {"--altitude": "0m", "--azimuth": "0deg"}
+    if observers.output != "-":
+        raise ParameterError("--output", observers.output, "only together with --input")
+    filled = {"altitude": [0.0], "azimuth": [0.0]} | given_values(observers, *AXES)
     axes = []
-    for (option, given), (low, high) in zip(texts.items(), COLUMNS.values(), strict=True):
-        text = filled.get(option) if given is None else given
-        if text is None:
-            raise typer.BadParameter(
-                f"{option} is missing: an angle such as 60deg, or --input FILE"
-            )
-        unit = "m" if option == "--altitude" else "deg"
-        low = DEEPEST_ALTITUDE if option == "--altitude" else low
-        numbers = options.values(text, unit, option)
-        axes.append([within(option, number, low, high, unit) for number in numbers])
+    for name, (low, high) in zip(AXES, COLUMNS.values(), strict=True):
+        given, unit = option_name(name), "deg"
+        if name not in filled:
+            raise typer.BadParameter(f"{given} is missing: an angle such as 60deg, or --input FILE")
+        if name == "altitude":
+            low, unit = DEEPEST_ALTITUDE, "m"
+        axes.append([within(given, number, low, high, unit) for number in filled[name]])
     values = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))
     if len(values) > MOST_VALUES:
         allowed = f"at most {MOST_VALUES}; longer tables by --input or airlight sweep"
@@ -366,7 +340,7 @@ def _answers(
     """Result columns of all rows, shape (n, count)."""
     import numpy as np
 
-    from airlight.studies.sweep.cases import polarised_answers
+    from airlight.studies.sweep.shared_solution import stokes_layers
 
     total = len(cases.values)
     out = np.empty((total, count))
@@ -375,7 +349,8 @@ def _answers(
         found = solution.radiance(
             altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth, stokes=stokes
         )
-        out[start : start + BLOCK] = polarised_answers(found) if stokes else found
+        parts = stokes_layers(found) if stokes else [found]
+        out[start : start + BLOCK] = np.concatenate(parts, axis=-1)
         report(min(start + BLOCK, total), total, "radiance")
     return out
 
@@ -393,7 +368,9 @@ def _estimates(
     solution: Any, cases: Cases, stokes: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
     """Result columns, standard errors and histories of all rows."""
-    from airlight.studies.sweep.cases import polarised_answers
+    import numpy as np
+
+    from airlight.studies.sweep.shared_solution import stokes_layers
 
     altitude, sun, view, azimuth = cases.values.T
     where = {"altitude": altitude, "sun_zenith": sun, "view_zenith": view, "azimuth": azimuth}
@@ -403,7 +380,7 @@ def _estimates(
     data = solution.estimate(**where, stokes=True)
     errors = data["stokes_standard_error"].values
     return (
-        polarised_answers(data["stokes_radiance"]),
+        np.concatenate(stokes_layers(data["stokes_radiance"]), axis=-1),
         errors.reshape(len(errors), -1),
         data["histories"].values,
     )

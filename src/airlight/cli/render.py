@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
-
-import typer
+from typing import TYPE_CHECKING, Literal
 
 from airlight.cli import options
-from airlight.cli.camera_options import CameraOptions
-from airlight.cli.console import say
+from airlight.cli.camera_options import CameraOptions, Window
+from airlight.cli.console import examples, say, shown_progress
 from airlight.cli.display_options import DisplayOptions
-from airlight.cli.examples import examples
 from airlight.cli.light_options import LightOptions
-from airlight.cli.option_groups import given_options
+from airlight.cli.option_groups import REQUIRED, OptionGroup, given_options, option
 from airlight.cli.place_options import PlaceOptions, on_floor
 from airlight.cli.planet_options import GroundOptions
-from airlight.cli.progress import shown_progress
 from airlight.cli.scene_file import load_scene
 from airlight.cli.solve_options import RenderOptions
 from airlight.errors import ConflictError, ParameterError
@@ -28,8 +24,6 @@ if TYPE_CHECKING:
     from airlight.render.picture import Written
     from airlight.scene import Scene
     from airlight.scene.frame import Frame
-
-    Window = tuple[int, int, int, int] | None
 
 EPILOG = examples(
     "airlight render earth --altitude 400km --latitude 25 --longitude 30 --sun-zenith 72 "
@@ -61,43 +55,32 @@ EPILOG = examples(
 
 
 @dataclass(frozen=True, kw_only=True)
-class PictureOptions:
+class PictureOptions(OptionGroup):
     """Options of the contents of a picture."""
 
-    output: Annotated[
-        Path,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Output picture: .png, or linear .exr or .hdr."
-        ),
-    ]
-    show: Annotated[
-        Literal["dolp", "aolp"] | None,
-        typer.Option(
-            metavar="dolp|aolp",
-            help="Quantity shown instead of colours: degree or angle of linear polarisation, "
-            "with a legend; a channel of an .exr.",
-        ),
-    ] = None
-    stokes: Annotated[bool, typer.Option("--stokes", help="Stokes layers Q and U in an .exr.")] = (
-        False
+    output: Path = option(
+        "Output picture: .png, or linear .exr or .hdr.", "FILE", REQUIRED, flags=("--output", "-o")
     )
-    ground: Annotated[
-        Literal["plain", "detailed"],
-        typer.Option(
-            metavar="plain|detailed",
-            help="Ground: plain (the map) or detailed (with decorative noise below the map's "
-            "resolution).",
-        ),
-    ] = "detailed"
+    show: Literal["dolp", "aolp"] | None = option(
+        "Quantity shown instead of colours: degree or angle of linear polarisation, with a "
+        "legend; a channel of an .exr.",
+        "dolp|aolp",
+    )
+    stokes: bool = option("Stokes layers Q and U in an .exr.", default=False)
+    ground: Literal["plain", "detailed"] = option(
+        "Ground: plain (the map) or detailed (with decorative noise below the map's resolution).",
+        "plain|detailed",
+        "detailed",
+    )
 
-    def check_polarised(self, suffix: str, polariser: str | None, scalar: bool) -> None:
+    def check_polarised(self, suffix: str, polariser: float | None, scalar: bool) -> None:
         """Raise an error for conflicting options of polarisation."""
         polarised = {"--polariser": polariser, **given_options(self, "show", "stokes")}
-        for option in (option for option, value in polarised.items() if value is not None):
+        for given in (name for name, value in polarised.items() if value is not None):
             if scalar:
-                raise ConflictError(option, "cannot be combined with --no-polarisation")
-            if option != "--polariser" and polariser is not None:
-                raise ConflictError("--polariser", f"cannot be combined with {option}")
+                raise ConflictError(given, "cannot be combined with --no-polarisation")
+            if given != "--polariser" and polariser is not None:
+                raise ConflictError("--polariser", f"cannot be combined with {given}")
         if self.stokes and suffix != ".exr":
             raise ConflictError("--stokes", "requires an .exr file")
         if self.show is not None and suffix == ".hdr":
@@ -119,6 +102,7 @@ def render(
     """
     started = time.perf_counter()
     from airlight.render.picture import picture_suffix, write_picture
+    from airlight.render.render_scene import render_scene
     from airlight.scene.system import is_scene_file
 
     suffix = picture_suffix(picture.output)
@@ -138,25 +122,32 @@ def render(
             **(given_options(solve, "device") if solve.device == "gpu" else {}),
             **given_options(lights),
         }
-        for option in refused:
-            raise ConflictError(option, "is not available for scene files")
+        for given in refused:
+            raise ConflictError(given, "is not available for scene files")
         frame, window = _scene_frame(planet, place, camera, solve, whole)
         metadata, line = frame.metadata, None
     else:
         scene, world, line = _planet_scene(planet, picture, place, camera, lights, whole)
         window = camera.window(scene.camera.width, scene.camera.height)
-        frame = _frame(
-            world, scene, solve, camera.samples, stokes=picture.stokes or picture.show is not None,
-            stars=lights.stars, local=planet.ground_albedo is None,
-        )  # fmt: skip
+        nm = solve.picture_nm(world)
+        with shown_progress() as report:
+            frame = render_scene(
+                world,
+                scene,
+                wavelengths=nm,
+                samples=1 if camera.samples is None else camera.samples,
+                stokes=picture.stokes or picture.show is not None,
+                stars=lights.stars,
+                local=planet.ground_albedo is None,
+                progress=report,
+                **solve.keywords(),
+            )
         metadata = {"planet": world.name, **scene.metadata(), **planet.changes()}
     if picture.show is not None:
         written = _shown(picture.output, frame, picture.show, metadata)
     else:
-        written = write_picture(
-            picture.output, frame, metadata, **display.keywords(),
-            crop=window if whole else None,
-        )  # fmt: skip
+        crop = window if whole else None
+        written = write_picture(picture.output, frame, metadata, **display.keywords(), crop=crop)
     if line is not None:
         say(line)
     _report(written, frame, window, started)
@@ -171,38 +162,28 @@ def _planet_scene(
     whole: bool,
 ) -> tuple[Scene, Planet, str | None]:
     """Scene, planet at its distance from the sun, and text line about place and time."""
-    from airlight.scene import Scene
-
     camera.check_parallel(place)
     world = planet.load()
-    placed = place.placed(world)
+    scene = place.scene(world)
     lights.check(world, camera.projection)
     size = options.picture_size(camera.size, camera.projection)
     window = camera.window(*size)
     if picture.show is not None and picture.output.suffix.lower() == ".png":
         _check_legend(size[0] if window is None else window[2])
-    view = camera.camera(world, placed, size, None if whole else window)
-    on_floor(world, placed.altitude)
-    scene = Scene(
-        camera=view,
-        altitude=0.0 if camera.parallel else placed.altitude,
-        sun_zenith=placed.sun_zenith,
-        latitude=placed.latitude,
-        longitude=placed.longitude,
-        sun_azimuth=placed.sun_azimuth,
-        ground=picture.ground,
-        time=placed.time,
-        secondary_lights=lights.secondary(placed),
-    )
-    world = place.lit(world, placed)
-    line = place.line(world, placed) if placed.time is not None else None
-    return scene.north_up() if camera.parallel else scene, world, line
+    on_floor(world, scene.altitude)
+    lit = place.lit(world, scene)
+    line = place.line(lit, scene) if scene.time is not None else None
+    scene = replace(lights.added(scene), ground=picture.ground)
+    return camera.seen(scene, world, size, None if whole else window), lit, line
 
 
 def _scene_frame(
-    planet: GroundOptions, place: PlaceOptions, camera: CameraOptions, solve: RenderOptions,
+    planet: GroundOptions,
+    place: PlaceOptions,
+    camera: CameraOptions,
+    solve: RenderOptions,
     whole: bool,
-) -> tuple[Frame, Window]:  # fmt: skip
+) -> tuple[Frame, Window]:
     """Frame of a scene file, and its crop window."""
     from airlight.render.render_system import render_system
 
@@ -214,32 +195,17 @@ def _scene_frame(
         raise ConflictError("--wavelengths", "does not apply to a scene without air")
     with shown_progress() as report:
         frame = render_system(
-            system, width=columns, height=rows, quality=solve.quality, samples=camera.samples,
+            system,
+            width=columns,
+            height=rows,
+            quality=solve.quality,
+            samples=camera.samples,
             wavelengths=None if first is None else solve.nm(first),
-            crop=None if whole else window, cache=not solve.no_cache, progress=report,
-        )  # fmt: skip
+            crop=None if whole else window,
+            cache=not solve.no_cache,
+            progress=report,
+        )
     return frame, window
-
-
-def _frame(
-    planet: Planet,
-    scene: Scene,
-    solve: RenderOptions,
-    samples: int | None,
-    *,
-    stokes: bool,
-    stars: bool,
-    local: bool,
-) -> Frame:
-    """Frame of a planet."""
-    from airlight.render.render_scene import render_scene
-
-    nm = solve.picture_nm(planet)
-    with shown_progress() as report:
-        return render_scene(
-            planet, scene, wavelengths=nm, samples=1 if samples is None else samples,
-            stokes=stokes, stars=stars, local=local, progress=report, **solve.keywords(),
-        )  # fmt: skip
 
 
 def _check_legend(width: int) -> None:

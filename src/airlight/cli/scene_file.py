@@ -11,14 +11,17 @@ import numpy as np
 
 from airlight.cli import options
 from airlight.cli.camera_options import CameraOptions
-from airlight.cli.option_groups import given_options, named_errors
+from airlight.cli.option_groups import given_options, given_values, named_errors
 from airlight.cli.place_options import PlaceOptions
+from airlight.cli.planet_options import overrides_of
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.cli.planet_options import PlanetOptions
     from airlight.scene.system import System
 
+#: Options of a camera that are keys of a scene. [deg]
+_ANGLES = ("roll", "polariser")
 #: Keys of a camera that say where it looks.
 _LOOKS = ("look_at", "look_zenith", "look_bearing", "direction")
 
@@ -37,7 +40,7 @@ def load_scene(
     camera : CameraOptions, optional
         Camera; fields that differ from their defaults override those of the scene.
     """
-    from airlight.planets.reading.overrides import FIELD, parsed
+    from airlight.planets.reading.overrides import FIELD
     from airlight.planets.reading.reader import nested_tables
     from airlight.scene.system.reading import changed_system, system_text
 
@@ -45,7 +48,7 @@ def load_scene(
     text, file, folder = system_text(planet.planet)
     tables = nested_tables(text, file)
     with named_errors(**{FIELD: "--set"}):
-        last = dict(parsed(one) for one in planet.set_ or [])
+        last = overrides_of(planet.set_)
         changes = _of_place(place, tables)
         system = changed_system(tables, file, folder, {**changes, **last})
         if place.time_ is not None:
@@ -62,27 +65,18 @@ def _of_place(given: PlaceOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
         return {}
     if "body" not in tables.get("observer", {}):
         raise ConflictError(there[0], "requires a scene whose observer is above a body")
-    changes: dict[str, Any] = {}
-    height = given.altitude
+    latitude, longitude, altitude = given.latitude, given.longitude, given.altitude
     if given.at is not None:
-        from airlight.geometry.ephemeris.place_text import read_place
-
         for option in there[1:]:
             if option != "--altitude":
                 raise ConflictError(option, "cannot be combined with --at")
-        latitude, longitude, above = read_place(given.at, "--at")
-        if above is not None and height is not None:
-            raise ConflictError("--altitude", "cannot be combined with an altitude in --at")
-        height = above if height is None else height
-        changes = {"observer.latitude": f"{latitude!r} deg",
-                   "observer.longitude": f"{longitude!r} deg"}  # fmt: skip
-    for name in ("latitude", "longitude"):
-        if name in given.numbers():
-            changes[f"observer.{name}"] = f"{given.numbers()[name]!r} deg"
-    if height is not None:
-        option = "--at" if given.altitude is None else "--altitude"
-        changes["observer.altitude"] = f"{options.length(height, option)!r} m"
-    return changes
+        latitude, longitude, altitude = given.position(given.at)
+    values = {"latitude": latitude, "longitude": longitude, "altitude": altitude}
+    return {
+        f"observer.{name}": f"{value!r} {'m' if name == 'altitude' else 'deg'}"
+        for name, value in values.items()
+        if value is not None
+    }
 
 
 def _moment(given: PlaceOptions, tables: Mapping[str, Any], system: System) -> datetime:
@@ -98,9 +92,11 @@ def _moment(given: PlaceOptions, tables: Mapping[str, Any], system: System) -> d
     planet = None if observer.body is None else system.planets.get(observer.body)
     world = "earth" if planet is None or planet.body is None else planet.world.name
     place = Place(
-        body=world, latitude=observer.latitude, longitude=observer.longitude,
+        body=world,
+        latitude=observer.latitude,
+        longitude=observer.longitude,
         altitude=observer.altitude,
-    )  # fmt: skip
+    )
     with named_errors("zone"):
         return read_time(given.time_, place, zone=given.zone, field="--time")
 
@@ -108,9 +104,10 @@ def _moment(given: PlaceOptions, tables: Mapping[str, Any], system: System) -> d
 def _of_camera(given: CameraOptions, tables: Mapping[str, Any], system: System) -> dict[str, Any]:
     """Overrides of the camera."""
     changes: dict[str, Any] = {}
-    keys = {"--fov": "field_of_view", "--roll": "roll", "--polariser": "polariser"}
-    for option, text in given_options(given, "fov", "roll", "polariser").items():
-        changes[f"camera.{keys[option]}"] = f"{options.angle(text, option)!r} deg"
+    fov = None if given.fov is None else options.angle(given.fov, "--fov")
+    for name, angle in (("field_of_view", fov), *given_values(given, *_ANGLES).items()):
+        if angle is not None:
+            changes[f"camera.{name}"] = f"{angle!r} deg"
     for name in given_options(given, "projection").values():
         changes["camera.projection"] = name
     if given.look_at is None:
@@ -121,9 +118,8 @@ def _of_camera(given: CameraOptions, tables: Mapping[str, Any], system: System) 
     if given.look_at in names:
         return changes | {"camera.look_at": given.look_at}
     zenith, bearing = _target(given.look_at, names, system)
-    return changes | {
-        "camera.look_zenith": f"{zenith!r} deg", "camera.look_bearing": f"{bearing!r} deg"
-    }  # fmt: skip
+    aims = {"camera.look_zenith": f"{zenith!r} deg", "camera.look_bearing": f"{bearing!r} deg"}
+    return changes | aims
 
 
 def _target(word: str, names: list[str], system: System) -> tuple[float, float]:

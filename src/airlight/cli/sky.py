@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
-
-import typer
+from typing import TYPE_CHECKING, Literal
 
 from airlight.cli import options
-from airlight.cli.console import say
+from airlight.cli.console import examples, say, shown_progress
 from airlight.cli.display_options import DisplayOptions
-from airlight.cli.examples import examples
 from airlight.cli.light_options import LightOptions
-from airlight.cli.option_groups import given_options, named_errors
+from airlight.cli.option_groups import (
+    REQUIRED,
+    OptionGroup,
+    given_options,
+    named_errors,
+    option,
+)
 from airlight.cli.place_options import PlaceOptions, check_coordinates, on_floor
 from airlight.cli.planet_options import GroundOptions
-from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import RenderOptions
 from airlight.errors import ConflictError, ParameterError
 from airlight.physics.units import quantity
@@ -41,22 +43,15 @@ EPILOG = examples(
 
 
 @dataclass(frozen=True, kw_only=True)
-class ProgramOptions:
+class ProgramOptions(OptionGroup):
     """Options of the program that reads the map."""
 
-    for_: Annotated[
-        Literal["blender", "mitsuba", "usd", "godot", "three", "unity", "pbrt", "dome"],
-        typer.Option("--for", help="Target program; sets orientation and axes."),
-    ]
-    front: Annotated[
-        str | None, typer.Option(metavar="BEARING", help="Dome: bearing at its bottom, S or 180.")
-    ] = None
-    tilt: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Dome: tilt towards its front (0deg).")
-    ] = None
-    up: Annotated[Literal["y", "z"] | None, typer.Option(help="USD: up axis of the layer (y).")] = (
-        None
+    for_: Literal["blender", "mitsuba", "usd", "godot", "three", "unity", "pbrt", "dome"] = option(
+        "Target program; sets orientation and axes.", default=REQUIRED
     )
+    front: float | None = option("Dome: bearing at its bottom, S or 180.", "BEARING")
+    tilt: float | None = option("Dome: tilt towards its front (0deg).", "ANGLE")
+    up: Literal["y", "z"] | None = option("USD: up axis of the layer (y).")
 
     def consumer(self) -> Consumer:
         """Target program of ``--for``, with the front of a dome or the up axis of USD."""
@@ -68,65 +63,49 @@ class ProgramOptions:
                 raise ConflictError("--up", "requires --for usd")
             consumer = consumer.with_up(self.up)
         if consumer.tilt is None:
-            for option in given_options(self, "front", "tilt"):
-                raise ConflictError(option, "requires --for dome")
+            for given in given_options(self, "front", "tilt"):
+                raise ConflictError(given, "requires --for dome")
             return consumer
-        bearing = consumer.centre
-        if self.front is not None:
-            bearing = options.bearing(self.front, "--front")
-        tilt = 0.0 if self.tilt is None else options.angle(self.tilt, "--tilt")
         with named_errors("front", "tilt"):
-            return consumer.facing(bearing, tilt)
+            front = consumer.centre if self.front is None else self.front
+            return consumer.facing(front, self.tilt or 0.0)
 
 
 @dataclass(frozen=True, kw_only=True)
-class MapOptions:
+class MapOptions(OptionGroup):
     """Options of the map and its file."""
 
-    output: Annotated[
-        Path,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Output map: linear .exr or .hdr, or .png."
-        ),
-    ]
-    sun: Annotated[
-        Literal["include", "exclude", "light"],
-        typer.Option(
-            help="Discs of sun and moon: in the map, excluded, or separate lights in the JSON (usd "
-            "and mitsuba: in a scene)."
-        ),
-    ] = "include"
-    ground: Annotated[
-        Literal["neutral", "map", "black"],
-        typer.Option(
-            help="Lower half of the map: grey of the ground's albedo, the planet's map, or black."
-        ),
-    ] = "neutral"
-    size: Annotated[
-        str | None, typer.Option(metavar="N", help="Map width (2048; 1024 if square).")
-    ] = None
-    precision: Annotated[
-        Literal["float", "half"], typer.Option(help="Number format of EXR channels.")
-    ] = "float"
-    compression: Annotated[
-        Literal["zip", "dwa", "none"], typer.Option(help="EXR compression; dwa is lossy.")
-    ] = "zip"
-    scale: Annotated[
-        str,
-        typer.Option(
-            metavar="auto|FACTOR",
-            help="Factor of the stored radiances, recorded in the header and the JSON; auto: 1, or "
-            "a power of two that fits half floats.",
-        ),
-    ] = "auto"
+    output: Path = option(
+        "Output map: linear .exr or .hdr, or .png.", "FILE", REQUIRED, flags=("--output", "-o")
+    )
+    sun: Literal["include", "exclude", "light"] = option(
+        "Discs of sun and moon: in the map, excluded, or separate lights in the JSON (usd and "
+        "mitsuba: in a scene).",
+        default="include",
+    )
+    ground: Literal["neutral", "map", "black"] = option(
+        "Lower half of the map: grey of the ground's albedo, the planet's map, or black.",
+        default="neutral",
+    )
+    size: str | None = option("Map width (2048; 1024 if square).", "N")
+    precision: Literal["float", "half"] = option("Number format of EXR channels.", default="float")
+    compression: Literal["zip", "dwa", "none"] = option(
+        "EXR compression; dwa is lossy.", default="zip"
+    )
+    scale: str = option(
+        "Factor of the stored radiances, recorded in the header and the JSON; auto: 1, or a power "
+        "of two that fits half floats.",
+        "auto|FACTOR",
+        "auto",
+    )
     overwrite: options.Overwrite = False
 
     def factor(self) -> float | None:
         """Factor of ``--scale``; None for auto."""
         suffix = self.output.suffix.lower()
         linear = ("precision", "compression", *(["scale"] if suffix == ".png" else []))
-        for option in given_options(self, *linear) if suffix != ".exr" else ():
-            raise ConflictError(option, f"does not apply to {suffix} files")
+        for given in given_options(self, *linear) if suffix != ".exr" else ():
+            raise ConflictError(given, f"does not apply to {suffix} files")
         if self.scale.strip().lower() == "auto":
             return None
         value = quantity(self.scale, "1", "--scale")
@@ -153,7 +132,7 @@ def sky(
     started = time.perf_counter()
     from airlight.engines.environment.environment_map import environment_map
     from airlight.engines.environment.files import check_beside, write_map
-    from airlight.scene import Camera, Scene
+    from airlight.scene import Camera
 
     consumer = program.consumer()
     check_beside(picture.output, consumer, overwrite=picture.overwrite)
@@ -161,37 +140,41 @@ def sky(
     factor = picture.factor()
     columns, rows = options.picture_size(picture.size, consumer.projection)
     world = planet.load()
-    placed = place.placed(world)
+    scene = place.scene(world)
     lights.check(world, consumer.projection)
     check_coordinates(place)
-    on_floor(world, placed.altitude)
-    scene = Scene(
-        camera=Camera(projection=consumer.projection, width=columns, height=rows),
-        altitude=placed.altitude,
-        sun_zenith=placed.sun_zenith,
-        sun_azimuth=placed.sun_azimuth,
-        latitude=placed.latitude,
-        longitude=placed.longitude,
-        time=placed.time,
-        secondary_lights=lights.secondary(placed),
-    )
-    world = place.lit(world, placed)
+    on_floor(world, scene.altitude)
+    camera = Camera(projection=consumer.projection, width=columns, height=rows)
+    scene = replace(lights.added(scene), camera=camera)
+    world = place.lit(world, scene)
     nm = solve.picture_nm(world)
     with shown_progress() as report:
         made = environment_map(
-            world, scene, consumer, sun=picture.sun, ground=picture.ground,
+            world,
+            scene,
+            consumer,
+            sun=picture.sun,
+            ground=picture.ground,
             placed=place.timed or place.latitude is not None,
-            local=planet.ground_albedo is None, wavelengths=nm, stars=lights.stars,
-            progress=report, **solve.keywords(),
-        )  # fmt: skip
+            local=planet.ground_albedo is None,
+            wavelengths=nm,
+            stars=lights.stars,
+            progress=report,
+            **solve.keywords(),
+        )
     with named_errors("scale"):
         written = write_map(
-            picture.output, made, precision=picture.precision, compression=picture.compression,
-            scale=factor, overwrite=picture.overwrite,
-            metadata=made.scene.metadata() | planet.changes(), display=display.keywords(),
-        )  # fmt: skip
-    if placed.time is not None:
-        say(place.line(world, placed))
+            picture.output,
+            made,
+            precision=picture.precision,
+            compression=picture.compression,
+            scale=factor,
+            overwrite=picture.overwrite,
+            metadata=made.scene.metadata() | planet.changes(),
+            display=display.keywords(),
+        )
+    if scene.time is not None:
+        say(place.line(world, scene))
     _report(made, written, picture.precision, time.perf_counter() - started)
 
 

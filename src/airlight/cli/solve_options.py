@@ -1,7 +1,8 @@
-"""Options of the solver: wavelengths, accuracy, device, cache."""
+"""Options of the solver and of parallel execution: wavelengths, accuracy, device, processes."""
 
 from __future__ import annotations
 
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
@@ -9,6 +10,7 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.console import note
+from airlight.cli.option_groups import OptionGroup, named_errors, option
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -47,19 +49,17 @@ Device = Annotated[
 ]
 
 
-def wavelengths_option(default: str = "") -> Any:
-    """Option ``--wavelengths`` with a default in its help."""
-    ending = f" Default: {default}." if default else ""
-    return typer.Option(metavar="rgb|N|LIST|FROM:TO:STEP", help=_WAVELENGTHS + ending)
+def wavelengths_option(words: str = "", default: str | None = None) -> Any:
+    """Option ``--wavelengths`` whose help ends with words about the default."""
+    ending = f" Default: {words}." if words else ""
+    return option(_WAVELENGTHS + ending, "rgb|N|LIST|FROM:TO:STEP", default)
 
 
 @dataclass(frozen=True, kw_only=True)
-class AccuracyOptions:
+class AccuracyOptions(OptionGroup):
     """Options of the wavelengths and the accuracy of pictures."""
 
-    wavelengths: Annotated[
-        str | None, wavelengths_option("16; on a GPU the four with the best colours")
-    ] = None
+    wavelengths: str | None = wavelengths_option("16; on a GPU the four with the best colours")
     quality: Quality = "default"
 
     def nm(self, planet: Planet) -> tuple[float, ...] | None:
@@ -107,3 +107,21 @@ class RenderOptions(SolveOptions):
 
 def _say(reason: str) -> None:
     note(f"falling back to the CPU: {reason}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class DistributionOptions(OptionGroup):
+    """Options of parallel execution."""
+
+    scheduler: str | None = option("Address of a Dask scheduler, tcp://host:8786.", "ADDRESS")
+    workers: int | None = option(
+        "Number of local processes; 1: this process only (number of CPU cores).", "N"
+    )
+
+    def keywords(self) -> dict[str, Any]:
+        """Keyword arguments of work in parallel."""
+        return {"scheduler": self.scheduler, "workers": self.workers}
+
+    def named(self) -> AbstractContextManager[None]:
+        """Put the option's name into errors about it."""
+        return named_errors("scheduler", "workers")

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
-import typer
-
 from airlight.cli import options
-from airlight.cli.console import note, say
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import named_errors, read_options
+from airlight.cli.console import examples, note, say, shown_progress
+from airlight.cli.option_groups import (
+    REQUIRED,
+    OptionGroup,
+    given_values,
+    named_errors,
+    option,
+)
 from airlight.cli.planet_options import PlanetOptions
-from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import SolveOptions, wavelengths_option
 from airlight.errors import FileError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import xarray
 
     from airlight.planets.planet import Planet
@@ -43,66 +43,46 @@ _ROWS: Final = 24
 
 
 @dataclass(frozen=True, kw_only=True)
-class ObservableOptions:
+class ObservableOptions(OptionGroup):
     """Options of an observable."""
 
-    of: Annotated[
-        Literal["geometric-albedo", "bond-albedo", "phase-curve", "transmission", "limb", "disc"],
-        typer.Option(
-            help="Observable: geometric-albedo (brightness at full phase), bond-albedo (reflected "
-            "fraction of the incident light), phase-curve (brightness over phase angle), "
-            "transmission (effective radius in transit), limb (radiance over tangent height), disc "
-            "(disc-integrated light, and contrast to the star)."
-        ),
-    ]
-    phase_angles: Annotated[
-        str | None,
-        typer.Option(
-            metavar="LIST|FROM:TO:STEP",
-            help="Phase angles of disc (0) and phase-curve (0:180:5).",
-        ),
-    ] = None
-    tangent_heights: Annotated[
-        str | None,
-        typer.Option(
-            metavar="LIST|FROM:TO:STEP", help="Limb: tangent heights, e.g. 0:100:5km (60 heights)."
-        ),
-    ] = None
-    sun_zenith: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="Limb: sun zenith angle at the tangent point (60deg)."),
-    ] = None
-    azimuth: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ANGLE",
-            help="Limb: azimuth between line of sight and sun (90deg).",
-        ),
-    ] = None
-    radius: Annotated[
-        str | None,
-        typer.Option(
-            metavar="LENGTH", help="Radius of the reference disc of albedos (that of the ground)."
-        ),
-    ] = None
+    of: Literal[
+        "geometric-albedo", "bond-albedo", "phase-curve", "transmission", "limb", "disc"
+    ] = option(
+        "Observable: geometric-albedo (brightness at full phase), bond-albedo (reflected fraction "
+        "of the incident light), phase-curve (brightness over phase angle), transmission "
+        "(effective radius in transit), limb (radiance over tangent height), disc "
+        "(disc-integrated light, and contrast to the star).",
+        default=REQUIRED,
+    )
+    phase_angles: tuple[float, ...] | None = option(
+        "Phase angles of disc (0) and phase-curve (0:180:5).",
+        "LIST|FROM:TO:STEP",
+        read=options.angles,
+    )
+    tangent_heights: tuple[float, ...] | None = option(
+        "Limb: tangent heights, e.g. 0:100:5km (60 heights).",
+        "LIST|FROM:TO:STEP",
+        read=options.lengths,
+    )
+    sun_zenith: float | None = option(
+        "Limb: sun zenith angle at the tangent point (60deg).", "ANGLE"
+    )
+    azimuth: float | None = option("Limb: azimuth between line of sight and sun (90deg).", "ANGLE")
+    radius: float | None = option(
+        "Radius of the reference disc of albedos (that of the ground).", "LENGTH"
+    )
 
     def numbers(self) -> dict[str, Any]:
         """Given arguments of ``observe``."""
-        readers: dict[str, Callable[[str, str], Any]] = {
-            "phase_angles": lambda text, option: options.values(text, "deg", option),
-            "tangent_heights": lambda text, option: options.values(text, "m", option),
-            "sun_zenith": options.angle,
-            "azimuth": options.angle,
-            "radius": options.length,
-        }
-        return read_options(self, readers)
+        return given_values(self, *(one.name for one in fields(self) if one.name != "of"))
 
 
 @dataclass(frozen=True, kw_only=True)
 class SpectrumOptions(SolveOptions):
     """Options of a solution at the wavelengths of a spectrum."""
 
-    wavelengths: Annotated[str | None, wavelengths_option("360:830:10")] = None
+    wavelengths: str | None = wavelengths_option("360:830:10")
 
 
 def spectrum(
@@ -111,11 +91,9 @@ def spectrum(
     solve: SpectrumOptions,
     output: Annotated[
         list[Path] | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FILE",
-            help="Output: .csv, .nc (netCDF), or a figure (.png, .svg, .pdf); may be repeated. "
+        options.output_option(
+            "FILE",
+            "Output: .csv, .nc (netCDF), or a figure (.png, .svg, .pdf); may be repeated. "
             "Default: print the numbers.",
         ),
     ] = None,

@@ -10,13 +10,15 @@ from typing import Annotated, Any
 import typer
 
 from airlight.cli import options
-from airlight.cli.console import note, say
-from airlight.cli.distribution_options import DistributionOptions
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import option_name
+from airlight.cli.console import examples, note, say, shown_progress
+from airlight.cli.option_groups import REQUIRED, OptionGroup, option, option_name
 from airlight.cli.planet_options import load
-from airlight.cli.progress import shown_progress
-from airlight.cli.solve_options import AccuracyOptions, NoPolarisation, wavelengths_option
+from airlight.cli.solve_options import (
+    AccuracyOptions,
+    DistributionOptions,
+    NoPolarisation,
+    wavelengths_option,
+)
 from airlight.errors import ConflictError, ParameterError
 
 EPILOG = examples(
@@ -29,42 +31,38 @@ EPILOG = examples(
     "-o pattern.zarr",
 )
 
+#: Form of the values of an axis.
+_FORM = "LIST|FROM:TO:STEP"
+
 
 @dataclass(frozen=True, kw_only=True)
-class AxisOptions:
+class AxisOptions(OptionGroup):
     """Options of the axes of a grid."""
 
-    sun_zenith: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Sun zenith angles, e.g. 0:90:5.")
-    ]
-    view_zenith: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="View zenith angles.")
-    ]
-    altitude: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Observer altitudes, e.g. 0m,2km.")
-    ] = "0m"
-    azimuth: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Azimuths between view and sun.")
-    ] = "0deg"
-    vary: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="PATH=A,B,C",
-            help="Values of a key of the planet files: an additional axis. May be repeated.",
-        ),
-    ] = None
+    sun_zenith: tuple[float, ...] = option(
+        "Sun zenith angles, e.g. 0:90:5.", _FORM, REQUIRED, read=options.angles
+    )
+    view_zenith: tuple[float, ...] = option(
+        "View zenith angles.", _FORM, REQUIRED, read=options.angles
+    )
+    altitude: tuple[float, ...] = option(
+        "Observer altitudes, e.g. 0m,2km.", _FORM, "0m", read=options.lengths
+    )
+    azimuth: tuple[float, ...] = option(
+        "Azimuths between view and sun.", _FORM, "0deg", read=options.angles
+    )
+    vary: list[str] | None = option(
+        "Values of a key of the planet files: an additional axis. May be repeated.", "PATH=A,B,C"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class GridSolveOptions(AccuracyOptions):
     """Options of the solutions of a grid."""
 
-    wavelengths: Annotated[str | None, wavelengths_option("those of the first planet")] = None
+    wavelengths: str | None = wavelengths_option("those of the first planet")
     no_polarisation: NoPolarisation = False
-    stokes: Annotated[
-        bool,
-        typer.Option("--stokes", help="Also store Q, U, degree and angle of polarisation."),
-    ] = False
+    stokes: bool = option("Also store Q, U, degree and angle of polarisation.", default=False)
 
 
 def sweep(
@@ -72,13 +70,7 @@ def sweep(
         list[str], typer.Argument(metavar="PLANET…", help="Planets: presets or TOML files.")
     ],
     output: Annotated[
-        Path,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="DIR",
-            help="Output Zarr folder: new, or the sweep to continue.",
-        ),
+        Path, options.output_option("DIR", "Output Zarr folder: new, or the sweep to continue.")
     ],
     axes: AxisOptions,
     solve: GridSolveOptions,
@@ -102,10 +94,10 @@ def sweep(
         grid = Grid(
             planets=planets,
             vary=dict(_varied(text) for text in axes.vary or []),
-            altitude=options.values(axes.altitude, "m", "--altitude"),
-            sun_zenith=options.values(axes.sun_zenith, "deg", "--sun-zenith"),
-            view_zenith=options.values(axes.view_zenith, "deg", "--view-zenith"),
-            azimuth=options.values(axes.azimuth, "deg", "--azimuth"),
+            altitude=axes.altitude,
+            sun_zenith=axes.sun_zenith,
+            view_zenith=axes.view_zenith,
+            azimuth=axes.azimuth,
             wavelengths=solve.nm(first),
         )
     except ParameterError as error:
@@ -117,12 +109,19 @@ def sweep(
         raise error.named(option_name(error.field)) from None
     with shown_progress() as report, distribution.named():
         done = computed(
-            grid, output, quality=solve.quality, polarisation=not solve.no_polarisation,
-            stokes=solve.stokes, on_message=note, progress=report, **distribution.keywords(),
-        )  # fmt: skip
+            grid,
+            output,
+            quality=solve.quality,
+            polarisation=not solve.no_polarisation,
+            stokes=solve.stokes,
+            on_message=note,
+            progress=report,
+            **distribution.keywords(),
+        )
     size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
-    say(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} unchanged  "
-          f"{time.perf_counter() - started:.1f} s")  # fmt: skip
+    seconds = time.perf_counter() - started
+    blocks = f"{done.computed} blocks computed, {done.kept} unchanged"
+    say(f"{done.path}  {size}  {blocks}  {seconds:.1f} s")
 
 
 def _varied(text: str) -> tuple[str, list[Any]]:

@@ -9,10 +9,8 @@ from typing import Annotated
 import typer
 
 from airlight.cli import options
-from airlight.cli.console import say
-from airlight.cli.examples import examples
+from airlight.cli.console import examples, say, shown_progress
 from airlight.cli.option_groups import named_errors
-from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
 EPILOG = examples(
@@ -30,13 +28,7 @@ MISSED = 1
 
 def validate(
     output: Annotated[
-        Path,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FILE",
-            help="Report: .html, or .md with a folder of pictures.",
-        ),
+        Path, options.output_option("FILE", "Report: .html, or .md with a folder of pictures.")
     ],
     suite: Annotated[
         list[str] | None,

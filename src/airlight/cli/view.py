@@ -11,10 +11,9 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.camera_options import DirectionOptions
-from airlight.cli.console import say
+from airlight.cli.console import examples, say
 from airlight.cli.display_options import ToneOptions
-from airlight.cli.examples import examples
-from airlight.cli.option_groups import given_options
+from airlight.cli.option_groups import given_options, given_values, option
 from airlight.cli.place_options import AngleOptions
 from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.solve_options import Device, Quality
@@ -35,16 +34,16 @@ _SMALLEST, _LARGEST = 320, 8192
 class ViewOptions(DirectionOptions):
     """Options of the camera and the size of the window."""
 
-    look_at: Annotated[
-        Literal["horizon", "nadir", "zenith", "sun"] | None,
-        typer.Option(metavar="horizon|nadir|zenith|sun", help="Camera target, instead of --look."),
-    ] = None
+    look_at: Literal["horizon", "nadir", "zenith", "sun"] | None = option(
+        "Camera target, instead of --look.", "horizon|nadir|zenith|sun"
+    )
 
     def numbers(self) -> dict[str, float]:
         """Given roll and field of view by path. [deg]"""
-        paths = {"--roll": "view.roll", "--fov": "view.field_of_view"}
-        given = given_options(self, "roll", "fov")
-        return {paths[option]: options.angle(text, option) for option, text in given.items()}
+        given = given_values(self, "roll")
+        if self.fov is not None:
+            given["field_of_view"] = options.angle(self.fov, "--fov")
+        return {f"view.{name}": angle for name, angle in given.items()}
 
 
 def view(

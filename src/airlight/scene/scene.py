@@ -22,6 +22,7 @@ from airlight.scene.observer import look_at as angles_of
 from airlight.scene.observer import planet_frame
 
 if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
     from airlight.planets.reading.reader import PlanetLike
 
 #: Altitude of an observer who stands on the ground, the default of scenes and commands. [m]
@@ -179,21 +180,9 @@ class Scene:
         moment = read_time(time, place, zone=zone, season=season) if isinstance(time, str) else time
         days = days_of(moment)
         sun = sun_after(place, days)
-        shown = camera if camera is not None else Camera()
         moon = moon_after(place, days) if place.world.has_moon else None
-        if look_at is not None:
-            zenith, azimuth = angles_of(
-                look_at,
-                altitude=max(altitude, 0.0),
-                sun_zenith=sun.zenith,
-                bottom_radius=planet.bottom_radius,
-                sun_azimuth=sun.azimuth,
-                moon=None if moon is None else (moon.zenith, moon.azimuth),
-                planet=planet,
-            )
-            shown = replace(shown, look_zenith=zenith, look_azimuth=azimuth)
-        return cls(
-            camera=shown,
+        scene = cls(
+            camera=camera if camera is not None else Camera(),
             altitude=altitude,
             sun_zenith=sun.zenith,
             sun_azimuth=sun.azimuth,
@@ -203,6 +192,46 @@ class Scene:
             time=moment,
             secondary_lights=() if moon is None else (MoonLight.seen(moon, sun.azimuth),),
         )
+        return scene if look_at is None else scene.aimed(look_at, planet)
+
+    def aimed(self, target: str, planet: Planet) -> Scene:
+        """Scene whose camera looks at a target.
+
+        Parameters
+        ----------
+        target : str
+            Target of ``look_at``; ``moon`` by the scene's time.
+        planet : Planet
+            Planet, whose ground is the horizon and whose atmosphere refracts.
+
+        Raises
+        ------
+        ParameterError
+            If the target is unknown.
+        """
+        from airlight.geometry.ephemeris.sky import Place, moon_seen
+
+        moon = None
+        if target == "moon" and self.time is not None and planet.world.has_moon:
+            place = Place(
+                body=planet.world.name,
+                latitude=self.latitude,
+                longitude=self.longitude,
+                altitude=self.altitude,
+            )
+            seen = moon_seen(place, self.time)
+            moon = seen.zenith, seen.azimuth
+        zenith, azimuth = angles_of(
+            target,
+            altitude=max(self.altitude, 0.0),
+            sun_zenith=self.sun_zenith,
+            bottom_radius=planet.bottom_radius,
+            sun_azimuth=self.sun_azimuth,
+            moon=moon,
+            planet=planet,
+        )
+        camera = replace(self.camera, look_zenith=zenith, look_azimuth=azimuth)
+        return replace(self, camera=camera)
 
     @property
     def lights(self) -> tuple[LightPosition, ...]:

@@ -44,7 +44,8 @@ AIR = {
     "film.frames": 8, "view.look_zenith": "85 deg",
     "film.keys": [{"path": "view.sun_zenith", "values": "84 deg, 96 deg"}],
 }  # fmt: skip
-HOW = Quality(wavelengths=(680.0, 550.0, 440.0), quality="preview")
+HOW = Quality(width=48, height=27, wavelengths=(680.0, 550.0, 440.0), quality="preview")
+SMALL = Quality(width=32, height=18)
 
 
 @pytest.fixture
@@ -62,7 +63,8 @@ def contents(folder: Path) -> dict[str, str]:
 
 
 def rendered(rock: Path, folder: Path, **options: object) -> tuple[int, int]:
-    done = animate(load_film(rock), folder, width=32, height=18, workers=1, **options)  # type: ignore[arg-type]
+    finish = Finish(**options)  # type: ignore[arg-type]
+    done = animate(load_film(rock), folder, how=SMALL, workers=1, finish=finish)
     return done.rendered, done.kept
 
 
@@ -70,7 +72,7 @@ def rendered(rock: Path, folder: Path, **options: object) -> tuple[int, int]:
 def test_one_process_and_two_workers_write_the_same_bytes(tmp_path: Path) -> None:
     film = load_film("earth-atmosphere-plus", AIR)
     for workers in (1, 2):
-        animate(film, tmp_path / str(workers), width=48, height=27, how=HOW, workers=workers)
+        animate(film, tmp_path / str(workers), how=HOW, workers=workers)
     one, two = (contents(tmp_path / str(workers)) for workers in (1, 2))
     assert len(one) == 8
     assert one == two
@@ -102,8 +104,8 @@ def test_the_header_holds_the_fingerprint_of_png_and_exr(rock: Path, tmp_path: P
     film = load_film(rock, {"film.frames": 1})
     for finish in (Finish(), Finish(bits=16), Finish(suffix=".exr")):
         folder = tmp_path / f"{finish.bits}{finish.suffix[1:]}"
-        assert animate(film, folder, width=32, height=18, finish=finish).rendered == 1
-        assert animate(film, folder, width=32, height=18, finish=finish).kept == 1
+        assert animate(film, folder, how=SMALL, finish=finish).rendered == 1
+        assert animate(film, folder, how=SMALL, finish=finish).kept == 1
         texts = read_picture_metadata(folder / f"rock_00001{finish.suffix}")
         assert len(texts[f"airlight.{FINGERPRINT}"]) == 32
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from airlight.studies.film import Quality, load_film
 from airlight.studies.film.frame_spec import PlanetFrameSpec, SystemFrameSpec
 from airlight.studies.film.handbook import TABLES, key_table
 
-HOW = Quality(wavelengths=(680.0, 550.0, 440.0), quality="preview")
+HOW = Quality(width=16, height=9, wavelengths=(680.0, 550.0, 440.0), quality="preview")
 FILM = """
 name = "Climb"
 planet = "earth-atmosphere-plus"
@@ -65,14 +66,14 @@ def written(folder: Path, text: str) -> Path:
 
 def test_keys_reach_the_view_and_the_planet(tmp_path: Path) -> None:
     film = load_film(written(tmp_path, FILM))
-    stills = [film.frame_spec(n, 16, 9, HOW) for n in range(film.plan.count)]
+    stills = [film.frame_spec(n, HOW) for n in range(film.plan.count)]
     assert all(isinstance(one, PlanetFrameSpec) for one in stills)
     assert [round(one.scene.altitude, 9) for one in stills] == [1.0, 10.0, 100.0, 1e3, 1e4]
     assert [one.planet.ground.albedo for one in stills] == [0.1, 0.2, 0.3, 0.4, 0.5]
     assert film.name == "Climb"
     assert stills[0].scene.camera.polariser is None
     turned = load_film(written(tmp_path, FILM), {"view.polariser": "30 deg"})
-    assert turned.frame_spec(0, 16, 9, HOW).scene.camera.polariser == 30.0
+    assert turned.frame_spec(0, HOW).scene.camera.polariser == 30.0
 
 
 def test_the_clock_runs_evenly_and_moves_the_sun() -> None:
@@ -80,7 +81,7 @@ def test_the_clock_runs_evenly_and_moves_the_sun() -> None:
         "film.frames": 3, "film.start": "2026-06-21T18:00Z", "film.end": "2026-06-21T20:00Z",
         "view.latitude": "59.33 deg", "view.longitude": "18.07 deg", "view.look_at": "NW",
     })  # fmt: skip
-    scenes = [film.frame_spec(n, 16, 9, HOW).scene for n in range(3)]
+    scenes = [film.frame_spec(n, HOW).scene for n in range(3)]
     assert [one.time.hour for one in scenes] == [18, 19, 20]
     assert scenes[0].sun_zenith < scenes[1].sun_zenith < scenes[2].sun_zenith
     # the camera stays at its bearing while the sun moves on
@@ -95,7 +96,7 @@ def test_a_dome_keeps_its_front_while_the_sun_moves() -> None:
         "view.projection": "fisheye", "view.look_at": "S/90",
     })  # fmt: skip
     for number in range(3):
-        scene = film.frame_spec(number, 16, 16, HOW).scene
+        scene = film.frame_spec(number, replace(HOW, height=16)).scene
         assert abs(scene.camera.look_zenith) < 1e-9
         assert abs((scene.camera.look_azimuth + scene.sun_azimuth) % 360.0 - 180.0) < 1e-6
 
@@ -103,7 +104,7 @@ def test_a_dome_keeps_its_front_while_the_sun_moves() -> None:
 def test_words_of_the_day_are_times_of_a_planets_film() -> None:
     film = load_film("earth", {"film.frames": 2, "film.start": "2026-03-20 sunset",
                                "film.end": "2026-03-20 civil-dusk"})  # fmt: skip
-    scenes = [film.frame_spec(n, 16, 9, HOW).scene for n in range(2)]
+    scenes = [film.frame_spec(n, HOW).scene for n in range(2)]
     assert 90.5 < scenes[0].sun_zenith < 91.0
     assert abs(scenes[1].sun_zenith - 96.0) < 0.05
 
@@ -125,7 +126,7 @@ path = "world.ground.albedo"
 values = [0.1, 0.9]
 """
     film = load_film(written(tmp_path, SCENE + keys))
-    last = film.frame_spec(1, 16, 9, HOW)
+    last = film.frame_spec(1, HOW)
     assert isinstance(last, SystemFrameSpec)
     assert last.system.view.field_of_view == 40.0
     assert last.system.body("rock").radius == 2000.0
@@ -143,7 +144,7 @@ def test_a_fingerprint_changes_with_what_the_frame_shows_and_with_nothing_else(
     tmp_path: Path,
 ) -> None:
     def of(changes: dict, number: int = 1) -> str:
-        still = load_film(written(tmp_path, FILM), changes).frame_spec(number, 16, 9, HOW)
+        still = load_film(written(tmp_path, FILM), changes).frame_spec(number, HOW)
         return digest(still.defined_by, still.files)
 
     same = of({})
@@ -174,7 +175,7 @@ def test_a_wrong_film_is_refused_in_one_line(tmp_path: Path, old: str, new: str,
     assert old in FILM
     with pytest.raises(ParameterError) as caught:
         film = load_film(written(tmp_path, FILM.replace(old, new)))
-        film.frame_spec(film.plan.count - 1, 16, 9, HOW)
+        film.frame_spec(film.plan.count - 1, HOW)
     assert line in str(caught.value)
     assert "\n" not in str(caught.value)
 

@@ -17,7 +17,7 @@ from airlight.cli import main
 from airlight.errors import FileError
 from airlight.files.output_lock import hidden_file, output_lock
 from airlight.render.picture import write_picture
-from airlight.studies.film import Animated, Finish, animate, load_film
+from airlight.studies.film import Animated, Finish, Quality, animate, load_film
 from airlight.studies.film import frames_folder as folders
 from airlight.studies.film.frame_checksum import BLANK, is_whole, with_checksum
 
@@ -41,7 +41,7 @@ frames = 4
 path = "rock.position"
 values = [["-1 km", "10 km", "0 km"], ["1 km", "9 km", "0 km"]]
 """
-FINISHES = (Finish(), Finish(bits=16), Finish(suffix=".exr"))
+FINISHES = tuple(Finish(exposure=-3.0, **one) for one in ({}, {"bits": 16}, {"suffix": ".exr"}))  # type: ignore[arg-type]
 
 
 @pytest.fixture
@@ -52,8 +52,8 @@ def rock(tmp_path: Path) -> Path:
 
 
 def rendered(rock: Path, folder: Path, finish: Finish = FINISHES[0], **options: object) -> Animated:
-    return animate(load_film(rock), folder, width=32, height=18, workers=1, finish=finish,
-                   exposure=-3.0, **options)  # type: ignore[arg-type]  # fmt: skip
+    small = Quality(width=32, height=18)
+    return animate(load_film(rock), folder, how=small, workers=1, finish=finish, **options)  # type: ignore[arg-type]
 
 
 def contents(folder: Path) -> dict[str, bytes]:

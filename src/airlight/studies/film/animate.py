@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -26,9 +26,6 @@ from airlight.studies.film.movie import check_movie, write_movie
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
 
-#: Exposure of a film: smoothed metering, metering of the first frame for all frames, or a value.
-#: [EV]
-FilmExposure = float | Literal["auto", "locked"]
 #: Maximum number of cached frame specifications; if the planet changes, each holds its own planet.
 _CACHE_SIZE: Final = 512
 #: Number of frames from which the number of a film's solutions is estimated.
@@ -68,13 +65,9 @@ def animate(
     film: Film,
     folder: str | Path,
     *,
-    width: int = 1280,
-    height: int = 720,
     how: Quality | None = None,
     finish: Finish | None = None,
-    exposure: FilmExposure = "auto",
     movie: str | Path | None = None,
-    name: str | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
     on_message: Callable[[str], None] | None = None,
@@ -88,22 +81,15 @@ def animate(
     Parameters
     ----------
     film : Film
-        Film from ``load_film``.
+        Film from ``load_film``, whose name is the prefix of the frames' file names.
     folder : str or Path
         Folder of the frames.
-    width, height : int
-        Size of the frames. [pixel]
     how : Quality, optional
-        Accuracy of the solution and the rendering.
+        Size of the frames, accuracy of the solution and the rendering.
     finish : Finish, optional
-        Format and display.
-    exposure : float, "auto" or "locked"
-        ``auto`` meters three frames per second and smooths the result; ``locked`` applies the
-        metering of the first frame to all frames. [EV]
+        Format, exposure and display.
     movie : str or Path, optional
         Path of an MP4.
-    name : str, optional
-        Prefix of the frames' file names; the film's name by default.
     scheduler, workers : optional
         See ``airlight.studies.distribution.opened_runner``.
     on_message : callable, optional
@@ -122,8 +108,8 @@ def animate(
         If the connection to workers or their scheduler is lost.
     """
     how, finish = how or Quality(), finish or Finish()
-    job = _Job(film, width, height, how, finish, exposure, progress)
-    frames = FramesFolder(Path(folder), name or film.name, finish.suffix, film.plan.count)
+    job = _Job(film, how, finish, progress)
+    frames = FramesFolder(Path(folder), film.name, finish.suffix, film.plan.count)
     say = on_message or (lambda line: None)
     for number in {0, film.plan.count // 2, film.plan.count - 1}:
         job.frame_spec(number)  # refuse here what a worker would refuse after some time
@@ -166,20 +152,19 @@ def animate(
         values = [curve(number) for number in range(frames.count)]
         span = min(values), max(values)
     return Animated(
-        frames=frames, rendered=len(missing), kept=frames.count - len(missing),
-        damaged=len(present.damaged), exposures=span,
-    )  # fmt: skip
+        frames=frames,
+        rendered=len(missing),
+        kept=frames.count - len(missing),
+        damaged=len(present.damaged),
+        exposures=span,
+    )
 
 
 class _Job:
     """Film at a given size and finish."""
 
-    def __init__(
-        self, film: Film, width: int, height: int, how: Quality, finish: Finish,
-        exposure: FilmExposure, progress: Progress | None,
-    ) -> None:  # fmt: skip
-        self._film, self._size, self._how = film, (width, height), how
-        self._finish, self._exposure, self._progress = finish, exposure, progress
+    def __init__(self, film: Film, how: Quality, finish: Finish, progress: Progress | None) -> None:
+        self._film, self._how, self._finish, self._progress = film, how, finish, progress
         self._specs: dict[int, FrameSpec] = {}
         self._digests: dict[int, str] = {}
         self._curve: Callable[[int], float] | None = None
@@ -188,7 +173,7 @@ class _Job:
         if number not in self._specs:
             if len(self._specs) >= _CACHE_SIZE:
                 self._specs.clear()
-            self._specs[number] = self._film.frame_spec(number, *self._size, self._how)
+            self._specs[number] = self._film.frame_spec(number, self._how)
         return self._specs[number]
 
     def _digest(self, number: int) -> str:
@@ -204,11 +189,12 @@ class _Job:
         """Exposure curve of the film; None for linear files."""
         if self._finish.suffix == ".exr":
             return None
-        if isinstance(self._exposure, (int, float)):
-            fixed = float(self._exposure)
+        exposure = self._finish.exposure
+        if isinstance(exposure, (int, float)):
+            fixed = float(exposure)
             self._curve = lambda number: fixed
             return self._curve
-        numbers = [0] if self._exposure == "locked" else metered_numbers(self._film.plan)
+        numbers = [0] if exposure == "locked" else metered_numbers(self._film.plan)
         found = {number: self._kept_exposure(number) for number in numbers}
         unknown = [number for number, value in found.items() if value is None]
         if unknown:
@@ -231,26 +217,21 @@ class _Job:
 
     # --- frames -------------------------------------------------------------------------------
 
-    def _exposure_of(self, number: int) -> float:
-        return 0.0 if self._curve is None else self._curve(number)
-
-    @property
-    def _eye(self) -> bool:
-        """Whether the eye model is applied: only with automatic exposure."""
-        return isinstance(self._exposure, str)
+    def _finish_of(self, number: int) -> Finish:
+        """Finish of a frame, with its exposure."""
+        metered = isinstance(self._finish.exposure, str)
+        exposure = 0.0 if self._curve is None else self._curve(number)
+        return replace(self._finish, exposure=exposure, eye=metered)
 
     def fingerprint(self, number: int) -> str:
         """Fingerprint of a frame's file."""
-        light, value = self._digest(number), self._exposure_of(number)
-        return digest((light, self._finish, value, self._eye))
+        return digest((self._digest(number), self._finish_of(number)))
 
     def tasks(self, numbers: Sequence[int]) -> Iterator[tuple[int, tuple[Any, ...]]]:
         """Tasks of ``rendered_frame``."""
         for number in numbers:
-            yield number, (
-                self.frame_spec(number), self._finish, self._exposure_of(number), self._eye,
-                self.fingerprint(number), _code(),
-            )  # fmt: skip
+            finish, mark = self._finish_of(number), self.fingerprint(number)
+            yield number, (self.frame_spec(number), finish, mark, _code())
 
     def announce(self, frames: int) -> None:
         """Announce long rendering, and the number of solutions."""
@@ -262,9 +243,8 @@ class _Job:
         # A single solution announces itself, if it is not on disk.
         solutions = 0.0 if changes == 1 else frames * changes / sampled
         pictures = [(kind, frames * amount) for kind, amount in cost.items() if kind != "solve"]
-        columns, rows = self._size
         announce_all(
-            f"{frames} frames of {columns}x{rows} pixels",
+            f"{frames} frames of {self._how.width}x{self._how.height} pixels",
             [*pictures, ("solve", solutions * cost["solve"])],
         )
 
@@ -292,22 +272,18 @@ def metered_exposure(spec: FrameSpec, code: str) -> float:
     return float(spec.render(METERED).exposure)
 
 
-def rendered_frame(
-    spec: FrameSpec, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
-) -> bytes:
+def rendered_frame(spec: FrameSpec, finish: Finish, fingerprint: str, code: str) -> bytes:
     """Bytes of a frame's file, with fingerprint and checksum in the header.
 
     Parameters
     ----------
     finish : Finish
-        Format and display.
-    exposure : float
-        Exposure. [EV]
-    eye : bool
-        Whether mesopic vision of the dark-adapted eye is simulated.
+        Format and display, with the frame's own exposure.
+    fingerprint : str
+        Fingerprint of the file.
     code : str
         Hash of the source code of the run.
     """
     check_code(code, *_SOURCES)
     metadata = {**spec.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
-    return with_checksum(finished(spec.render(), finish, exposure, eye, metadata))
+    return with_checksum(finished(spec.render(), finish, metadata))

@@ -52,17 +52,15 @@ class Film:
     folder: Path | None = None
     view: Tables | None = field(default=None)
 
-    def frame_spec(self, number: int, width: int, height: int, how: Quality) -> FrameSpec:
+    def frame_spec(self, number: int, how: Quality) -> FrameSpec:
         """Specification of a frame.
 
         Parameters
         ----------
         number : int
             Number of the frame, from 0.
-        width, height : int
-            Size of the frame. [pixel]
         how : Quality
-            Accuracy of the solution and the rendering.
+            Size of the frame, accuracy of the solution and the rendering.
 
         Raises
         ------
@@ -73,12 +71,12 @@ class Film:
         if self.view is not None:
             view, planet = self._planet_at(changes)
             time = self._time(number, view, planet)
-            scene = view.scene(planet, time, width, height)
+            scene = view.scene(planet, time, how.width, how.height)
             planet, scene = on_basin_floor(planet, scene)
             return PlanetFrameSpec(planet=planet, scene=scene, how=how, stars=view.stars)
         system = self._system_at(changes, self._time(number))
         system.check_distances()
-        return SystemFrameSpec(system=system, width=width, height=height, how=how)
+        return SystemFrameSpec(system=system, how=how)
 
     @property
     def projection(self) -> str:
@@ -138,8 +136,7 @@ class Film:
         if view is not None and planet is not None:
             start, end = self._span
         else:
-            start, end = (_instant(text, name) for text, name in
-                          ((plan.start, "start"), (plan.end, "end")))  # fmt: skip
+            start, end = _instant(plan.start, "start"), _instant(plan.end, "end")
         return start + plan.normalised_time(number) * (end - start)
 
     @cached_property
@@ -152,9 +149,11 @@ class Film:
         for name, number in (("start", 0), ("end", plan.count - 1)):
             view, planet = self._planet_at(plan.changes(number))
             place = Place(
-                body=planet.world.name, latitude=view.latitude, longitude=view.longitude,
+                body=planet.world.name,
+                latitude=view.latitude,
+                longitude=view.longitude,
                 altitude=view.altitude,
-            )  # fmt: skip
+            )
             text = getattr(plan, name)
             found.append(read_time(text, place, zone=plan.zone, field=f"film.{name}"))
         return found[0], found[1]

@@ -36,10 +36,12 @@ _SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
 
 @dataclass(frozen=True, kw_only=True)
 class Quality:
-    """Accuracy settings of a film.
+    """Size and accuracy of the frames of a film.
 
     Attributes
     ----------
+    width, height : int
+        Size of a frame. [pixel]
     wavelengths : tuple of float, optional
         Wavelengths; by default ``picture_wavelengths``. [nm]
     quality : str
@@ -50,6 +52,8 @@ class Quality:
         Whether every pixel of a planet's frame is marched.
     """
 
+    width: int = 1280
+    height: int = 720
     wavelengths: tuple[float, ...] | None = None
     quality: str = "default"
     samples: int | None = None
@@ -103,7 +107,7 @@ class PlanetFrameSpec:
     scene : Scene
         Observer, sun and camera.
     how : Quality
-        Accuracy settings.
+        Size and accuracy.
     stars : bool
         Whether the star catalogue is added.
     """
@@ -145,11 +149,8 @@ class PlanetFrameSpec:
         place = (scene.latitude, scene.longitude, scene.altitude)
         key = digest((self.planet, place, how), self.files)
         if key not in _SOLUTIONS:
-            nm = how.wavelengths
-            found = solve_planet(
-                self._ground(), picture_wavelengths(self.planet) if nm is None else nm,
-                how.quality, progress=progress,
-            )  # fmt: skip
+            nm = how.wavelengths or picture_wavelengths(self.planet)
+            found = solve_planet(self._ground(), nm, how.quality, progress=progress)
             _SOLUTIONS.clear()
             _SOLUTIONS[key] = found
         return _SOLUTIONS[key]
@@ -192,20 +193,16 @@ class SystemFrameSpec:
     ----------
     system : System
         Bodies, lights, observer and camera.
-    width, height : int
-        Size of the frame. [pixel]
     how : Quality
-        Accuracy settings.
+        Size and accuracy.
     """
 
     system: System
-    width: int
-    height: int
     how: Quality
 
     def render(self, width: int | None = None) -> Frame:
         """See ``FrameSpec``."""
-        columns, rows = self.width, self.height
+        columns, rows = self.how.width, self.how.height
         if width is not None:
             columns, rows = _reduced(self.system.view.projection, columns, rows, width)
         return self._render(columns, rows)
@@ -225,12 +222,13 @@ class SystemFrameSpec:
             for one in planets
         ]
         solves = sum(solve_work(how.quality, count) for count in counts)
-        return {"picture": float(self.width * self.height * max(counts, default=3)),
-                "solve": solves}  # fmt: skip
+        pixels = how.width * how.height
+        return {"picture": float(pixels * max(counts, default=3)), "solve": solves}
 
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``FrameSpec``."""
-        self._render(*_reduced(self.system.view.projection, self.width, self.height, 16), progress)
+        how = self.how
+        self._render(*_reduced(self.system.view.projection, how.width, how.height, 16), progress)
 
     @property
     def solved_for(self) -> object:
@@ -242,8 +240,7 @@ class SystemFrameSpec:
     @property
     def defined_by(self) -> object:
         """See ``FrameSpec``."""
-        system, size = self.system, (self.width, self.height)
-        return system, system.planets, size, self.how
+        return self.system, self.system.planets, self.how
 
     @property
     def files(self) -> tuple[Path, ...]:

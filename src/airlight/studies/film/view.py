@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from datetime import datetime
-from typing import Annotated
+from typing import Annotated, Any
 
 from airlight.errors import ConflictError
 from airlight.planets.parameters import parameters
@@ -12,7 +12,7 @@ from airlight.planets.planet import Planet
 from airlight.planets.schema.field import Field
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.render.star_points import check_stars
-from airlight.scene import Camera, Scene, look_at
+from airlight.scene import Camera, Scene
 from airlight.scene.compass import read_bearing
 from airlight.scene.ground_detail import GROUNDS
 from airlight.scene.limits import DEEPEST_ALTITUDE, HIGHEST_ALTITUDE
@@ -149,10 +149,16 @@ class PlanetView(TomlModel):
         if self.stars:
             check_stars(planet.body, self.projection)
         camera = Camera(
-            projection=self.projection, width=width, height=height, roll=self.roll,
-            field_of_view=self.field_of_view, look_zenith=self.look_zenith,
-            look_azimuth=self.look_azimuth or 0.0, polariser=self.polariser, extent=extent,
-        )  # fmt: skip
+            projection=self.projection,
+            width=width,
+            height=height,
+            roll=self.roll,
+            field_of_view=self.field_of_view,
+            look_zenith=self.look_zenith,
+            look_azimuth=self.look_azimuth or 0.0,
+            polariser=self.polariser,
+            extent=extent,
+        )
         upright = parallel and self.look_azimuth is None and self.look_at is None
         standing = parallel and self.altitude == type(self).altitude
         altitude = 0.0 if standing else self.altitude
@@ -160,26 +166,22 @@ class PlanetView(TomlModel):
         target = self.look_at
         if target is None and not given and self.projection == "perspective":
             target = "horizon"
+        place: dict[str, Any] = {
+            "latitude": self.latitude,
+            "longitude": self.longitude,
+            "altitude": altitude,
+            "camera": camera,
+            "ground": self.ground,
+        }
         if time is not None:
             for name in ("sun_zenith", "sun_azimuth"):
                 if getattr(self, name) is not None:
                     raise ConflictError(name, "cannot be combined with a time")
-            scene = Scene.at(
-                planet, latitude=self.latitude, longitude=self.longitude, time=time,
-                altitude=altitude, look_at=target, camera=camera, ground=self.ground,
-            )  # fmt: skip
-            return scene.north_up() if upright else scene
-        sun_zenith = 72.0 if self.sun_zenith is None else self.sun_zenith
-        sun_azimuth = 105.0 if self.sun_azimuth is None else self.sun_azimuth
+            scene = Scene.at(planet, time=time, **place)
+        else:
+            sun_zenith = 72.0 if self.sun_zenith is None else self.sun_zenith
+            sun_azimuth = 105.0 if self.sun_azimuth is None else self.sun_azimuth
+            scene = Scene(sun_zenith=sun_zenith, sun_azimuth=sun_azimuth, **place)
         if target is not None:
-            zenith, azimuth = look_at(
-                target, altitude=max(altitude, 0.0), sun_zenith=sun_zenith,
-                bottom_radius=planet.bottom_radius, sun_azimuth=sun_azimuth, planet=planet,
-            )  # fmt: skip
-            camera = replace(camera, look_zenith=zenith, look_azimuth=azimuth)
-        scene = Scene(
-            camera=camera, altitude=altitude, sun_zenith=sun_zenith,
-            latitude=self.latitude, longitude=self.longitude, sun_azimuth=sun_azimuth,
-            ground=self.ground,
-        )  # fmt: skip
+            scene = scene.aimed(target, planet)
         return scene.north_up() if upright else scene

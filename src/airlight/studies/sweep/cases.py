@@ -9,21 +9,14 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, TextIO
+from typing import Final, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.files.atomic_file import atomic_file, check_target
-from airlight.solver.stokes_frame import (
-    STOKES,
-    angle_of_polarisation,
-    degree_of_polarisation,
-)
-
-if TYPE_CHECKING:
-    import xarray
+from airlight.solver.stokes_frame import STOKES
 
 #: Columns that are read, with the smallest and largest number allowed in them.
 COLUMNS: dict[str, tuple[float, float]] = {
@@ -261,19 +254,6 @@ def error_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> list
     """
     names = [f"standard_error_{name}" for name in STOKES] if stokes else ["standard_error"]
     return [f"{name}_{nm:.10g}nm" for name in names for nm in wavelengths]
-
-
-def polarised_answers(found: xarray.DataArray) -> NDArray[np.float64]:
-    """I, Q and U, degree and angle of polarisation as columns, shape (n, 5·wavelengths).
-
-    Parameters
-    ----------
-    found : xarray.DataArray, shape (n, stokes, wavelength)
-        I, Q and U. [W m⁻² sr⁻¹ nm⁻¹]
-    """
-    parts = [found.sel(stokes=name) for name in STOKES]
-    parts += [degree_of_polarisation(found), angle_of_polarisation(found)]
-    return np.concatenate([np.asarray(part, np.float64) for part in parts], axis=-1)
 
 
 def write_cases(

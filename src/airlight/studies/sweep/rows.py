@@ -6,8 +6,7 @@ import contextlib
 import hashlib
 import re
 import sys
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, TextIO
 
@@ -18,19 +17,17 @@ from airlight.errors import FileError
 from airlight.files.atomic_file import check_target
 from airlight.files.output_lock import output_lock
 from airlight.kernel.cost import LINES, announce_all
-from airlight.planets.planet import Planet
 from airlight.studies.distribution import opened_runner
 from airlight.studies.distribution.fingerprint import check_code, code_digest, digest
 from airlight.studies.sweep.cases import (
     Cases,
     case_blocks,
     check_table,
-    polarised_answers,
     radiance_columns,
     write_head,
     write_rows,
 )
-from airlight.studies.sweep.shared_solution import shared_solution
+from airlight.studies.sweep.shared_solution import RadianceTask
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
@@ -44,45 +41,11 @@ _SOURCE: Final = Path(__file__)
 _NAME: Final = re.compile(r"[0-9a-f]{32}\.(rows|index)")
 
 
-@dataclass(frozen=True, kw_only=True)
-class Lines:
-    """Lines of sight of one block.
-
-    Attributes
-    ----------
-    planet : Planet
-        Planet.
-    wavelengths : tuple of float
-        Wavelengths. [nm]
-    quality : str
-        Quality of its solution.
-    polarisation, stokes : bool
-        Whether transfer is polarised, and whether to return I, Q and U, degree and angle.
-    cache : bool
-        Whether to cache the solution on disk.
-    values : array, shape (n, 4)
-        Altitude, zenith angles of sun and view, azimuth. [m, deg, deg, deg]
-    """
-
-    planet: Planet
-    wavelengths: tuple[float, ...]
-    quality: str
-    polarisation: bool
-    stokes: bool
-    cache: bool
-    values: FloatArray
-
-
 def answer_rows(
-    planet: Planet,
+    task: RadianceTask,
     source: str,
     target: str,
     *,
-    wavelengths: Sequence[float],
-    quality: str = "default",
-    polarisation: bool = True,
-    stokes: bool = False,
-    cache: bool = True,
     scheduler: str | None = None,
     workers: int | None = 1,
     progress: Progress | None = None,
@@ -95,20 +58,12 @@ def answer_rows(
 
     Parameters
     ----------
+    task : RadianceTask
+        Planet, wavelengths and accuracy.
     source : str
         Path of a CSV for ``case_blocks``, read twice: first for validation.
     target : str
-        Path of the new CSV; ``-`` is the standard output, without resumption.
-    wavelengths : sequence of float
-        Wavelengths. [nm]
-    quality : str
-        Quality as for ``airlight.solve``.
-    polarisation : bool
-        Whether transfer is polarised.
-    stokes : bool
-        Whether to append I, Q and U, degree and angle of polarisation.
-    cache : bool
-        Whether to cache the solution on disk.
+        Path of the new CSV; ``-`` is the standard output, which keeps nothing.
     scheduler, workers : optional
         See ``airlight.studies.distribution.opened_runner``; default: one process.
 
@@ -120,22 +75,22 @@ def answer_rows(
     check_table(target, (".csv",))
     with case_blocks(source, BLOCK) as (head, blocks):
         total = sum(len(block.rows) for block in blocks)
-    nm = tuple(float(one) for one in wavelengths)
-    shared_solution(planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress)
+    nm, stokes = task.wavelengths, task.stokes
+    task.solution(progress)
     code = code_digest(_SOURCE)
-    mark = digest((planet, nm, quality, polarisation, stokes, code), (Path(source),))
-    with _Table.opened(target, mark) as table, case_blocks(source, BLOCK) as (head, blocks):
+    with (
+        _Table.opened(target, digest((task, code), (Path(source),))) as table,
+        case_blocks(source, BLOCK) as (head, blocks),
+    ):
         if not table.blocks:
             write_head(table.stream, head, radiance_columns(nm, stokes=stokes))
         waiting: dict[int, Cases] = {}
 
-        def tasks() -> Iterator[tuple[int, tuple[Lines, str]]]:
+        def tasks() -> Iterator[tuple[int, tuple[RadianceTask, FloatArray, str]]]:
             for number, block in enumerate(blocks):
                 if number >= table.kept:
                     waiting[number] = block
-                    yield number, (Lines(planet=planet, wavelengths=nm, quality=quality,
-                                         polarisation=polarisation, stokes=stokes,
-                                         cache=cache, values=block.values), code)  # fmt: skip
+                    yield number, (task, block.values, code)
 
         rest = total - min(table.kept * BLOCK, total)
         amount = float(rest * len(nm) * (3 if stokes else 1))
@@ -154,26 +109,22 @@ def answer_rows(
         return min(table.kept * BLOCK, total)
 
 
-def radiances_of_lines(lines: Lines, code: str) -> FloatArray:
-    """Radiances of a block, shape (n, wavelengths), or what ``polarised_answers`` returns.
+def radiances_of_lines(task: RadianceTask, lines: FloatArray, code: str) -> FloatArray:
+    """Radiances of a block, shape (n, wavelengths), or ``stokes_layers`` side by side.
 
     Parameters
     ----------
-    lines : Lines
-        Lines of sight.
+    task : RadianceTask
+        Planet, wavelengths and accuracy.
+    lines : array, shape (n, 4)
+        Altitude, zenith angles of sun and view, azimuth. [m, deg, deg, deg]
     code : str
         Hash of the sender's source code.
     """
     check_code(code, _SOURCE)
-    solution = shared_solution(
-        lines.planet, lines.wavelengths, lines.quality, polarisation=lines.polarisation,
-        cache=lines.cache,
-    )  # fmt: skip
-    altitude, sun, view, azimuth = lines.values.T
-    found = solution.radiance(
-        altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth, stokes=lines.stokes
-    )
-    return polarised_answers(found) if lines.stokes else np.asarray(found, float)
+    altitude, sun, view, azimuth = lines.T
+    parts = task.layers(altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth)
+    return np.concatenate(parts, axis=-1)
 
 
 class _Table:

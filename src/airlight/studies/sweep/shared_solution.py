@@ -1,15 +1,25 @@
-"""Solution shared by the tasks of a process."""
+"""Radiances that tasks compute, by a solution that the tasks of a process share."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
 
 from airlight.planets.planet import Planet
 from airlight.solver import solve
+from airlight.solver.stokes_frame import (
+    STOKES,
+    angle_of_polarisation,
+    degree_of_polarisation,
+)
 from airlight.studies.distribution.fingerprint import digest
 
 if TYPE_CHECKING:
+    import xarray
+
     from airlight.kernel.threads import Progress
     from airlight.solver.moments.solution import MomentsSolution
 
@@ -17,34 +27,61 @@ if TYPE_CHECKING:
 _CACHED: Final[dict[str, MomentsSolution]] = {}
 
 
-def shared_solution(
-    planet: Planet,
-    wavelengths: Sequence[float],
-    quality: str,
-    *,
-    polarisation: bool = True,
-    cache: bool = True,
-    progress: Progress | None = None,
-) -> MomentsSolution:
-    """Solution of a planet; the last is cached in memory.
+@dataclass(frozen=True, kw_only=True)
+class RadianceTask:
+    """Planet, wavelengths and accuracy of radiances.
 
-    Parameters
+    Attributes
     ----------
-    wavelengths : sequence of float
+    wavelengths : tuple of float
         Wavelengths. [nm]
     quality : str
         Quality as for ``airlight.solve``.
     polarisation : bool
         Whether transfer is polarised.
+    stokes : bool
+        Whether I, Q and U, degree and angle of polarisation are computed.
     cache : bool
-        Whether to cache the solution on disk.
+        Whether the solution is looked for on disk, and kept there.
     """
-    key = digest((planet, tuple(wavelengths), quality, polarisation))
-    if key not in _CACHED:
-        found = solve(
-            planet, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
-            cache=cache, progress=progress,
-        )  # fmt: skip
-        _CACHED.clear()
-        _CACHED[key] = found
-    return _CACHED[key]
+
+    planet: Planet
+    wavelengths: tuple[float, ...]
+    quality: str = "default"
+    polarisation: bool = True
+    stokes: bool = False
+    cache: bool = True
+
+    def solution(self, progress: Progress | None = None) -> MomentsSolution:
+        """Solution of the planet; the last is cached in memory."""
+        key = digest((self.planet, self.wavelengths, self.quality, self.polarisation))
+        if key not in _CACHED:
+            found = solve(
+                self.planet,
+                wavelengths=self.wavelengths,
+                quality=self.quality,
+                polarisation=self.polarisation,
+                cache=self.cache,
+                progress=progress,
+            )
+            _CACHED.clear()
+            _CACHED[key] = found
+        return _CACHED[key]
+
+    def layers(self, **where: Any) -> list[NDArray[np.float64]]:
+        """Radiance of lines of sight, or ``stokes_layers``; arguments of ``radiance``."""
+        found = self.solution().radiance(**where, stokes=self.stokes)
+        return stokes_layers(found) if self.stokes else [np.asarray(found, np.float64)]
+
+
+def stokes_layers(found: xarray.DataArray) -> list[NDArray[np.float64]]:
+    """I, Q and U, degree and angle of polarisation.
+
+    Parameters
+    ----------
+    found : xarray.DataArray, with the dimension ``stokes``
+        I, Q and U. [W m⁻² sr⁻¹ nm⁻¹]
+    """
+    parts = [found.sel(stokes=name) for name in STOKES]
+    parts += [degree_of_polarisation(found), angle_of_polarisation(found)]
+    return [np.asarray(part, np.float64) for part in parts]

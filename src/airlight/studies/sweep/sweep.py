@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -20,15 +20,10 @@ from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.planet import Planet
 from airlight.solver.moments.settings import settings_for
 from airlight.solver.moments.solve import solve_work
-from airlight.solver.stokes_frame import (
-    STOKES,
-    angle_of_polarisation,
-    degree_of_polarisation,
-)
 from airlight.studies.distribution import opened_runner
 from airlight.studies.distribution.fingerprint import check_code, code_digest, digest
 from airlight.studies.sweep.grid import Grid
-from airlight.studies.sweep.shared_solution import shared_solution
+from airlight.studies.sweep.shared_solution import RadianceTask
 from airlight.studies.sweep.store import (
     State,
     SweepStore,
@@ -41,7 +36,6 @@ from airlight.studies.sweep.store_layout import POLARISED, chunk_shape
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
-    from airlight.solver.moments.solution import MomentsSolution
 
 #: Source that computes radiances: this file's imports.
 _SOURCE: Final = Path(__file__)
@@ -74,37 +68,6 @@ class Swept:
     kept: int
     damaged: int
     radiances: int
-
-
-@dataclass(frozen=True, kw_only=True)
-class CaseBlock:
-    """Lines of sight of one block.
-
-    Attributes
-    ----------
-    planet : Planet
-        Planet.
-    quality : str
-        Quality of the solution.
-    polarisation, stokes : bool
-        Whether transfer is polarised, and whether to return Q, U, degree and angle.
-    altitude : float
-        Altitude of the observer. [m]
-    sun_zenith, view_zenith, azimuth : tuple of float
-        Angles. [deg]
-    wavelengths : tuple of float
-        Wavelengths. [nm]
-    """
-
-    planet: Planet
-    quality: str
-    polarisation: bool
-    stokes: bool
-    altitude: float
-    sun_zenith: tuple[float, ...]
-    view_zenith: tuple[float, ...]
-    azimuth: tuple[float, ...]
-    wavelengths: tuple[float, ...]
 
 
 def sweep(
@@ -170,11 +133,17 @@ def sweep(
     settings = replace(settings_for(quality), polarisation=polarisation)
     about = {"title": f"{light}, quality {quality}", "solver": "moments"}
     about["settings"] = settings.as_text()
-    how = quality, polarisation, stokes
+    task = RadianceTask(
+        planet=grid.planet((0,) * len(grid.variants)),
+        wavelengths=grid.nm,
+        quality=quality,
+        polarisation=polarisation,
+        stokes=stokes,
+    )
     code = code_digest(_SOURCE)
     with output_lock(Path(path).resolve()):
         _check_cost(grid, Path(path), stokes, say)
-        marks = _marks(grid, how, code, progress)
+        marks = _marks(grid, task, code, progress)
         store = SweepStore(Path(path), grid, about, stokes=stokes)
         states = {}
         for done, (block, mark) in enumerate(marks.items()):
@@ -189,13 +158,13 @@ def sweep(
             say(f"{damaged} of {len(marks)} blocks are damaged and will be recomputed")
         if missing:
             first = _first_of_variants(grid, missing)
-            _announce(grid, first, missing, how)
+            _announce(grid, first, missing, task)
             with opened_runner(len(missing), scheduler=scheduler, workers=workers) as runner:
-                tasks = ((one, (_block(grid, block, how), code)) for one, block in first.items())
+                tasks = ((one, (_task(grid, one, task), code)) for one in first)
                 for done, _ in enumerate(runner.run(solved, tasks)):
                     if progress is not None:
                         progress(done + 1, len(first), "solving")
-                blocks = ((block, (_block(grid, block, how), code)) for block in missing)
+                blocks = ((block, (*_block(grid, block, task), code)) for block in missing)
                 for done, (block, values) in enumerate(runner.run(radiances, blocks)):
                     store.write(block, values, marks[block])
                     if progress is not None:
@@ -219,7 +188,7 @@ def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]
 
 
 def _marks(
-    grid: Grid, how: tuple[str, bool, bool], code: str, progress: Progress | None
+    grid: Grid, task: RadianceTask, code: str, progress: Progress | None
 ) -> dict[tuple[int, ...], int]:
     """Fingerprint of each block: sixty-three bits of a hash, never 0."""
     found: dict[tuple[int, ...], int] = {}
@@ -233,7 +202,7 @@ def _marks(
         for k, sun, view in _indices(grid.blocks[len(grid.variants) :])
     }
     for done, variant in enumerate(_indices(grid.variants)):
-        planet = digest((grid.planet(variant), how, grid.azimuth, grid.nm, code))
+        planet = digest((_task(grid, variant, task), grid.azimuth, code))
         for inner, lines in described.items():
             found[*variant, *inner] = 1 + int(digest((planet, *lines))[:15], 16)
         if progress is not None and count > 1:
@@ -242,17 +211,18 @@ def _marks(
 
 
 def _announce(
-    grid: Grid, variants: Collection[tuple[int, ...]], missing: list[tuple[int, ...]],
-    how: tuple[str, bool, bool],
-) -> None:  # fmt: skip
+    grid: Grid,
+    variants: Collection[tuple[int, ...]],
+    missing: list[tuple[int, ...]],
+    task: RadianceTask,
+) -> None:
     """Announce the work, and emit warnings here, as those of workers are lost."""
-    quality, _, stokes = how
     for one in sorted({variant[0] for variant in variants}):
         warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
     lines = sum(_lines(grid, block) for block in missing)
     amounts = [
-        ("solve", len(variants) * solve_work(quality, len(grid.nm))),
-        (LINES, float(lines * len(grid.nm) * (3 if stokes else 1))),
+        ("solve", len(variants) * solve_work(task.quality, len(grid.nm))),
+        (LINES, float(lines * len(grid.nm) * (3 if task.stokes else 1))),
     ]
     announce_all(f"{len(variants)} solutions and {lines} lines of sight", amounts)
 
@@ -280,59 +250,51 @@ def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
 _PLANETS: Final[dict[tuple[Any, ...], Planet]] = {}
 
 
-def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> CaseBlock:
-    quality, polarisation, stokes = how
-    *variant, altitude, _, _ = block
-    suns, views = grid.region(block)[-4:-2]
+def _task(grid: Grid, variant: tuple[int, ...], task: RadianceTask) -> RadianceTask:
+    """Task of a planet of the grid."""
     key = (id(grid), *variant)
     if key not in _PLANETS:
         _PLANETS.clear()
-        _PLANETS[key] = grid.planet(tuple(variant))
-    return CaseBlock(
-        planet=_PLANETS[key], quality=quality, polarisation=polarisation, stokes=stokes,
-        altitude=grid.altitude[altitude],
-        sun_zenith=tuple(grid.sun_zenith[suns]), view_zenith=tuple(grid.view_zenith[views]),
-        azimuth=tuple(grid.azimuth), wavelengths=grid.nm,
-    )  # fmt: skip
+        _PLANETS[key] = grid.planet(variant)
+    return replace(task, planet=_PLANETS[key])
+
+
+def _block(
+    grid: Grid, block: tuple[int, ...], task: RadianceTask
+) -> tuple[RadianceTask, dict[str, Any]]:
+    """Task of a block, and its lines of sight as arguments of ``radiance``. [m], [deg]"""
+    *variant, altitude, _, _ = block
+    suns, views = grid.region(block)[-4:-2]
+    return _task(grid, tuple(variant), task), {
+        "altitude": grid.altitude[altitude],
+        "sun_zenith": np.array(grid.sun_zenith[suns])[:, None, None],
+        "view_zenith": np.array(grid.view_zenith[views])[:, None],
+        "azimuth": np.array(grid.azimuth),
+    }
 
 
 # --- on a worker ------------------------------------------------------------------------------
 
 
-def solved(block: CaseBlock, code: str) -> None:
-    """Solve a block's planet, and cache the solution on this machine."""
+def solved(task: RadianceTask, code: str) -> None:
+    """Solve a planet, and keep the solution on the disk of this machine."""
     check_code(code, _SOURCE)
-    _solution(block)
+    task.solution()
 
 
-def radiances(block: CaseBlock, code: str) -> NDArray[np.float32]:
+def radiances(task: RadianceTask, where: Mapping[str, Any], code: str) -> NDArray[np.float32]:
     """Arrays of a block, shape (1 or 5, suns, views, azimuths, wavelengths).
 
     The radiance [W m⁻² sr⁻¹ nm⁻¹], and with Stokes parameters ``POLARISED``.
 
     Parameters
     ----------
-    block : CaseBlock
-        Lines of sight.
+    task : RadianceTask
+        Planet, wavelengths and accuracy.
+    where : mapping
+        Lines of sight, as arguments of ``radiance``.
     code : str
         Hash of the sender's source code.
     """
     check_code(code, _SOURCE)
-    found = _solution(block).radiance(
-        altitude=block.altitude,
-        sun_zenith=np.array(block.sun_zenith)[:, None, None],
-        view_zenith=np.array(block.view_zenith)[:, None],
-        azimuth=np.array(block.azimuth),
-        stokes=block.stokes,
-    )
-    if not block.stokes:
-        return np.asarray(found, np.float32)[None]
-    layers = [found.sel(stokes=name) for name in STOKES]
-    layers += [degree_of_polarisation(found), angle_of_polarisation(found)]
-    return np.stack([np.asarray(one, np.float32) for one in layers])
-
-
-def _solution(block: CaseBlock) -> MomentsSolution:
-    return shared_solution(
-        block.planet, block.wavelengths, block.quality, polarisation=block.polarisation
-    )
+    return np.stack([one.astype(np.float32) for one in task.layers(**where)])
