@@ -37,15 +37,12 @@ def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any])
     renderer.fill_sky_view()
     fill, draw, _ = _arguments()
     points = np.zeros(4)
-    real = (
-        points, points, renderer.window, renderer._observer, renderer._view, renderer._tables,
-        new_workspace(renderer._tables), renderer._weights, renderer._reach,
-    )  # fmt: skip
-    for made, one in zip(draw[:9], real, strict=True):
+    frame, work = renderer._frame(renderer._view), new_workspace(renderer._tables)
+    real = points, points, frame, work, renderer._weights
+    for made, one in zip(draw[:5], real, strict=True):
         assert numba.typeof(made) == numba.typeof(one)
-    assert [numba.typeof(one) for one in fill[2:6]] == [numba.typeof(one) for one in draw[2:4]] + [
-        numba.typeof(one) for one in draw[5:7]
-    ]
+    read = frame.window, frame.observer, frame.tables, work
+    assert [numba.typeof(one) for one in fill[2:6]] == [numba.typeof(one) for one in read]
 
 
 def test_the_count_of_a_solve_knows_the_loops_that_it_runs() -> None:

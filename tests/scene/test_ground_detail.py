@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.testing import assert_allclose
 
+from airlight.geometry.vectors import Vec3
 from airlight.scene.ground_detail import (
     AMPLITUDE,
     OCTAVES,
@@ -36,7 +37,8 @@ def detail(place: np.ndarray, below: np.ndarray, footprint: float) -> float:
     """Detail at a place for an observer above another; both are points on the ground. [m]"""
     origins = [lattice_origin(x, BOTTOM, CELL) for x in below / BOTTOM]
     wholes, parts = zip(*origins, strict=True)
-    return float(ground_detail(*(place - below), footprint, CELL, *wholes, *parts))
+    at = Vec3(*(place - below))
+    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts)))
 
 
 def test_the_mean_is_zero() -> None:

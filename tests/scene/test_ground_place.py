@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from airlight.geometry.vectors import Vec3
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.scene.map_levels import level_place
 from airlight.scene.surface_map import SurfaceMap, from_pixels
@@ -23,7 +24,7 @@ def test_a_bent_line_ends_further_round_the_planet(zenith: float, angle: float) 
     up, away = np.linalg.qr(np.random.default_rng(6).normal(size=(3, 2)))[0].T
     end = BOTTOM * up
     line = math.sin(slant) * away - math.cos(slant) * up
-    moved = np.array(moved_on(*end, *line, math.cos(slant), angle, BOTTOM))
+    moved = np.array(moved_on(Vec3(*end), Vec3(*line), math.cos(slant), angle, BOTTOM))
     wanted = BOTTOM * (math.cos(angle) * up + math.sin(angle) * away)
     assert_allclose(moved, wanted, rtol=0.0, atol=1e-6)  # rounding of lengths of 6e6 m
 
@@ -33,10 +34,8 @@ def test_latitude_and_longitude_undo_the_sphere() -> None:
     for latitude in np.radians([-90.0, -89.99, -30.0, 0.0, 45.0, 90.0]):
         for longitude in np.radians([-179.0, -90.0, 0.0, 60.0, 180.0]):
             level = BOTTOM * math.cos(latitude)
-            seen = latitude_longitude(
-                level * math.cos(longitude), level * math.sin(longitude),
-                BOTTOM * math.sin(latitude),
-            )  # fmt: skip
+            across = level * math.cos(longitude), level * math.sin(longitude)
+            seen = latitude_longitude(Vec3(*across, BOTTOM * math.sin(latitude)))
             assert_allclose(seen[0], latitude, rtol=0.0, atol=1e-14)
             if abs(latitude) < 1.57:
                 assert_allclose(seen[1], longitude, rtol=0.0, atol=1e-14)

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.vectors import Vec3, combined, dot
 from airlight.kernel.lanes import LANES, load
 from airlight.render.gpu.emit.dialect import ShaderDialect
 from airlight.render.gpu.emit.emitter import Emitter
 from airlight.render.gpu.emit.glsl import GLSL
-from airlight.render.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, StructValue
+from airlight.render.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4
 from airlight.render.gpu.emit.texture_table import TextureTable
 from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.uniforms import CHANNELS, FRAME, LAYERS
@@ -37,10 +38,8 @@ def looked_at(px, py, view, air):
     slope = math.tan(0.5 * view.field_of_view)
     x = (2.0 * px / view.width - 1.0) * slope
     y = (1.0 - 2.0 * py / view.height) * slope * view.height / view.width
-    east = view.forward_x + x * view.right_x + y * view.up_x
-    north = view.forward_y + x * view.right_y + y * view.up_y
-    up = view.forward_z + x * view.right_z + y * view.up_z
-    height = up / math.sqrt(east * east + north * north + up * up)
+    ray = combined(Vec3(x, y, 1.0), view.right, view.up, view.forward)
+    height = ray.z / math.sqrt(dot(ray, ray))
     column = min(max(int((0.5 + 0.5 * height) * 16.0), 0), 15)
     return load(air, LANES * column)
 
@@ -49,12 +48,9 @@ def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
     """Shared shader code, and each entry point."""
     tables = [TextureTable(name, name, 1, True) for name in ("fields", "air")]
     fields, air = (one.table for one in tables)
-    names = [name for name in ViewUniforms._fields if name in FRAME.layout()["numbers"]]
     emitter = Emitter(dialect)
     emitter.add(painted, I32, fields)
-    emitter.add(
-        looked_at, F32, F32, StructValue({name: FRAME.uniform(name) for name in names}), air
-    )
+    emitter.add(looked_at, F32, F32, FRAME.struct_value(ViewUniforms), air)
     parts = [FRAME.text(dialect)]
     for slot, one in enumerate([*tables, FRAME.tables["picture"]], start=1):
         parts.append(dialect.texture(one.texture, 0, slot))

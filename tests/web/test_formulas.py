@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from airlight.geometry.vectors import Vec3
 from airlight.solver.moments.acceleration import mixing_weights
 from airlight.viewer.browser import formulas
 from airlight.viewer.browser.formulas import emitted_formulas
@@ -31,7 +32,8 @@ WAY = (BEARINGS[::-1], numbers(0.0, 2.0))
 PIXELS = (numbers(64.0, 2000.0), numbers(64.0, 2000.0), numbers(0.01, 2.9))
 #: Points of a picture of 120 by 20 pixels, and directions in the camera's frame.
 POINTS = (numbers(1.0, 119.0), numbers(1.0, 19.0), 120.0, 20.0, numbers(0.01, 2.9))
-SUN = tuple(np.array([numbers(-0.5, 0.5) for _ in range(3)]))
+SUN = Vec3(*(numbers(-0.5, 0.5) for _ in "xyz"))
+VECTORS = tuple(Vec3(*(numbers(-1.0, 1.0) for _ in "xyz")) for _ in range(2))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
 #: Formulas that write to an array, which are compared in a separate test.
@@ -58,7 +60,10 @@ CASES: dict[str, tuple[Any, ...]] = {
     ),
     "direction_of": ANGLES[:2],
     "camera_frame": ANGLES,
-    "filter_axis": (*(numbers(-1.0, 1.0) for _ in range(6)), ANGLES[0]),
+    "rolled": (*VECTORS, ANGLES[0]),
+    "dot": VECTORS,
+    "cross": VECTORS,
+    "minus": VECTORS,
     "ground_axes": ANGLES,
     "observer_uniforms": (
         numbers(BOTTOM, TOP), BOTTOM, numbers(-1.0, 1.0), numbers(-1.0, 1.0), numbers(-1.0, 1.0),
@@ -84,7 +89,7 @@ CASES: dict[str, tuple[Any, ...]] = {
     "light_left": (numbers(1e-3, 0.1), numbers(0.0, 0.3), numbers(1e-3, 0.1)),
     "covered_half_arc": (numbers(1e-3, 0.1), numbers(1e-3, 0.3), numbers(1e-3, 0.1)),
     "left_out": (numbers(0.0, 0.1), numbers(0.0, 0.1)),
-    "metering_weight": (RNG.integers(0, 4, COUNT), *POINTS, *SUN, 0.9),
+    "metering_weight": (RNG.integers(0, 4, COUNT), *POINTS, SUN, 0.9),
     "projected_ray": (RNG.integers(0, 4, COUNT), *POINTS),
     "perspective_ray": POINTS,
     "fisheye_ray": POINTS,
@@ -154,9 +159,11 @@ def is_table(argument: Any) -> bool:
 def rows_of(arguments: tuple[Any, ...]) -> list[list[Any]]:
     """Arguments of each call."""
     columns = [
-        [one] * COUNT if is_table(one) else np.broadcast_to(one, COUNT).tolist()
+        [one] * COUNT if is_table(one)
+        else [Vec3(*values) for values in np.transpose(one).tolist()] if isinstance(one, Vec3)
+        else np.broadcast_to(one, COUNT).tolist()
         for one in arguments
-    ]
+    ]  # fmt: skip
     return [list(row) for row in zip(*columns, strict=True)]
 
 
@@ -194,7 +201,7 @@ def calls(chromium: Any) -> Any:
     page.evaluate(f"() => {{ {script} }}")
     call = """([name, rows, filled]) => rows.map((row) => {
       const result = window[name](...row);
-      return [filled === null ? result : row[filled]].flat().map(Number);
+      return [filled === null ? result : row[filled]].flat(Infinity).map(Number);
     })"""
     yield lambda name, rows, filled=None: page.evaluate(call, [name, rows, filled])
     page.close()

@@ -8,6 +8,7 @@ A field of type ``int``, ``float`` or ``bool`` is a number of a uniform struct. 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, Final, NamedTuple, get_args, get_origin, get_type_hints
 
@@ -109,6 +110,17 @@ class ShaderField(NamedTuple):
     kind: Any
     mark: InTexture | Choice | Always | None
 
+    @property
+    def is_group(self) -> bool:
+        """Whether it is a NamedTuple."""
+        return hasattr(self.kind, "_fields")
+
+    @property
+    def vector(self) -> tuple[str, ...]:
+        """Fields of a NamedTuple of numbers alone, whose names in a struct begin with its own."""
+        hints = get_type_hints(self.kind) if self.is_group else {}
+        return tuple(hints) if set(hints.values()) == {float} else ()
+
 
 def shader_fields(bundle: Any) -> list[ShaderField]:
     """Fields of a NamedTuple in their order.
@@ -130,4 +142,32 @@ def shader_fields(bundle: Any) -> list[ShaderField]:
                 (one for one in marks if isinstance(one, (InTexture, Choice, Always))), None
             )
         found.append(ShaderField(name, kind, mark))
+    return found
+
+
+def scalars_of(bundle: Any, numbers: Mapping[str, float]) -> dict[str, Any]:
+    """Values of the numbers and vectors among the fields of a NamedTuple.
+
+    Parameters
+    ----------
+    bundle : type
+        NamedTuple.
+    numbers : mapping
+        Numbers by their names in a struct.
+
+    Examples
+    --------
+    >>> class Light(NamedTuple):
+    ...     degree: int
+    ...     basis: Annotated[Any, SPECTRA]
+    >>> scalars_of(Light, {"degree": 2.0})
+    {'degree': 2}
+    """
+    found: dict[str, Any] = {}
+    for one in shader_fields(bundle):
+        if one.vector:
+            values = (float(numbers[f"{one.name}_{of}"]) for of in one.vector)
+            found[one.name] = one.kind(*values)
+        elif one.kind in (float, int, bool):
+            found[one.name] = one.kind(numbers[one.name])
     return found

@@ -14,6 +14,7 @@ import numpy as np
 from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.lanes import LANES
 from airlight.kernel.shader_fields import InTexture, shader_fields
+from airlight.render.pixels.pixel import FrameTables
 from airlight.render.pixels.render_cpu import march_pixels, render_pixels
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_texels
 from airlight.render.pixels.sky_view_window import SkyViewWindow
@@ -53,20 +54,13 @@ def _arguments() -> list[tuple[Any, ...]]:
     tables = empty(MarchTables)._replace(rules=quadratures((1, 1, 1)))
     work = new_workspace(tables)
     numbers: Any = defaultdict(float)
-    numbers |= dict.fromkeys(_view_uniform_names(), 0.0)
     observer = observer_from(numbers)
     layers, window = SkyViewLayers.none(), SkyViewWindow.whole(2, 2)
     view = cpu_view_uniforms(numbers, Camera(width=1, height=1), None, None, layers)
     weights, rgb = np.zeros((3, LANES), np.float32), np.zeros((1, 3), np.float32)
     none = np.zeros(0)
-    pixels = (none, none, window, observer, view, tables, work, weights, 1.0, rgb)
+    pixels = (none, none, FrameTables(1.0, window, observer, view, tables), work, weights, rgb)
     return [(0, 0, window, observer, tables, work, layers), pixels, pixels]
-
-
-def _view_uniform_names() -> tuple[str, ...]:
-    from airlight.render.pixels.pixel import ViewUniforms
-
-    return ViewUniforms._fields
 
 
 def empty(bundle: Any) -> Any:
@@ -83,8 +77,9 @@ def empty(bundle: Any) -> Any:
     ((1, 1, 1, 1), dtype('float32'))
     """
     values = []
-    for _, kind, mark in shader_fields(bundle):
-        if hasattr(kind, "_fields"):
+    for one in shader_fields(bundle):
+        kind, mark = one.kind, one.mark
+        if one.is_group:
             values.append(empty(kind))
         elif isinstance(mark, InTexture):
             lanes = (LANES,) if mark.spectral else ()

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.pixels.march_points import march_points
+from airlight.render.pixels.pixel import FrameTables, ViewUniforms
 from airlight.render.pixels.polarising_filter import NONE
 from airlight.render.pixels.render_cpu import march_pixels, render_pixels
 from airlight.render.pixels.render_tables import render_tables
@@ -144,11 +145,11 @@ class CpuRenderer:
         """
         view = self._view if element is None else self._view._replace(filter=element)
         pixels = march_pixels if self.window is None else render_pixels
+        pixels(px, py, self._frame(view), new_workspace(self._tables), self._weights, rgb)
+
+    def _frame(self, view: ViewUniforms) -> FrameTables:
         window = SkyViewWindow.whole(0, 0) if self.window is None else self.window
-        pixels(
-            px, py, window, self._observer, view, self._tables,
-            new_workspace(self._tables), self._weights, self._reach, rgb,
-        )  # fmt: skip
+        return FrameTables(self._reach, window, self._observer, view, self._tables)
 
 
 def color_weights(solution: MomentsSolution) -> FloatArray:

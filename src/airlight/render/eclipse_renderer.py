@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.geometry.vectors import Vec3
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.cpu_renderer import CpuRenderer, color_weights
 from airlight.render.pixels.eclipsed_pixel import render_eclipsed
@@ -43,7 +44,7 @@ class EclipseRenderer(CpuRenderer):
         check_unfiltered(scene)
         super().__init__(eclipsed.solution, scene, exact=True, disc=False)
         self._shadow = eclipsed.shadow
-        self._turn = np.ascontiguousarray(eclipsed.axes @ local.T)
+        self._turn = tuple(Vec3(*row) for row in (eclipsed.axes @ local.T).tolist())
         self._colors = color_weights(eclipsed.solution)
 
     def fill_sky_view(
@@ -59,7 +60,7 @@ class EclipseRenderer(CpuRenderer):
             raise ParameterError("stokes", True, "False where a moon's shadow is rendered")
         out = np.empty((px.size, self._tables.lanes), np.float32)
         render_eclipsed(
-            px, py, self._turn, self._observer, self._view, self._tables, self._shadow,
+            px, py, self._turn, self._frame(self._view), self._shadow,
             new_workspace(self._tables), new_shadow_workspace(self._shadow), out,
         )  # fmt: skip
         rgb[:] = out[:, : len(self._colors)] @ self._colors

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.physics.units import Measured, measured, values_in
-from airlight.scene.directions import camera_axes, filter_axis
+from airlight.scene.directions import camera_axes, camera_frame, rolled
 from airlight.scene.limits import HIGHEST_ALTITUDE, within
 from airlight.scene.projections import PROJECTIONS, Projection
 from airlight.scene.projections.projected import projected_rays
@@ -205,8 +205,9 @@ class Camera:
         """Axis of the polarising filter in the local frame, shape (3,); zero without filter. [1]"""
         if self.polariser is None:
             return np.zeros(3)
-        (a, b, c), (d, e, f), _ = self.axes
-        return np.array(filter_axis(a, b, c, d, e, f, self.polariser), dtype=np.float64)
+        assert self.look_zenith is not None  # filled in when the camera was made
+        right, up, _ = camera_frame(self.look_zenith, self.look_azimuth, self.roll)
+        return np.array(rolled(up, right, self.polariser))
 
     @property
     def axes(self) -> NDArray[np.float64]:

@@ -14,49 +14,44 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.vectors import Vec3
+
 _RADIAN = math.pi / 180.0
 
 
-def direction_of(zenith: float, azimuth: float) -> tuple[float, float, float]:
+def direction_of(zenith: float, azimuth: float) -> Vec3:
     """Scalar version of ``direction``. [1]"""
     flat = math.sin(zenith * _RADIAN)
     turn = azimuth * _RADIAN
-    return flat * math.cos(turn), -flat * math.sin(turn), math.cos(zenith * _RADIAN)
+    return Vec3(flat * math.cos(turn), -flat * math.sin(turn), math.cos(zenith * _RADIAN))
 
 
-def camera_frame(
-    zenith: float, azimuth: float, roll: float
-) -> tuple[float, float, float, float, float, float, float, float, float]:
-    """Flattened ``camera_axes``. [1]"""
-    forward_x, forward_y, forward_z = direction_of(zenith, azimuth)
-    level_x, level_y, level_z = direction_of(90.0, azimuth + 90.0)
-    upright_x = level_y * forward_z - level_z * forward_y
-    upright_y = level_z * forward_x - level_x * forward_z
-    upright_z = level_x * forward_y - level_y * forward_x
-    cosine, sine = math.cos(roll * _RADIAN), math.sin(roll * _RADIAN)
-    return (
-        cosine * level_x - sine * upright_x,
-        cosine * level_y - sine * upright_y,
-        cosine * level_z - sine * upright_z,
-        cosine * upright_x + sine * level_x,
-        cosine * upright_y + sine * level_y,
-        cosine * upright_z + sine * level_z,
-        forward_x,
-        forward_y,
-        forward_z,
+def camera_frame(zenith: float, azimuth: float, roll: float) -> tuple[Vec3, Vec3, Vec3]:
+    """Scalar version of ``camera_axes``. [1]"""
+    forward, level = direction_of(zenith, azimuth), direction_of(90.0, azimuth + 90.0)
+    upright = Vec3(
+        level.y * forward.z - level.z * forward.y,
+        level.z * forward.x - level.x * forward.z,
+        level.x * forward.y - level.y * forward.x,
     )
+    return rolled(level, upright, roll), rolled(upright, level, -roll), forward
 
 
-def filter_axis(
-    right_x: float, right_y: float, right_z: float,
-    up_x: float, up_y: float, up_z: float, angle: float,
-) -> tuple[float, float, float]:  # fmt: skip
-    """Axis of a polarising filter, ``angle`` degrees counterclockwise from the camera's up. [1]"""
+def rolled(axis: Vec3, other: Vec3, angle: float) -> Vec3:
+    """Axis, turned by an angle away from another one that is perpendicular to it. [1]
+
+    Parameters
+    ----------
+    axis, other : Vec3
+        Unit vectors, as a camera's up and right for the axis of a polarising filter.
+    angle : float
+        Angle. [deg]
+    """
     cosine, sine = math.cos(angle * _RADIAN), math.sin(angle * _RADIAN)
-    return (
-        cosine * up_x - sine * right_x,
-        cosine * up_y - sine * right_y,
-        cosine * up_z - sine * right_z,
+    return Vec3(
+        cosine * axis.x - sine * other.x,
+        cosine * axis.y - sine * other.y,
+        cosine * axis.z - sine * other.z,
     )
 
 
@@ -107,4 +102,4 @@ def camera_axes(zenith: float, azimuth: float, roll: float) -> NDArray[np.float6
            [ 0.,  0.,  1.],
            [ 1.,  0.,  0.]])
     """
-    return np.reshape(camera_frame(zenith, azimuth, roll), (3, 3))
+    return np.array(camera_frame(zenith, azimuth, roll))

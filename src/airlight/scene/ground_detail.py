@@ -147,17 +147,17 @@ def smooth_noise(x, y, z):
 
 
 @kernel
-def ground_detail(dx, dy, dz, footprint, cell, whole_x, whole_y, whole_z, part_x, part_y, part_z):
+def ground_detail(place, footprint, cell, whole, part):
     """Relative variation of the ground's reflectance, mean 0. [1]
 
     Parameters
     ----------
-    dx, dy, dz : float
+    place : Vec3
         Ground position relative to the point below the observer, in the planet's frame. [m]
     footprint : float
         Longer axis of the pixel footprint. [m]
-    whole_x, whole_y, whole_z, part_x, part_y, part_z : float
-        Results of ``lattice_origin``.
+    whole, part : Vec3
+        Results of ``lattice_origin`` along each axis.
     """
     total, scale = 0.0, 1
     for _octave in range(OCTAVES):
@@ -166,9 +166,13 @@ def ground_detail(dx, dy, dz, footprint, cell, whole_x, whole_y, whole_z, part_x
             period = float(PERIOD * scale)
             # The numbers of the cells are whole and stay exact; the rest is small where this size
             # is shown.
-            x = (whole_x - period * floor(whole_x / period)) / scale + (part_x + dx / cell) / scale
-            y = (whole_y - period * floor(whole_y / period)) / scale + (part_y + dy / cell) / scale
-            z = (whole_z - period * floor(whole_z / period)) / scale + (part_z + dz / cell) / scale
-            total += shown * smooth_noise(x, y, z)
+            total += shown * smooth_noise(
+                (whole.x - period * floor(whole.x / period)) / scale
+                + (part.x + place.x / cell) / scale,
+                (whole.y - period * floor(whole.y / period)) / scale
+                + (part.y + place.y / cell) / scale,
+                (whole.z - period * floor(whole.z / period)) / scale
+                + (part.z + place.z / cell) / scale,
+            )
         scale *= STEP
     return AMPLITUDE * total

@@ -7,22 +7,23 @@ from __future__ import annotations
 
 from math import atan2, cos, floor, log2, pi, sin, sqrt
 
+from airlight.geometry.vectors import plus, scaled
 from airlight.image.texels import CHANNELS, channel_of
 from airlight.kernel import inlined, kernel
 from airlight.scene.map_levels import level_place
 
 
 @kernel
-def moved_on(x, y, z, dx, dy, dz, cosine, angle, bottom):
+def moved_on(end, ray, cosine, angle, bottom):
     """True ground intersection of a refracted line, from that in optical radius.
 
     The end moves along the ground in the horizontal direction of the line.
 
     Parameters
     ----------
-    x, y, z : float
+    end : Vec3
         End of the straight line, on the ground. [m]
-    dx, dy, dz : float
+    ray : Vec3
         Unit vector along the line, away from the observer. [1]
     cosine : float
         Cosine of the angle between the line and the vertical at its end, 0 to 1. [1]
@@ -33,38 +34,39 @@ def moved_on(x, y, z, dx, dy, dz, cosine, angle, bottom):
 
     Returns
     -------
-    x, y, z : float
+    Vec3
         True end, at the same distance from the centre. [m]
 
     Examples
     --------
-    >>> moved_on(0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.5 * pi, 2.0)[0]  # a quarter of a turn
+    >>> moved_on(Vec3(0.0, 0.0, 2.0), Vec3(1.0, 0.0, 0.0), 0.0, 0.5 * pi, 2.0).x  # a quarter turn
     2.0
     """
     if angle == 0.0:
-        return x, y, z
+        return end
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 1e-18))
     keep = cos(angle) + sin(angle) * cosine / sine
     away = sin(angle) * bottom / sine
-    return keep * x + away * dx, keep * y + away * dy, keep * z + away * dz
+    return plus(scaled(end, keep), scaled(ray, away))
 
 
 @kernel
-def latitude_longitude(x, y, z):
+def latitude_longitude(point):
     """Geocentric latitude and longitude of a point in the planet's frame. [rad]
 
     Parameters
     ----------
-    x, y, z : float
+    point : Vec3
         Coordinates towards latitude 0 and longitude 0, towards latitude 0 and 90° east, and towards
         the north pole; any unit. [m]
 
     Examples
     --------
-    >>> latitude_longitude(0.0, -1.0, 0.0)  # 90° west
+    >>> latitude_longitude(Vec3(0.0, -1.0, 0.0))  # 90° west
     (0.0, -1.5707963267948966)
     """
-    return atan2(z, sqrt(x * x + y * y)), atan2(y, x)
+    level = sqrt(point.x * point.x + point.y * point.y)
+    return atan2(point.z, level), atan2(point.y, point.x)
 
 
 @kernel

@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.vectors import Vec3, cross, dot, minus
 from airlight.image.exposure import exposure_with_stars, night_exposure, sampled, sampling_step
 from airlight.image.xyz import luminance
 from airlight.kernel import compiled_loop, kernel
@@ -43,9 +44,7 @@ def left_out(angular_radius, pixel_angle):
 
 
 @kernel
-def metering_weight(
-    projection, x, y, width, height, field_of_view, sun_right, sun_up, sun_forward, cosine
-):
+def metering_weight(projection, x, y, width, height, field_of_view, sun, cosine):
     """Solid angle of a pixel, negative near the star's disc, 0 outside the projection. [sr]
 
     Parameters
@@ -58,7 +57,7 @@ def metering_weight(
         Size of the frame. [pixel]
     field_of_view : float
         Field of view of the projection's ``ray``. [rad]
-    sun_right, sun_up, sun_forward : float
+    sun : Vec3
         Unit vector towards the star, in the camera's frame. [1]
     cosine : float
         Result of ``left_out``. [1]
@@ -68,23 +67,15 @@ def metering_weight(
     float
         Signed solid angle. [sr]
     """
-    right, up, forward = projected_ray(projection, x, y, width, height, field_of_view)
-    if right * right + up * up + forward * forward < 0.5:
+    ray = projected_ray(projection, x, y, width, height, field_of_view)
+    if dot(ray, ray) < 0.5:
         return 0.0
-    sign = 1.0
-    if right * sun_right + up * sun_up + forward * sun_forward > cosine:
-        sign = -1.0
-    a, b, c = projected_ray(projection, x - _NEAR, y, width, height, field_of_view)
-    d, e, f = projected_ray(projection, x + _NEAR, y, width, height, field_of_view)
-    across_right, across_up, across_forward = d - a, e - b, f - c
-    a, b, c = projected_ray(projection, x, y - _NEAR, width, height, field_of_view)
-    d, e, f = projected_ray(projection, x, y + _NEAR, width, height, field_of_view)
-    down_right, down_up, down_forward = d - a, e - b, f - c
-    area = (
-        right * (across_up * down_forward - across_forward * down_up)
-        + up * (across_forward * down_right - across_right * down_forward)
-        + forward * (across_right * down_up - across_up * down_right)
-    )
+    sign = -1.0 if dot(ray, sun) > cosine else 1.0
+    left = projected_ray(projection, x - _NEAR, y, width, height, field_of_view)
+    right = projected_ray(projection, x + _NEAR, y, width, height, field_of_view)
+    above = projected_ray(projection, x, y - _NEAR, width, height, field_of_view)
+    below = projected_ray(projection, x, y + _NEAR, width, height, field_of_view)
+    area = dot(ray, cross(minus(right, left), minus(below, above)))
     return sign * abs(area) / (4.0 * _NEAR * _NEAR)
 
 
@@ -95,7 +86,7 @@ def _fill(projection, x, y, width, height, field_of_view, suns, cosines, out, li
             for sun in range(suns.shape[0]):
                 weight = metering_weight(
                     projection, x[column], y[row], width, height, field_of_view,
-                    suns[sun, 0], suns[sun, 1], suns[sun, 2], cosines[sun],
+                    Vec3(suns[sun, 0], suns[sun, 1], suns[sun, 2]), cosines[sun],
                 )  # fmt: skip
                 if sun == 0 or weight < 0.0:
                     out[row, column] = weight

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.geometry.vectors import Vec3
 from airlight.physics.units import Measure, quantity
 from airlight.scene.compass import bearing, compass_bearing
 from airlight.scene.limits import within
@@ -131,27 +132,21 @@ def _seen(planet: Planet | None, altitude: Measure, zenith: float) -> float:
     return apparent_zenith(planet, quantity(altitude, "m", "altitude", bare=True), zenith)
 
 
-def ground_axes(
-    latitude: float, longitude: float, sun_azimuth: float
-) -> tuple[float, float, float, float, float, float, float, float, float]:
-    """Flattened ``planet_frame``. [1]"""
+def ground_axes(latitude: float, longitude: float, sun_azimuth: float) -> tuple[Vec3, Vec3, Vec3]:
+    """Scalar version of ``planet_frame``, by rows. [1]"""
     north_sine, north_cosine = math.sin(latitude * _RADIAN), math.cos(latitude * _RADIAN)
     east_sine, east_cosine = math.sin(longitude * _RADIAN), math.cos(longitude * _RADIAN)
     along, across = math.cos(sun_azimuth * _RADIAN), math.sin(sun_azimuth * _RADIAN)
-    up_x, up_y, up_z = north_cosine * east_cosine, north_cosine * east_sine, north_sine
-    sun_x = -along * north_sine * east_cosine - across * east_sine
-    sun_y = -along * north_sine * east_sine + across * east_cosine
-    sun_z = along * north_cosine
+    up = Vec3(north_cosine * east_cosine, north_cosine * east_sine, north_sine)
+    sun = Vec3(
+        -along * north_sine * east_cosine - across * east_sine,
+        -along * north_sine * east_sine + across * east_cosine,
+        along * north_cosine,
+    )
     return (
-        sun_x,
-        up_y * sun_z - up_z * sun_y,
-        up_x,
-        sun_y,
-        up_z * sun_x - up_x * sun_z,
-        up_y,
-        sun_z,
-        up_x * sun_y - up_y * sun_x,
-        up_z,
+        Vec3(sun.x, up.y * sun.z - up.z * sun.y, up.x),
+        Vec3(sun.y, up.z * sun.x - up.x * sun.z, up.y),
+        Vec3(sun.z, up.x * sun.y - up.y * sun.x, up.z),
     )
 
 
@@ -178,4 +173,4 @@ def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArr
     >>> north_pole.round(12) + 0.0
     array([0., 0., 1.])
     """
-    return np.reshape(ground_axes(latitude, longitude, sun_azimuth), (3, 3))
+    return np.array(ground_axes(latitude, longitude, sun_azimuth))

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.physics.optics.clouds import layer_distance, under_clouds
+from airlight.physics.optics.clouds import GroundFactors, layer_distance, under_clouds
 
 BOTTOM = 6.36e6
 #: Shares of a ground: white Lambert, black, and one with specular and mirrored light.
-WHITE = (1.0, 0.0, 1.0, 0.0, 0.0)
-SEA = (0.7, 4.0, 0.8, 0.02, 0.3)
+WHITE = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
+SEA = GroundFactors(0.7, 4.0, 0.8, 0.02, 0.3)
 
 
 @pytest.mark.parametrize("altitude", [1.0, 4e3, 1e5])
@@ -34,25 +34,25 @@ def test_a_steep_line_is_that_of_a_flat_layer_and_none_runs_off() -> None:
 
 
 @pytest.mark.parametrize("shares", [WHITE, SEA])
-def test_without_cover_nothing_changes(shares: tuple[float, ...]) -> None:
-    assert under_clouds(0.0, 0.0, 0.6, *shares) == shares
+def test_without_cover_nothing_changes(shares: GroundFactors) -> None:
+    assert under_clouds(0.0, 0.0, 0.6, shares) == shares
 
 
 def test_full_cover_is_a_lambert_surface_whatever_is_below() -> None:
     # The definition of the cover, in star and sky alike.
     for shaded in (0.0, 0.4, 1.0):
-        assert under_clouds(1.0, shaded, 0.6, *SEA) == (0.0, 0.6, 0.0, 0.6, 0.0)
+        assert under_clouds(1.0, shaded, 0.6, SEA) == (0.0, 0.6, 0.0, 0.6, 0.0)
 
 
 def test_starlight_is_reflected_let_through_or_passes_beside() -> None:
     # Conservation: what white ground below an unseen cover sends back, and what the cover keeps
     # above it, is all light; by uniform light from above the layer nothing exceeds 1.
     for shaded, albedo in itertools.product((0.0, 0.3, 1.0), (0.0, 0.6, 1.0)):
-        star = under_clouds(0.0, shaded, albedo, *WHITE)
+        star = under_clouds(0.0, shaded, albedo, WHITE)
         assert_allclose(star[0] + star[1] + shaded * albedo, 1.0, rtol=1e-15)
         for seen in (0.0, 0.5, 1.0):
             star_diffuse, star_specular, sky_diffuse, sky_specular, _ = under_clouds(
-                seen, shaded, albedo, *WHITE
+                seen, shaded, albedo, WHITE
             )
             assert max(star_diffuse + star_specular, sky_diffuse + sky_specular) <= 1.0 + 1e-15
 
@@ -61,7 +61,7 @@ def test_light_below_full_cover_is_diffuse() -> None:
     # The sea below full cover has no glint of the star: it mirrors what comes through, as it does
     # a uniform sky.
     albedo = 0.6
-    star_diffuse, star_specular, *_ = under_clouds(0.0, 1.0, albedo, *SEA)
+    star_diffuse, star_specular, *_ = under_clouds(0.0, 1.0, albedo, SEA)
     assert_allclose([star_diffuse, star_specular], [0.4 * 0.8, 0.4 * (0.02 + 0.3)])
 
 
@@ -70,7 +70,7 @@ def test_the_mean_over_places_is_near_the_solver_s_ground() -> None:
     # the light c (1 - c) A a that goes back and forth.
     mean, cloud, ground = 0.4, 0.6, 0.15
     covers = np.random.default_rng(5).uniform(0.0, 2.0 * mean, (20_000, 2))
-    found = [under_clouds(*pair, cloud, *WHITE)[:2] for pair in covers]
+    found = [under_clouds(*pair, cloud, WHITE)[:2] for pair in covers]
     seen = np.mean([diffuse * ground + specular for diffuse, specular in found])
     solver = mean * cloud + (1.0 - mean) * ground
     missing = mean * (1.0 - mean) * cloud * ground

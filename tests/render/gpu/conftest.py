@@ -35,10 +35,11 @@ _KINDS = {"f": (F32, "{}"), "i": (I32, "i32({})"), "b": (BOOL, "({} != 0.0)")}
 def on_gpu(device: Device) -> Callable[..., Any]:
     """``on_gpu(function, *inputs, tables={}, spectra={})``: results of its WGSL for the inputs.
 
-    An input is an array or a number, passed at run time (floats as f32, integers as i32, bools),
-    or a ``Value`` of the emitter, such as a ``Constant``. ``tables`` and ``spectra``, the latter of
-    shape (..., 4), are the arrays of the ``ShaderTable`` values by name. The result is an array, or
-    a tuple of them, in the inputs' common shape; four wavelengths are its last axis.
+    An input is an array or a number, passed at run time (floats as f32, integers as i32, bools), a
+    NamedTuple of such, or a ``Value`` of the emitter, such as a ``Constant``. ``tables`` and
+    ``spectra``, the latter of shape (..., 4), are the arrays of the ``ShaderTable`` values by name.
+    The result is an array, or a tuple of them, in the inputs' common shape; four wavelengths are
+    its last axis.
     """
 
     def run(
@@ -58,7 +59,12 @@ def _run(
     spectra: Arrays,
 ) -> Any:
     emitter = Emitter()
-    arrays = [np.asarray(one) for one in inputs if not isinstance(one, Value)]
+    arrays = [
+        np.asarray(part)
+        for one in inputs
+        if not isinstance(one, Value)
+        for part in (one if isinstance(one, tuple) else (one,))
+    ]
     given = np.broadcast_arrays(*arrays) if arrays else []
     shape = given[0].shape if given else ()
     count = int(np.prod(shape))
@@ -70,17 +76,21 @@ def _run(
             values.append(one)
             handed += [one.text] if isinstance(one, UniformValue) else []
             continue
-        kind, taken = _KINDS[np.asarray(one).dtype.kind]
-        values.append(kind)
-        handed.append(taken.format(f"given(item * {len(arrays)} + {column})"))
-        column += 1
+        parts = []
+        for part in one if isinstance(one, tuple) else (one,):
+            kind, taken = _KINDS[np.asarray(part).dtype.kind]
+            parts.append(taken.format(f"given(item * {len(arrays)} + {column})"))
+            column += 1
+        record = emitter.record_type(type(one)) if isinstance(one, tuple) else None
+        values.append(kind if record is None else record)
+        handed.append(parts[0] if record is None else emitter.dialect.tuple_expr(record, parts))
     made = emitter.add(function, *values)
     assert made.result is not None, "a kernel without a result"
     several = isinstance(made.result, TupleType)
     items = made.result.items if isinstance(made.result, TupleType) else (made.result,)
     numbers: list[str] = []
     for i, item in enumerate(items):
-        text = f"result.v{i}" if several else "result"
+        text = emitter.dialect.part("result", i, made.result) if several else "result"
         numbers += [f"{text}.{c}" for c in "xyzw"] if item == VEC4 else [f"f32({text})"]
     assert len(numbers) <= 8, "two targets are all that a browser allows"
     numbers += ["0.0"] * (8 - len(numbers))

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
+from airlight.geometry.vectors import Vec3, cross, dot, plus, scaled
 from airlight.kernel import kernel
 from airlight.kernel.cube_root import cube_root
 from airlight.kernel.lanes import (
@@ -26,9 +27,12 @@ from airlight.kernel.lanes import (
 )
 from airlight.render.gpu.emit.emitter import Emitter, SubsetError
 from airlight.render.gpu.emit.glsl import GLSL
+from airlight.render.gpu.emit.hlsl import HLSL
+from airlight.render.gpu.emit.javascript import JAVASCRIPT
 from airlight.render.gpu.emit.shader_types import (
     F32,
     I32,
+    VEC3,
     VEC4,
     Constant,
     LocalArray,
@@ -245,10 +249,34 @@ def answer_not_wanted(x, y, n):
     return x
 
 
+class Segment(NamedTuple):
+    start: Vec3
+    end: Vec3
+    count: int
+    closed: bool
+
+
+@kernel
+def turned_round(segment):
+    if segment.closed:
+        return segment
+    return Segment(segment.end, segment.start, segment.count + 1, True)
+
+
+@kernel
+def vectors_and_records(x, y, n):
+    segment = turned_round(Segment(Vec3(x, y, 1.0), Vec3(y, float(n), x), n, y > 0.0))
+    place = plus(segment.start, scaled(segment.end, 0.25))
+    if segment.start.z < 1.0:
+        place = cross(place, segment.end)
+    a, b, _ = place
+    return dot(place, segment.end), a, b, place.z, segment.count, segment.closed
+
+
 CONSTRUCTS = [
     arithmetic, powers, comparisons, logic, choices, extremes, conversions, mathematics, inverses,
     branches, known_branches, counted, while_larger, widened, parameter_changed, swapped,
-    one_of_two, shadowing, with_a_room, answer_not_wanted,
+    one_of_two, shadowing, with_a_room, answer_not_wanted, vectors_and_records,
 ]  # fmt: skip
 
 
@@ -393,6 +421,22 @@ def test_constants_are_bound_and_their_other_branches_left_out(on_gpu: Run) -> N
         assert_array_equal(on_gpu(switched, X, Constant(which), Constant(False)),
                            np.float32(factor) * np.float32(X))  # fmt: skip
         assert_array_equal(on_gpu(switched, X, which, False), np.float32(factor) * np.float32(X))
+
+
+def test_shading_languages_have_a_type_of_vectors() -> None:
+    texts = {}
+    for dialect in (WGSL, GLSL, HLSL, JAVASCRIPT):
+        emitter = Emitter(dialect)
+        emitter.add(scaled, VEC3, F32)
+        texts[dialect.name] = emitter.functions_text()
+    product = "(factor * a.x), (factor * a.y), (factor * a.z)"
+    assert (
+        f"fn scaled(a: vec3f, factor: f32) -> vec3f {{\n  return vec3f({product});" in texts["WGSL"]
+    )
+    assert f"vec3 scaled(vec3 a, float factor) {{\n  return vec3({product});" in texts[GLSL.name]
+    assert f"float3 scaled(float3 a, float factor) {{\n  return float3({product});" in texts["HLSL"]
+    assert "return [(factor * a[0]), (factor * a[1]), (factor * a[2])];" in texts["JavaScript"]
+    assert all("struct" not in text for text in texts.values())
 
 
 def one_group(i, field):
@@ -655,6 +699,16 @@ def too_few_names(x):
     return a
 
 
+def too_few_components(x):
+    v = Vec3(x, x)  # here
+    return v.x
+
+
+def a_choice_of_vectors(x):
+    v = Vec3(x, x, x) if x > 0.0 else Vec3(0.0, 0.0, x)  # here
+    return v.x
+
+
 def a_room_of_any_size(x):
     room = np.empty(int(x))  # here
     return room[0]
@@ -674,7 +728,8 @@ REFUSED = [
     a_function_within, a_deletion, an_identity, a_membership, a_loop_over_a_room,
     a_loop_with_an_else, a_while_with_an_else, a_named_argument, an_unknown_name,
     an_unknown_function, a_function_of_numpy, a_fraction_of_whole_numbers, a_number_for_a_bool,
-    a_tuple_in_a_name, too_few_names, a_room_of_any_size, a_huge_number, an_attribute_set,
+    a_tuple_in_a_name, too_few_names, too_few_components, a_choice_of_vectors,
+    a_room_of_any_size, a_huge_number, an_attribute_set,
 ]  # fmt: skip
 
 

@@ -10,6 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet, render
+from airlight.geometry.vectors import Vec3
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.scene.ground_detail import PERIOD, finest_cell, ground_detail, smooth_noise
@@ -34,8 +35,13 @@ def test_detail_near_the_observer_is_that_of_the_cpu(on_gpu: Callable[..., Any])
     wholes = np.floor(random.uniform(0.0, 4194304.0, (3, 500))).astype(np.float32)
     parts = random.uniform(0.0, 1.0, (3, 500)).astype(np.float32)
     cell = np.full(500, CELL)
-    given = [*steps, footprint, cell, *wholes, *parts]
-    wanted = [ground_detail(*map(float, values)) for values in zip(*given, strict=True)]
+    given = Vec3(*steps), footprint, cell, Vec3(*wholes), Vec3(*parts)
+    wanted = [
+        ground_detail(Vec3(*step), float(size), float(CELL), Vec3(*whole), Vec3(*part))
+        for step, size, whole, part in zip(
+            *(one.T.tolist() for one in (steps, footprint, wholes, parts)), strict=True
+        )
+    ]
     assert_allclose(on_gpu(ground_detail, *given), wanted, atol=2e-3)
 
 

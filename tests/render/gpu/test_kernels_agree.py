@@ -15,8 +15,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.geometry import path, refraction, shell, sun_disc
+from airlight.geometry import path, refraction, shell, sun_disc, vectors
 from airlight.geometry.mappings import sky_view, transmittance
+from airlight.geometry.vectors import Vec3
 from airlight.image import aces, agx, dither, encoding, eye, gamut, natural, oklab, tone_maps, xyz
 from airlight.image.encoding import ENCODINGS
 from airlight.image.floating import physical_light
@@ -62,13 +63,14 @@ def agree(
 ) -> None:
     """Compare every result; ``atol`` is one for all or one for each."""
     seen = on_gpu(function, *inputs)
-    single = [np.asarray(one, np.float32) for one in inputs]
+    flat = [part for one in inputs for part in (one if isinstance(one, tuple) else (one,))]
+    single = [np.asarray(one, np.float32) for one in flat]
     exact = [
         wide.astype(np.float64) if np.asarray(one).dtype.kind == "f" else np.asarray(one)
-        for wide, one in zip(single, inputs, strict=True)
+        for wide, one in zip(single, flat, strict=True)
     ]
-    rows = np.broadcast_arrays(*exact)
-    expected = [function(*row) for row in zip(*(one.tolist() for one in rows), strict=True)]
+    rows = zip(*(one.tolist() for one in np.broadcast_arrays(*exact)), strict=True)
+    expected = [function(*grouped(row, inputs)) for row in rows]
     if not isinstance(seen, tuple):
         seen, expected = (seen,), [(one,) for one in expected]
     for i, one in enumerate(seen):
@@ -78,6 +80,15 @@ def agree(
             continue
         limit = atol[i] if isinstance(atol, tuple) else atol
         assert_allclose(one, wanted, rtol=rtol, atol=limit, err_msg=f"result {i}")
+
+
+def grouped(row: tuple[Any, ...], inputs: tuple[Any, ...]) -> list[Any]:
+    """Arguments of one call, with the NamedTuples of the inputs."""
+    left = iter(row)
+    return [
+        type(one)(*(next(left) for _ in one)) if isinstance(one, tuple) else next(left)
+        for one in inputs
+    ]
 
 
 class Case(NamedTuple):
@@ -257,16 +268,20 @@ RAYS = [
 
 GROUND = [
     # Over the sine of the slant, at least 0.43 here.
-    Case(ground_place.moved_on, (R * MU, R * SINE, 1e5 * UNIT, SINE, -MU, 0.0 * MU,
+    Case(ground_place.moved_on, (Vec3(R * MU, R * SINE, 1e5 * UNIT), Vec3(SINE, -MU, 0.0 * MU),
          uniform(0.02, 0.9, 27), uniform(0.0, 0.02, 28), BOTTOM), atol=METRES / 0.43),
-    Case(ground_place.latitude_longitude, (R * MU * SINE, R * SINE * SINE, R * MU), atol=ANGLE),
+    Case(ground_place.latitude_longitude, (Vec3(R * MU * SINE, R * SINE * SINE, R * MU),),
+         atol=ANGLE),
     # log₂ of numbers from 1e-3 to 1e3: 2⁻²¹.
     Case(ground_place.map_level, (1e-3, np.geomspace(10.0, 1e7, COUNT), UNIT, BOTTOM, 2048.0),
          atol=16 * EPS),
     Case(clouds.layer_distance, (uniform(-0.2, 1.0, 46), BOTTOM, np.geomspace(1.0, 1e5, COUNT)),
          rtol=8 * EPS),
     # Sums of products of numbers up to 1.
-    Case(clouds.under_clouds, tuple(uniform(0.0, 1.0, k) for k in range(47, 55)), atol=8 * EPS),
+    Case(clouds.under_clouds, (
+        *(uniform(0.0, 1.0, k) for k in range(47, 50)),
+        clouds.GroundFactors(*(uniform(0.0, 1.0, k) for k in range(50, 55))),
+    ), atol=8 * EPS),
 ]  # fmt: skip
 
 #: Cosines of a star and of an observer over water, the angle between both planes, and the wind.
@@ -289,6 +304,22 @@ WATER = [
     Case(water.water_reflectances, (WIND, *WET[:2], WET_NU), rtol=5e-3, atol=1e-4),
     Case(water.foam_fraction, (WIND,), rtol=2 * POWER),
 ]  # fmt: skip
+
+#: Unit vectors, and others.
+DIRECTIONS = Vec3(SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU)
+TRIPLE = Vec3(MU, UNIT, MU_S), DIRECTIONS, Vec3(UNIT, MU_S, MU)
+#: Phase of a moon.
+LIT = disc_shading.MoonPhase(0.8, 0.6, 2.65)
+# Sums of products of numbers up to 1.
+VECTORS = [
+    Case(vectors.dot, TRIPLE[:2], atol=4 * EPS),
+    Case(vectors.cross, TRIPLE[:2], atol=4 * EPS),
+    Case(vectors.plus, TRIPLE[:2], atol=4 * EPS),
+    Case(vectors.minus, TRIPLE[:2], atol=4 * EPS),
+    Case(vectors.scaled, (DIRECTIONS, UNIT)),
+    Case(vectors.components, (DIRECTIONS, *TRIPLE), atol=8 * EPS),
+    Case(vectors.combined, (DIRECTIONS, *TRIPLE), atol=8 * EPS),
+]
 
 #: Light and scales of a solver: positive.
 POSITIVE = np.geomspace(1e-6, 10.0, COUNT)
@@ -318,21 +349,21 @@ STEPS = [
     Case(ground_angles.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),
     Case(
         sky_view_lut.half_sine_between,
-        (SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU, 0.6, 0.8),
+        (DIRECTIONS, 0.6, 0.8),
         atol=ANGLE,
     ),
     # An angle less a radius, divided by the pixel.
     # a quotient of two cosines of which one may vanish: the shade is at most 2.65, its slope 300
-    Case(disc_shading.moon_shade, (0.01 + 0.99 * UNIT, 0.9 * MU, 0.8, 0.6, 2.65), atol=300 * EPS),
+    Case(disc_shading.moon_shade, (0.01 + 0.99 * UNIT, 0.9 * MU, LIT), atol=300 * EPS),
     # without a phase, and with one where the shade is smooth; μ loses half its digits at the rim
     Case(
         disc_shading.disc_powers,
-        (1.0, 0.0045 * UNIT, 0.00465, 1e-4, MU, False, 0.0, 1.0, 2.0),
+        (1.0, 0.0045 * UNIT, 0.00465, 1e-4, MU, False, LIT),
         atol=300 * EPS,
     ),
     Case(
         disc_shading.disc_powers,
-        (1.0, 0.0045 * UNIT, 0.00465, 1e-4, UNIT, True, 0.8, 0.6, 2.65),
+        (1.0, 0.0045 * UNIT, 0.00465, 1e-4, UNIT, True, LIT),
         atol=1000 * EPS,
     ),
     Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-3), atol=16 * EPS),
@@ -345,7 +376,7 @@ STEPS = [
 
 @pytest.mark.parametrize(
     "case",
-    [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *WATER, *STEPS],
+    [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *WATER, *STEPS, *VECTORS],
     ids=lambda case: case.function.__name__,
 )
 def test_a_formula_on_the_gpu_is_the_cpu_s(on_gpu: Callable[..., Any], case: Case) -> None:
@@ -356,7 +387,7 @@ def test_a_formula_on_the_gpu_is_the_cpu_s(on_gpu: Callable[..., Any], case: Cas
 def test_every_scalar_formula_of_these_files_is_compared() -> None:
     # The other functions have array arguments, or a separate test.
     named = {case.function.py_func for case in
-             [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND]}  # fmt: skip
+             [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *VECTORS]}  # fmt: skip
     others = {"meets_ground", "panel_leg", "apparent_sun", "refraction_table_index",
               "apparent_sun_cosine", "star_points", "direct_horizontal_weights", "shown_light",
               "insert_edge", "place_edges",
@@ -370,6 +401,7 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
         sky_view,
         phase_functions,
         ground_place,
+        vectors,
     ]
     for room in rooms:
         for name, one in vars(room).items():

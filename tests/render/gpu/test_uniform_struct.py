@@ -9,6 +9,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import ParameterError
+from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel.lanes import lane_view
 from airlight.kernel.shader_fields import CHOICE, InTexture, scalars, spectra
 from airlight.render.gpu.device.device import Device
@@ -29,8 +30,15 @@ class Inner(NamedTuple):
     tints: Annotated[Any, spectra(2)]
 
 
+class Tint(NamedTuple):
+    red: float
+    blue: float
+
+
 class Lamp(NamedTuple):
     height: float
+    towards: Vec3
+    tint: Tint
     count: int
     law: Annotated[int, CHOICE]
     lit: bool
@@ -58,6 +66,7 @@ def shone(index, lamp):
     i = index % 3
     scale = lamp.first[i, index % 4] + lamp.second[index % 2, i, index % 2, 1] * lamp.height
     scale = scale + float(lamp.first.shape[1] + lamp.second.shape[1] + lamp.count)
+    scale = scale + dot(lamp.towards, Vec3(1.0, 2.0, lamp.towards.z)) + lamp.tint.red
     if lamp.lit:
         scale = scale + lamp.law
     return total * np.float32(scale)
@@ -80,6 +89,7 @@ def test_what_is_declared_arrives_in_the_shader(device: Device) -> None:
     entry = WGSL.fragment("fill", 1, [], [f"{made.name}(i32(at.x)) + lamp.color"])
     textures, places = STRUCT.laid_out(ARRAYS)
     numbers = {"height": 2.0, "count": 7, "law": 9, "lit": 1.0, "factor": 0.5, "color_2": 3.0}
+    numbers |= {"towards_x": 1.0, "towards_y": 3.0, "towards_z": 2.0, "tint_red": 6.0}
     text = WGSL.module([*lines, body, entry])
     target = empty_flat_texture(device, COUNT, 4)
     import wgpu
@@ -93,6 +103,7 @@ def test_what_is_declared_arrives_in_the_shader(device: Device) -> None:
     )
     first, second, k = ARRAYS["first"], ARRAYS["second"], np.arange(COUNT)
     scale = first[k % 3, k % 4] + 2.0 * second[k % 2, k % 3, k % 2, 1] + 4 + 3 + 7 + 5
+    scale += (1.0 + 2.0 * 3.0 + 2.0 * 2.0) + 6.0
     wanted = 0.5 * ARRAYS["tints"].reshape(-1, 4) * scale[:, None] + [0.0, 0.0, 3.0, 0.0]
     assert_allclose(read_flat(device, target, COUNT), wanted, rtol=1e-6)
 

@@ -13,11 +13,12 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from airlight.geometry.mappings.sky_view import angle_above_horizon, row_from_angle
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined
 from airlight.kernel.lanes import exponential, lane_view, maximum, splat
 from airlight.kernel.shader_fields import InTexture
 from airlight.physics.cubic_curves import catmull_rom
-from airlight.render.pixels.pixel import between_texels, texel_before
+from airlight.render.pixels.pixel import TexelPlace, between_texels, texel_before
 from airlight.render.pixels.sky_view_lut import half_sine_between
 from airlight.render.pixels.star_disc import covered
 
@@ -85,10 +86,7 @@ def texel_towards(x, y, z, columns, rows, tables):
 
     Returns
     -------
-    near : int
-        Index of the texel.
-    right, down : float
-        Fractions of the distance to the next texel and to the next row. [1]
+    TexelPlace
     """
     sine = sqrt(x * x + y * y)
     angle = angle_above_horizon(z, sine, tables.horizon_mu, tables.horizon_sine)
@@ -97,7 +95,7 @@ def texel_towards(x, y, z, columns, rows, tables):
     column, right = texel_before(azimuth * (columns - 1), 0, columns - 1)
     line, down = texel_before(row * (rows - 1), 0, rows - 1)
     before = rows if angle < 0.0 else 0
-    return (before + line) * columns + column, right, down
+    return TexelPlace((before + line) * columns + column, columns, right, down)
 
 
 @inlined
@@ -111,7 +109,7 @@ def per_distance(table, x, y, z, distance, tables):
     x, y, z, distance, tables :
         Arguments of ``air_radiance``.
     """
-    near, right, down = texel_towards(x, y, z, tables.columns, tables.rows, tables)
+    near, _, right, down = texel_towards(x, y, z, tables.columns, tables.rows, tables)
     z_place = log2(max(distance, tables.nearest) / tables.nearest) * tables.octave + 1.0
     step, t = texel_before(z_place, 1, tables.steps - 2)
     e, f = np.float32(right), np.float32(down)
@@ -166,10 +164,9 @@ def sky_radiance(x, y, z, pixel, tables):
     pixel : float
         Angle of a pixel, the width of the disc's antialiased rim. [rad]
     """
-    near, right, down = texel_towards(x, y, z, tables.sky_columns, tables.sky_rows, tables)
-    columns = tables.sky_columns
-    sky = between_texels(lane_view(tables.air_sky), near, columns, right, down)
-    apart = 2.0 * half_sine_between(x, y, z, tables.star_x, tables.star_z)
+    place = texel_towards(x, y, z, tables.sky_columns, tables.sky_rows, tables)
+    sky = between_texels(lane_view(tables.air_sky), place)
+    apart = 2.0 * half_sine_between(Vec3(x, y, z), tables.star_x, tables.star_z)
     share = covered(apart, tables.star_radius, pixel)
-    disc = between_texels(lane_view(tables.air_star), near, columns, right, down)
+    disc = between_texels(lane_view(tables.air_star), place)
     return sky + disc * np.float32(share)

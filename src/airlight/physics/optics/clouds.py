@@ -7,8 +7,29 @@ direct beam, it shadows its fraction, and transmits as diffuse light what it doe
 from __future__ import annotations
 
 from math import sqrt
+from typing import NamedTuple
 
 from airlight.kernel import kernel
+
+
+class GroundFactors(NamedTuple):
+    """Reflectance factors of the ground: radiance over that of a white Lambert ground.
+
+    Attributes
+    ----------
+    star_diffuse, star_specular : float
+        Of direct irradiance: factor to be multiplied by the albedo, and the rest. [1]
+    sky_diffuse, sky_specular : float
+        Of diffuse irradiance. [1]
+    mirrored : float
+        Factor of the mirrored sky. [1]
+    """
+
+    star_diffuse: float
+    star_specular: float
+    sky_diffuse: float
+    sky_specular: float
+    mirrored: float
 
 
 @kernel
@@ -39,9 +60,7 @@ def layer_distance(cosine, bottom, altitude):
 
 
 @kernel
-def under_clouds(
-    seen, shaded, albedo, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored
-):  # fmt: skip
+def under_clouds(seen, shaded, albedo, ground):
     r"""Reflectance of the ground below clouds, from that of the same ground in clear sky.
 
     .. math:: L = c_v A (E_\star + E_s) + (1 - c_v) \left[ (1 - c_s) f_\star E_\star
@@ -58,27 +77,29 @@ def under_clouds(
         Cloud cover c_v on the line of sight, and c_s on the direct beam. [1]
     albedo : float
         Albedo A of the clouds. [1]
-    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored : float
-        Results of ``render.pixels.ground.ground_reflectances`` in clear sky. [1]
+    ground : GroundFactors
+        Factors of the ground in clear sky. [1]
 
     Returns
     -------
-    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored : float
+    GroundFactors
         The same with clouds. [1]
 
     Examples
     --------
-    >>> under_clouds(1.0, 0.3, 0.6, 1.0, 0.0, 1.0, 0.0, 0.0)  # nothing but the cloud
+    >>> white = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
+    >>> tuple(under_clouds(1.0, 0.3, 0.6, white))  # nothing but the cloud
     (0.0, 0.6, 0.0, 0.6, 0.0)
-    >>> under_clouds(0.0, 1.0, 0.75, 1.0, 0.0, 1.0, 0.0, 0.0)  # in full shade
+    >>> tuple(under_clouds(0.0, 1.0, 0.75, white))  # in full shade
     (0.25, 0.0, 1.0, 0.0, 0.0)
     """
     clear, lit, diffused = 1.0 - seen, 1.0 - shaded, shaded * (1.0 - albedo)
     cloud = seen * albedo
-    return (
-        clear * (lit * star_diffuse + diffused * sky_diffuse),
-        clear * (lit * star_specular + diffused * (sky_specular + mirrored)) + cloud,
-        clear * sky_diffuse,
-        clear * sky_specular + cloud,
-        clear * mirrored,
+    specular = lit * ground.star_specular + diffused * (ground.sky_specular + ground.mirrored)
+    return GroundFactors(
+        clear * (lit * ground.star_diffuse + diffused * ground.sky_diffuse),
+        clear * specular + cloud,
+        clear * ground.sky_diffuse,
+        clear * ground.sky_specular + cloud,
+        clear * ground.mirrored,
     )

@@ -8,7 +8,7 @@ the irradiance is conserved.
 from __future__ import annotations
 
 from math import cos, pi, sin, sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -73,8 +73,27 @@ def phase_shading(
     )
 
 
+class MoonPhase(NamedTuple):
+    """Phase of a moon: sine and cosine of the phase angle α, and 2 / Φ(α) of ``dusty_sphere``."""
+
+    sine: float
+    cosine: float
+    share: float
+
+
+class DiscPowers(NamedTuple):
+    """Means of the powers of μ, from 0, over a part of a disc; see ``disc_powers``."""
+
+    p0: float
+    p1: float
+    p2: float
+    p3: float
+    p4: float
+    p5: float
+
+
 @kernel
-def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
+def moon_shade(mu, toward, phase):
     r"""Radiance of a Lommel-Seeliger sphere over the mean of its whole disc. [1]
 
     .. math:: \frac{L}{\bar L} = \frac{2}{\Phi(\alpha)} \frac{\mu_0}{\mu_0 + \mu}, \qquad
@@ -86,10 +105,8 @@ def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
         Cosine of emergence. [1]
     toward : float
         Coordinate t towards the bright limb, in radii. [1]
-    phase_sine, phase_cosine : float
-        Sine and cosine of the phase angle α. [1]
-    phase_share : float
-        2 / Φ(α), from ``dusty_sphere``. [1]
+    phase : MoonPhase
+        Phase of the moon. [1]
 
     References
     ----------
@@ -97,27 +114,24 @@ def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
 
     Examples
     --------
-    >>> moon_shade(0.3, 0.8, 0.0, 1.0, 2.0)  # the full disc is even
+    >>> moon_shade(0.3, 0.8, MoonPhase(0.0, 1.0, 2.0))  # the full disc is even
     1.0
     """
-    lit = toward * phase_sine + mu * phase_cosine
+    lit = toward * phase.sine + mu * phase.cosine
     if lit <= 0.0:
         return 0.0
-    return phase_share * lit / (lit + max(mu, 0.0))
+    return phase.share * lit / (lit + max(mu, 0.0))
 
 
 @inlined
 def whole_powers(share):
     """Means of the powers of μ over a whole disc, times ``share``; see ``disc_powers``."""
-    return (
-        share, share * 2.0 / 3.0, share / 2.0, share * 2.0 / 5.0, share / 3.0, share * 2.0 / 7.0
-    )  # fmt: skip
+    two = share * 2.0
+    return DiscPowers(share, two / 3.0, share / 2.0, two / 5.0, share / 3.0, two / 7.0)
 
 
 @kernel
-def disc_powers(
-    share, apart, radius, pixel, along, phased, phase_sine, phase_cosine, phase_share
-):  # fmt: skip
+def disc_powers(share, apart, radius, pixel, along, phased, phase):
     """Means of the powers of μ over the part of a disc in a pixel, times ``share``.
 
     Two-point Gauss rule in the squared radius between the inner and outer edge of the pixel,
@@ -132,13 +146,13 @@ def disc_powers(
     along : float
         Cosine of the position angle between pixel and bright limb. [1]
     phased : bool
-        Whether the disc is a moon's, with the arguments of ``moon_shade``.
-    phase_sine, phase_cosine, phase_share : float
-        Arguments of ``moon_shade``.
+        Whether the disc is a moon's.
+    phase : MoonPhase
+        Its phase.
 
     Returns
     -------
-    tuple of six float
+    DiscPowers
         Mean of μ^k for k = 0 to 5, times ``share`` and, for a moon, ``moon_shade``. [sr⁻¹]
     """
     inner = min(max(apart - 0.5 * pixel, 0.0) / radius, 1.0)
@@ -151,23 +165,23 @@ def disc_powers(
         mu = sqrt(max(1.0 - square, 0.0))
         part = 0.5 * share
         if phased:
-            part *= moon_shade(mu, sqrt(square) * along, phase_sine, phase_cosine, phase_share)
+            part *= moon_shade(mu, sqrt(square) * along, phase)
         p0 += part
         p1 += part * mu
         p2 += part * mu * mu
         p3 += part * mu * mu * mu
         p4 += part * (mu * mu) * (mu * mu)
         p5 += part * (mu * mu) * (mu * mu) * mu
-    return p0, p1, p2, p3, p4, p5
+    return DiscPowers(p0, p1, p2, p3, p4, p5)
 
 
 @inlined
-def darkened(p0, p1, p2, p3, p4, p5, tables, at):
+def darkened(powers, tables, at):
     """Unattenuated radiance of the disc in a pixel, per irradiance. [sr⁻¹]
 
     Parameters
     ----------
-    p0, p1, p2, p3, p4, p5 : float
+    powers : DiscPowers
         Result of ``disc_powers``. [sr⁻¹]
     tables : MarchTables
         Tables of the solution, with ``darkening``.
@@ -175,6 +189,6 @@ def darkened(p0, p1, p2, p3, p4, p5, tables, at):
         Index of the first lane.
     """
     darkening = lane_view(tables.darkening, at)
-    total = darkening[0] * np.float32(p0) + darkening[1] * np.float32(p1)
-    total = total + darkening[2] * np.float32(p2) + darkening[3] * np.float32(p3)
-    return total + darkening[4] * np.float32(p4) + darkening[5] * np.float32(p5)
+    total = darkening[0] * np.float32(powers.p0) + darkening[1] * np.float32(powers.p1)
+    total = total + darkening[2] * np.float32(powers.p2) + darkening[3] * np.float32(powers.p3)
+    return total + darkening[4] * np.float32(powers.p4) + darkening[5] * np.float32(powers.p5)

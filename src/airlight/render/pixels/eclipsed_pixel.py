@@ -12,6 +12,7 @@ import numpy as np
 
 from airlight.geometry.refraction import refraction_angle
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
+from airlight.geometry.vectors import Vec3, components, dot, plus, scaled
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, store
 from airlight.kernel.without_refcount import without_refcount
@@ -38,18 +39,16 @@ from airlight.solver.moments.source import read_phase
 
 
 @inlined
-def eclipsed_light(
-    x, y, z, turn, observer, view, tables, shadow, work, scratch, color, found, result
-):  # fmt: skip
+def eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result):
     """Spectral radiance along a line of sight, per irradiance of the unocculted star. [sr⁻¹]
 
     Parameters
     ----------
-    x, y, z : float
+    ray : Vec3
         Direction in the observer's frame. [1]
-    turn : array, shape (3, 3)
-        Axes of the shadow's frame in the observer's, as rows. [1]
-    observer, view, tables, work, color :
+    turn : (Vec3, Vec3, Vec3)
+        Axes of the shadow's frame in the observer's. [1]
+    frame, work, color :
         Arguments of ``pixel_light``.
     shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
@@ -58,34 +57,33 @@ def eclipsed_light(
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    sine, _, through_air, to_ground = classify_ray(x, y, z, observer, tables)
+    observer, view, tables = frame.observer, frame.camera, frame.tables
+    sine, _, through_air, to_ground = classify_ray(ray, observer, tables)
     result[:] = 0.0
     if not through_air:
         return
-    u = turn[0, 0] * x + turn[0, 1] * y + turn[0, 2] * z
-    v = turn[1, 0] * x + turn[1, 1] * y + turn[1, 2] * z
-    w = turn[2, 0] * x + turn[2, 1] * y + turn[2, 2] * z
-    r, mu, way = observer.r, z, 0.0
+    x_axis, y_axis, z_axis = turn
+    along = components(ray, x_axis, y_axis, z_axis)
+    r, mu, way = observer.r, ray.z, 0.0
     if observer.outside:
         impact = observer.r * sine
         half = sqrt(max((tables.top - impact) * (tables.top + impact), 0.0))
-        way = -observer.r * z - half
+        way = -observer.r * ray.z - half
         r, mu = tables.top, -half / tables.top
-    a = turn[0, 2] * observer.r + way * u
-    b = turn[1, 2] * observer.r + way * v
-    c = turn[2, 2] * observer.r + way * w
+    up = Vec3(x_axis.z, y_axis.z, z_axis.z)
+    start = plus(scaled(up, observer.r), scaled(along, way))
     length = distance_to_top(r, mu, tables.top)
     if to_ground:
         length = distance_to_bottom(r, mu, tables.bottom)
-    half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+    half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
     read_phase(half_sine, tables.phase, work.phase)
-    march_eclipsed(
-        a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
-    )
+    _march(start, along, half_sine, length, tables, shadow, work, scratch, found)
     result[:] = found[0]
     if not to_ground:
         return
-    p, q, s, mu_r = end_on_ground(a, b, c, u, v, w, length, tables, work)
+    px, py, pz, mu_r = end_on_ground(
+        start.x, start.y, start.z, along.x, along.y, along.z, length, tables, work
+    )
     refraction = 0.0
     if tables.refraction_strength > 0.0:
         refraction = refraction_angle(
@@ -93,28 +91,15 @@ def eclipsed_light(
         )
     work.radiance[1] = found[1]
     if tables.ground.wet:
-        _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found)
+        _mirrored_sky(Vec3(px, py, pz), along, mu_r, tables, shadow, work, scratch, found)
         work.radiance[MIRRORED] = found[0]
-    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
-        x, y, z, sine, refraction, observer, view, tables, work, color
-    )
-    eclipsed_ground_light(p, q, s, TOTAL, tables, shadow, work, scratch)
+    factors = ground_reflectances(ray, sine, refraction, observer, view, tables, work, color)
+    eclipsed_ground_light(px, py, pz, TOTAL, tables, shadow, work, scratch)
     if view.overlaid:
-        columns_to_ground(z, sine, observer, tables, work.columns_total, work.columns_so_far)
+        columns_to_ground(ray.z, sine, observer, tables, work.columns_total, work.columns_so_far)
     for at in range(0, tables.lanes, LANES):
         received, behind = lane_view(work.irradiance, at), lane_view(work.radiance, at)
-        factor = ground_factor(
-            color,
-            view,
-            star_diffuse,
-            star_specular,
-            sky_diffuse,
-            sky_specular,
-            mirrored,
-            tables,
-            work,
-            at,
-        )
+        factor = ground_factor(color, view, factors, tables, work, at)
         white = (received[0] + received[1]) * INVERSE_PI * behind[1]
         total = load(result, at) + white * factor
         if view.overlaid:
@@ -123,66 +108,67 @@ def eclipsed_light(
 
 
 @inlined
-def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
+def _march(start, along, half_sine, length, tables, shadow, work, scratch, found):
+    """``march_eclipsed`` of all orders from a point in a direction."""
+    march_eclipsed(
+        start.x, start.y, start.z, along.x, along.y, along.z, half_sine, length, TOTAL, work.phase,
+        tables, shadow, work, scratch, found,
+    )  # fmt: skip
+
+
+@inlined
+def _mirrored_sky(end, along, mu_r, tables, shadow, work, scratch, found):
     """Sky radiance mirrored by water at the end of a line of sight, into ``radiance``. [sr⁻¹]
 
     Parameters
     ----------
-    p, q, s, u, v, w, mu_r : float
+    end, along, mu_r : Vec3, Vec3, float
         Point and cosine from ``end_on_ground``, and direction of the line. [m], [1]
     tables, shadow, work, scratch, found :
         Arguments of ``eclipsed_light``.
     """
-    a, b, c = p / tables.bottom, q / tables.bottom, s / tables.bottom
+    up = Vec3(end.x / tables.bottom, end.y / tables.bottom, end.z / tables.bottom)
     mu = mirrored_cosine(mu_r, tables.ground.wind)
     level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
     side = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / level
     # The line without its vertical part, at its new zenith angle.
-    u, v, w = (
-        mu * a + side * (u + mu_r * a),
-        mu * b + side * (v + mu_r * b),
-        mu * c + side * (w + mu_r * c),
-    )
+    mirrored = plus(scaled(up, mu), scaled(plus(along, scaled(up, mu_r)), side))
     star = shadow.star
-    nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
+    nu = min(max(dot(mirrored, Vec3(star.star_x, star.star_y, star.star_z)), -1.0), 1.0)
     # Blurred by the slope distribution of the facets.
     spread = 0.25 * mean_square_slope(tables.ground.wind)
     half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
     read_phase(half_sine, tables.phase, work.phase)
     length = distance_to_top(tables.bottom, mu, tables.top)
-    march_eclipsed(
-        p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
-    )
+    _march(end, mirrored, half_sine, length, tables, shadow, work, scratch, found)
 
 
 @compiled_loop
-def render_eclipsed(px, py, turn, observer, view, tables, shadow, work, scratch, out):
+def render_eclipsed(px, py, turn, frame, shadow, work, scratch, out):
     """March pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------
     px, py : array, shape (n,)
         Pixel centres, from the left and top edge of the frame. [pixel]
-    turn, observer, view, tables, shadow, work, scratch :
+    turn, frame, shadow, work, scratch :
         Arguments of ``eclipsed_light``.
     out : array, shape (n, w)
         Receives the radiance per irradiance of the unocculted star. [sr⁻¹]
     """
-    view, tables, shadow, work, scratch = without_refcount((view, tables, shadow, work, scratch))
-    lanes = tables.lanes
+    frame, shadow, work, scratch = without_refcount((frame, shadow, work, scratch))
+    lanes, view = frame.tables.lanes, frame.camera
     found, result = np.empty((2, lanes), np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     for k in range(px.size):
-        x, y, z = camera_direction(px[k], py[k], view)
-        side = samples_per_side(x, y, z, observer, view)
+        ray = camera_direction(px[k], py[k], view)
+        side = samples_per_side(ray, frame.observer, view)
         for at in range(lanes):
             out[k, at] = 0.0
         for sample in range(side * side):
             if side > 1:
                 sx, sy = sample_place(px[k], py[k], sample, side, view)
-                x, y, z = camera_direction(sx, sy, view)
-            eclipsed_light(
-                x, y, z, turn, observer, view, tables, shadow, work, scratch, color, found, result
-            )
+                ray = camera_direction(sx, sy, view)
+            eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result)
             for at in range(lanes):
                 out[k, at] += result[at] / (side * side)

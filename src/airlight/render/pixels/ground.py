@@ -13,9 +13,10 @@ from typing import Final
 import numpy as np
 
 from airlight.geometry.shell import first_intersection
+from airlight.geometry.vectors import Vec3, components, minus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
-from airlight.physics.optics.clouds import layer_distance, under_clouds
+from airlight.physics.optics.clouds import GroundFactors, layer_distance, under_clouds
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.physics.optics.water import water_reflectances
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
@@ -30,12 +31,12 @@ GROUND_VALUES: Final = 11
 
 
 @inlined
-def ground_color(x, y, z, sine, angle, observer, view, tables, color):
+def ground_color(ray, sine, angle, observer, view, tables, color):
     """Map values at the end of a line of sight, into ``color`` (11,). [1]
 
     Parameters
     ----------
-    x, y, z : float
+    ray : Vec3
         Direction in the observer's frame. [1]
     sine, angle : float
         Sine of its zenith angle [1]; angle of refraction [rad].
@@ -46,29 +47,22 @@ def ground_color(x, y, z, sine, angle, observer, view, tables, color):
         the noise factor, and the cloud cover on the line of sight and on the path to the star;
         values of absent maps are unchanged. [1]
     """
-    cosine = ground_cosine(z, sine, observer, tables)
+    cosine = ground_cosine(ray.z, sine, observer, tables)
     _across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)
     # the distance as a quotient, of which single precision keeps all digits near the observer
-    both = max(tables.bottom * cosine - observer.r * z, 1e-30)
+    both = max(tables.bottom * cosine - observer.r * ray.z, 1e-30)
     reach = observer.optical_altitude * (observer.r + tables.bottom) / both
-    px, py, pz = reach * x, reach * y, up
+    end = Vec3(reach * ray.x, reach * ray.y, up)
     color[8] = 1.0
     if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
-        # pz - bottom of a point of the sphere, which single precision has to half a metre only
-        below = -(px * px + py * py) / max(tables.bottom + pz, 1e-3 * tables.bottom)
-        color[8] = 1.0 + ground_detail(
-            view.xx * px + view.xy * py + view.xz * below,
-            view.yx * px + view.yy * py + view.yz * below,
-            view.zx * px + view.zy * py + view.zz * below,
-            view.pixel_angle * reach / max(cosine, 0.01), view.detail_cell,
-            view.whole_x, view.whole_y, view.whole_z,
-            view.part_x, view.part_y, view.part_z,
-        )  # fmt: skip
-    px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, tables.bottom)
+        # z - bottom of a point of the sphere, which single precision has to half a metre only
+        below = -(end.x * end.x + end.y * end.y) / max(tables.bottom + end.z, 1e-3 * tables.bottom)
+        place = components(Vec3(end.x, end.y, below), view.ground_x, view.ground_y, view.ground_z)
+        footprint = view.pixel_angle * reach / max(cosine, 0.01)
+        color[8] = 1.0 + ground_detail(place, footprint, view.detail_cell, view.whole, view.part)
+    end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
-        view.xx * px + view.xy * py + view.xz * pz,
-        view.yx * px + view.yy * py + view.yz * pz,
-        view.zx * px + view.zy * py + view.zz * pz,
+        components(end, view.ground_x, view.ground_y, view.ground_z)
     )
     if view.mapped:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
@@ -80,7 +74,7 @@ def ground_color(x, y, z, sine, angle, observer, view, tables, color):
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         if view.clouded:
-            cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, tables, color)
+            cloud_cover(end, ray, cosine, level, observer, view, tables, color)
         map_color(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, color, 4,
@@ -91,33 +85,31 @@ def ground_color(x, y, z, sine, angle, observer, view, tables, color):
 
 
 @inlined
-def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, tables, color):
+def cloud_cover(end, ray, cosine, level, observer, view, tables, color):
     """Cloud cover on a line of sight and on the path from its end to the star. [1]
 
     Refraction between ground and layer is neglected.
 
     Parameters
     ----------
-    px, py, pz : float
+    end : Vec3
         End of the line of sight on the ground, from the centre, in the observer's frame. [m]
-    x, y, z, cosine : float
+    ray, cosine : Vec3, float
         Its direction, and cosine of the zenith angle of the way back. [1]
     level : float
         Level of the overlay. [1]
     observer, view, tables, color :
         Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
     """
-    mu_s = (px * observer.sun_x + pz * observer.sun_z) / tables.bottom
+    mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
     back = layer_distance(cosine, tables.bottom, view.cloud_altitude)
     out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
     for towards in range(2):
-        qx, qy, qz = px - back * x, py - back * y, pz - back * z
+        place = minus(end, scaled(ray, back))
         if towards == 1:
-            qx, qy, qz = px + out * observer.sun_x, py, pz + out * observer.sun_z
+            place = Vec3(end.x + out * observer.sun_x, end.y, end.z + out * observer.sun_z)
         latitude, longitude = latitude_longitude(
-            view.xx * qx + view.xy * qy + view.xz * qz,
-            view.yx * qx + view.yy * qy + view.yz * qz,
-            view.zx * qx + view.zy * qy + view.zz * qz,
+            components(place, view.ground_x, view.ground_y, view.ground_z)
         )
         map_color(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
@@ -129,12 +121,12 @@ def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, tables, colo
 
 
 @inlined
-def ground_reflectances(x, y, z, sine, angle, observer, view, tables, work, color):
+def ground_reflectances(ray, sine, angle, observer, view, tables, work, color):
     """Map values and reflectance factors at the end of a line of sight.
 
     Parameters
     ----------
-    x, y, z, sine, angle, observer, view, tables, color :
+    ray, sine, angle, observer, view, tables, color :
         Arguments of ``ground_color``; ``color`` is filled if there is a map.
     work : MarchWorkspace
         Workspace; ``irradiance`` receives direct and diffuse irradiance, except for a Lambert
@@ -142,19 +134,15 @@ def ground_reflectances(x, y, z, sine, angle, observer, view, tables, work, colo
 
     Returns
     -------
-    star_diffuse, star_specular, sky_diffuse, sky_specular : float
-        Diffuse factor, to be multiplied by the albedo, and specular factor, of direct and of
-        diffuse irradiance. [1]
-    mirrored : float
-        Factor of the mirrored sky. [1]
+    GroundFactors
     """
     if view.mapped or view.overlaid or view.detailed:
-        ground_color(x, y, z, sine, angle, observer, view, tables, color)
+        ground_color(ray, sine, angle, observer, view, tables, color)
     else:
         color[8] = 1.0
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if tables.ground.law != 0 or tables.ground.wet or view.clouded:
-        mu_s, mu_r, nu = ground_angles(x, z, sine, angle, observer, tables)
+        mu_s, mu_r, nu = ground_angles(ray.x, ray.z, sine, angle, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
         share = 0.0
         if tables.ground.law == WATER:
@@ -174,12 +162,10 @@ def ground_reflectances(x, y, z, sine, angle, observer, view, tables, work, colo
             sky_diffuse = land * sky_diffuse + share * sky
             sky_specular = land * sky_specular
             mirrored = share * mirrored
+    factors = GroundFactors(star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored)
     if view.clouded:
-        star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = under_clouds(
-            color[9], color[10], tables.ground.cloud_albedo,
-            star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
-        )  # fmt: skip
-    return star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored
+        factors = under_clouds(color[9], color[10], tables.ground.cloud_albedo, factors)
+    return factors
 
 
 @inlined
@@ -197,9 +183,9 @@ def lamp_light(color, view, tables, columns, at):
     at : int
         Index of the first lane.
     """
-    red = np.float32(color[4] * view.lamp_red)
-    green = np.float32(color[5] * view.lamp_green)
-    blue = np.float32(color[6] * view.lamp_blue)
+    red = np.float32(color[4] * view.lamp.red)
+    green = np.float32(color[5] * view.lamp.green)
+    blue = np.float32(color[6] * view.lamp.blue)
     basis, extinction = lane_view(tables.basis, at), lane_view(tables.scaled_extinction, at)
     total = basis[0] * red + basis[1] * green + basis[2] * blue
     return total * transmittance_columns(columns, extinction, tables.constituents)
@@ -225,9 +211,7 @@ def reflectance(color, mapped, tables, at):
 
 
 @inlined
-def ground_factor(
-    color, view, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, tables, work, at
-):  # fmt: skip
+def ground_factor(color, view, factors, tables, work, at):
     """Radiance of the ground over that of a white Lambert ground. [1]
 
     Parameters
@@ -236,8 +220,8 @@ def ground_factor(
         Arguments of ``reflectance``.
     view : ViewUniforms
         Camera with its maps.
-    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, work :
-        Results and workspace of ``ground_reflectances``; ``radiance`` has the mirrored sky radiance
+    factors, work :
+        Result and workspace of ``ground_reflectances``; ``radiance`` has the mirrored sky radiance
         at ``MIRRORED``.
     """
     albedo = reflectance(color, view.mapped, tables, at)
@@ -245,8 +229,8 @@ def ground_factor(
         return albedo
     received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)
     star, sky = received[0], received[1]
-    by_star = star * (albedo * np.float32(star_diffuse) + np.float32(star_specular))
-    by_sky = sky * (albedo * np.float32(sky_diffuse) + np.float32(sky_specular))
+    by_star = star * (albedo * np.float32(factors.star_diffuse) + np.float32(factors.star_specular))
+    by_sky = sky * (albedo * np.float32(factors.sky_diffuse) + np.float32(factors.sky_specular))
     if tables.ground.wet:
-        by_sky = by_sky + found[MIRRORED] * np.float32(pi * mirrored)
+        by_sky = by_sky + found[MIRRORED] * np.float32(pi * factors.mirrored)
     return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

@@ -8,18 +8,29 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from airlight.geometry.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
-from airlight.render.pixels.disc_shading import darkened
+from airlight.physics.optics.clouds import GroundFactors
+from airlight.render.pixels.disc_shading import MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground, refraction_to_ground
 from airlight.render.pixels.polarising_filter import filter_shares
-from airlight.render.pixels.sky_view_lut import half_sine_between, look
+from airlight.render.pixels.sky_view_lut import Observer, SightLine, half_sine_between, look
+from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.star_disc import star_disc
-from airlight.solver.moments.march_tables import MIRRORED
+from airlight.solver.moments.march_tables import MIRRORED, MarchTables
 from airlight.solver.moments.source import transmittance_columns
 from airlight.solver.stokes_frame import star_plane
+
+
+class LampColor(NamedTuple):
+    """Colour of city lights, radiance per irradiance of the star and map value. [sr⁻¹]"""
+
+    red: float
+    green: float
+    blue: float
 
 
 class ViewUniforms(NamedTuple):
@@ -29,29 +40,17 @@ class ViewUniforms(NamedTuple):
     height: float
     field_of_view: float
     projection: Annotated[int, CHOICE]
-    right_x: float
-    right_y: float
-    right_z: float
-    up_x: float
-    up_y: float
-    up_z: float
-    forward_x: float
-    forward_y: float
-    forward_z: float
+    right: Vec3
+    up: Vec3
+    forward: Vec3
     pixel_angle: float
     disc: float
     draws_disc: bool
     draws_air: bool
     phased: bool
-    phase_sine: float
-    phase_cosine: float
-    phase_share: float
-    limb_x: float
-    limb_y: float
-    limb_z: float
-    occulter_x: float
-    occulter_y: float
-    occulter_z: float
+    phase: MoonPhase
+    limb: Vec3
+    occulter: Vec3
     occulter_radius: float
     samples: Annotated[int, CHOICE]
     edges: bool
@@ -59,15 +58,9 @@ class ViewUniforms(NamedTuple):
     map_rows: int
     map_columns: int
     map_levels: int
-    xx: float
-    xy: float
-    xz: float
-    yx: float
-    yy: float
-    yz: float
-    zx: float
-    zy: float
-    zz: float
+    ground_x: Vec3
+    ground_y: Vec3
+    ground_z: Vec3
     sky_columns: int
     sky_rows: int
     separated_phases: bool
@@ -77,22 +70,14 @@ class ViewUniforms(NamedTuple):
     cloud_radius: float
     detailed: bool
     detail_cell: float
-    whole_x: float
-    whole_y: float
-    whole_z: float
-    part_x: float
-    part_y: float
-    part_z: float
+    whole: Vec3
+    part: Vec3
     over_rows: int
     over_columns: int
     over_levels: int
-    lamp_red: float
-    lamp_green: float
-    lamp_blue: float
+    lamp: LampColor
     filter: Annotated[int, CHOICE]
-    filter_x: float
-    filter_y: float
-    filter_z: float
+    filter_axis: Vec3
     texels: Annotated[np.ndarray, InTexture("ground", packed=True)]
     over_texels: Annotated[np.ndarray, InTexture("overlay", packed=True)]
     sky_air: Annotated[np.ndarray, InTexture("air", spectral=True, whole=True)]
@@ -101,6 +86,60 @@ class ViewUniforms(NamedTuple):
     sky_second: Annotated[np.ndarray, InTexture("second", spectral=True, whole=True)]
     sky_q: Annotated[np.ndarray, InTexture("stokes_q", spectral=True, whole=True)]
     sky_u: Annotated[np.ndarray, InTexture("stokes_u", spectral=True, whole=True)]
+
+
+class FrameTables(NamedTuple):
+    """Everything that the pixels of a frame read.
+
+    Attributes
+    ----------
+    reach : float
+        Largest angle between the apparent star and a visible point of its disc. [rad]
+    window : SkyViewWindow
+        Window of the sky-view LUT.
+    observer, camera, tables : Observer, ViewUniforms, MarchTables
+        Observer, camera with its maps, and tables of the solution.
+    """
+
+    reach: float
+    window: SkyViewWindow
+    observer: Observer
+    camera: ViewUniforms
+    tables: MarchTables
+
+
+class ClassifiedRay(NamedTuple):
+    """Classification of a line of sight.
+
+    Attributes
+    ----------
+    sine, row : float
+        Sine of the zenith angle; row coordinate in its half of the sky-view LUT. [1]
+    through_air, to_ground : bool
+        Whether it crosses the atmosphere, and whether it ends on the ground.
+    """
+
+    sine: float
+    row: float
+    through_air: bool
+    to_ground: bool
+
+
+class TexelPlace(NamedTuple):
+    """Place between four texels of a layer.
+
+    Attributes
+    ----------
+    near, stride : int
+        Index of the first of the four texels, and texels per row.
+    right, down : float
+        Fractions of the distance to the next texel and to the next row. [1]
+    """
+
+    near: int
+    stride: int
+    right: float
+    down: float
 
 
 @kernel
@@ -125,21 +164,19 @@ def texel_before(coordinate, first, last):
 
 
 @inlined
-def between_texels(table, near, stride, right, down):
+def between_texels(table, place):
     """Bilinear interpolation of a layer of the sky-view LUT.
 
     Parameters
     ----------
     table : lanes, shape (texels,)
         Layer of fourth roots.
-    near, stride : int
-        Index of the first of the four texels, and texels per row.
-    right, down : float
-        Fractions of the distance to the next texel and to the next row. [1]
+    place : TexelPlace
+        Place.
     """
-    e, f = np.float32(right), np.float32(down)
+    e, f = np.float32(place.right), np.float32(place.down)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    below = near + stride
+    near, below = place.near, place.near + place.stride
     root = (
         table[near] * (g * h)
         + table[near + 1] * (g * e)
@@ -169,14 +206,12 @@ def phase_of(half_sine, constituent, table):
 
 
 @inlined
-def polarised_between(
-    near, stride, right, down, half_sine, turn_cosine, turn_sine, view, tables, at
-):  # fmt: skip
+def polarised_between(place, half_sine, turn_cosine, turn_sine, view, tables, at):
     """Q and U from the sky-view LUT, with exact phase matrices of separated constituents. [sr⁻¹]
 
     Parameters
     ----------
-    near, stride, right, down, half_sine, view, tables, at :
+    place, half_sine, view, tables, at :
         Arguments of ``air_between``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
@@ -186,25 +221,25 @@ def polarised_between(
     if tables.separated_1 >= 0:
         first = lane_view(view.sky_first, at)
         element = phase_of(half_sine, tables.separated_1, phases)
-        peaked = peaked + element * between_texels(first, near, stride, right, down)
+        peaked = peaked + element * between_texels(first, place)
     if tables.separated_2 >= 0:
         second = lane_view(view.sky_second, at)
         element = phase_of(half_sine, tables.separated_2, phases)
-        peaked = peaked + element * between_texels(second, near, stride, right, down)
-    rest = between_texels(lane_view(view.sky_air, at), near, stride, right, down)
-    stokes_q = between_texels(lane_view(view.sky_q, at), near, stride, right, down) - rest
-    stokes_u = between_texels(lane_view(view.sky_u, at), near, stride, right, down) - rest
+        peaked = peaked + element * between_texels(second, place)
+    rest = between_texels(lane_view(view.sky_air, at), place)
+    stokes_q = between_texels(lane_view(view.sky_q, at), place) - rest
+    stokes_u = between_texels(lane_view(view.sky_u, at), place) - rest
     return stokes_q + peaked * np.float32(turn_cosine), stokes_u + peaked * np.float32(turn_sine)
 
 
 @inlined
-def air_between(near, stride, right, down, half_sine, view, tables, at):
+def air_between(place, half_sine, view, tables, at):
     """Radiance from the sky-view LUT, with exact phase functions of separated ones. [sr⁻¹]
 
     Parameters
     ----------
-    near, stride, right, down :
-        Arguments of ``between_texels``.
+    place : TexelPlace
+        Place in the LUT.
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
     view, tables : ViewUniforms, MarchTables
@@ -213,90 +248,79 @@ def air_between(near, stride, right, down, half_sine, view, tables, at):
         Index of the first lane.
     """
     phases = lane_view(tables.phase, at)
-    total = between_texels(lane_view(view.sky_air, at), near, stride, right, down)
+    total = between_texels(lane_view(view.sky_air, at), place)
     if tables.separated_1 >= 0:
         first = lane_view(view.sky_first, at)
         element = phase_of(half_sine, tables.separated_1, phases)
-        total = total + element * between_texels(first, near, stride, right, down)
+        total = total + element * between_texels(first, place)
     if tables.separated_2 >= 0:
         second = lane_view(view.sky_second, at)
         element = phase_of(half_sine, tables.separated_2, phases)
-        total = total + element * between_texels(second, near, stride, right, down)
+        total = total + element * between_texels(second, place)
     return total
 
 
 @inlined
-def classify_ray(x, y, z, observer, tables):
+def classify_ray(ray, observer, tables):
     """Classification of a line of sight, and its row in the sky-view LUT.
 
     Parameters
     ----------
-    x, y, z : float
+    ray : Vec3
         Direction in the observer's frame; zero outside the projection. [1]
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
 
     Returns
     -------
-    sine, row : float
-        Sine of the zenith angle; row coordinate in its half of the LUT. [1]
-    through_air, to_ground : bool
-        Whether it crosses the atmosphere, and whether it ends on the ground.
+    ClassifiedRay
     """
-    sine = sqrt(x * x + y * y)
-    shown = x != 0.0 or y != 0.0 or z != 0.0
+    sine = sqrt(ray.x * ray.x + ray.y * ray.y)
+    shown = ray.x != 0.0 or ray.y != 0.0 or ray.z != 0.0
     if observer.outside:
         impact = observer.r * sine
-        inside = shown and z < 0.0 and impact < tables.top
+        inside = shown and ray.z < 0.0 and impact < tables.top
         to_ground = inside and impact < tables.bottom
-        return sine, row_from_impact(impact, tables.bottom, tables.top), inside, to_ground
-    angle_up = angle_above_horizon(z, sine, observer.horizon_mu, observer.horizon_sine)
+        row = row_from_impact(impact, tables.bottom, tables.top)
+        return ClassifiedRay(sine, row, inside, to_ground)
+    angle_up = angle_above_horizon(ray.z, sine, observer.horizon_mu, observer.horizon_sine)
     row = row_from_angle(angle_up, observer.horizon_mu)
-    return sine, row, shown, shown and angle_up < 0.0
+    return ClassifiedRay(sine, row, shown, shown and angle_up < 0.0)
 
 
 @inlined
-def sky_view_coordinates(x, y, row, to_ground, window):
-    """Texel coordinates of a line of sight in a window of the sky-view LUT.
+def sky_view_place(ray, found, window):
+    """Place of a line of sight in a window of the sky-view LUT.
 
     Parameters
     ----------
-    x, y : float
-        Horizontal components of its direction in the observer's frame. [1]
-    row, to_ground : float, bool
-        Results of ``classify_ray``.
+    ray, found : Vec3, ClassifiedRay
+        Its direction in the observer's frame, and its classification. [1]
 
     Returns
     -------
-    near : int
-        Index of the first of the four texels.
-    right, down : float
-        Fractions of the distance to the next texel and to the next row. [1]
+    TexelPlace
     """
     last = window.first_column + window.column_count - 1
-    azimuth = atan2(abs(y), x) / pi * (window.columns - 1)
+    azimuth = atan2(abs(ray.y), ray.x) / pi * (window.columns - 1)
     column, right = texel_before(azimuth, window.first_column, last)
     first, count, before = window.first_sky, window.sky_count, 0
-    if to_ground:
+    if found.to_ground:
         first, count, before = window.first_ground, window.ground_count, window.sky_count
-    line, down = texel_before(row * (window.rows - 1), first, first + count - 1)
+    line, down = texel_before(found.row * (window.rows - 1), first, first + count - 1)
     near = (before + line - first) * window.column_count + column - window.first_column
-    return near, right, down
+    return TexelPlace(near, window.column_count, right, down)
 
 
 @inlined
-def sky_lookup(
-    x, y, z, sine, row, to_ground, exact, window, observer, view, tables, work
-):  # fmt: skip
+def sky_lookup(ray, found, exact, frame, work):
     """Radiance of the air along a line of sight, and of a white ground behind it.
 
     Parameters
     ----------
-    x, y, z : float
-        Its direction in the observer's frame. [1]
-    sine, row, to_ground : float, float, bool
-        Results of ``classify_ray``.
-    exact, window, observer, view, tables, work :
+    ray, found : Vec3, ClassifiedRay
+        Its direction in the observer's frame, and its classification. [1]
+    exact, frame, work :
         Arguments of ``pixel_light``; ``work.radiance`` receives the radiance of the air, of a white
         Lambert ground, of the mirrored sky at ``MIRRORED`` and, with a filter, Q and U as from
         ``march``. [sr⁻¹]
@@ -306,136 +330,113 @@ def sky_lookup(
     float
         Refraction angle of a line that ends on the ground. [rad]
     """
-    half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+    window, observer, view, tables = frame.window, frame.observer, frame.camera, frame.tables
+    half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
     refraction = 0.0
-    wet = to_ground and tables.ground.wet
+    wet = found.to_ground and tables.ground.wet
     if exact:
-        cos_azimuth = x / sine if sine > 0.0 else 1.0
+        cos_azimuth = ray.x / found.sine if found.sine > 0.0 else 1.0
+        line = SightLine(ray.z, found.sine, cos_azimuth, half_sine, found.to_ground)
         # The mirrored sky first, as the second march leaves its results in place.
         for part in range(2):
             mirrored = part == 0
             if not mirrored or (wet and observer.orders != 1):
                 refraction = look(
-                    z, sine, cos_azimuth, half_sine, to_ground, mirrored, True, True, False,
-                    view.filter > 0, observer, tables, work, work.radiance,
-                )  # fmt: skip
+                    line, mirrored, True, False, view.filter > 0, observer, tables, work
+                )
             if mirrored:
                 for at in range(0, tables.lanes, LANES):
-                    found = lane_view(work.radiance, at)
-                    found[MIRRORED] = splat(0.0)
+                    radiance = lane_view(work.radiance, at)
+                    radiance[MIRRORED] = splat(0.0)
                     if wet and observer.orders != 1:
-                        found[MIRRORED] = found[0]
+                        radiance[MIRRORED] = radiance[0]
     else:
-        near, right, down = sky_view_coordinates(x, y, row, to_ground, window)
+        place = sky_view_place(ray, found, window)
         turn_cosine, turn_sine = 1.0, 0.0
         if view.filter > 0:
-            nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
-            turn_cosine, turn_sine = star_plane(z, observer.sun_z, nu)
+            nu = min(max(ray.x * observer.sun_x + ray.z * observer.sun_z, -1.0), 1.0)
+            turn_cosine, turn_sine = star_plane(ray.z, observer.sun_z, nu)
         for at in range(0, tables.lanes, LANES):
-            found = lane_view(work.radiance, at)
-            found[0] = air_between(
-                near, window.column_count, right, down, half_sine, view, tables, at
-            )
+            radiance = lane_view(work.radiance, at)
+            radiance[0] = air_between(place, half_sine, view, tables, at)
             if view.filter > 0:
-                found[4], found[5] = polarised_between(
-                    near,
-                    window.column_count,
-                    right,
-                    down,
-                    half_sine,
-                    turn_cosine,
-                    turn_sine,
-                    view,
-                    tables,
-                    at,
+                radiance[4], radiance[5] = polarised_between(
+                    place, half_sine, turn_cosine, turn_sine, view, tables, at
                 )
-            if to_ground:
-                layer = lane_view(view.sky_ground, at)
-                found[1] = between_texels(layer, near, window.column_count, right, down)
+            if found.to_ground:
+                radiance[1] = between_texels(lane_view(view.sky_ground, at), place)
             if wet:
-                mirror = lane_view(view.sky_air, at)
-                found[MIRRORED] = between_texels(
-                    mirror, near + window.ground_count * window.column_count,
-                    window.column_count, right, down,
-                )  # fmt: skip
-        if to_ground and tables.refraction_strength > 0.0:
-            refraction = refraction_to_ground(z, sine, observer, tables, work.columns_total)
+                near = place.near + window.ground_count * window.column_count
+                mirror = TexelPlace(near, place.stride, place.right, place.down)
+                radiance[MIRRORED] = between_texels(lane_view(view.sky_air, at), mirror)
+        if found.to_ground and tables.refraction_strength > 0.0:
+            refraction = refraction_to_ground(
+                ray.z, found.sine, observer, tables, work.columns_total
+            )
     return refraction
 
 
 @inlined
-def pixel_light(
-    px, py, x, y, z, exact, reach, window, observer, view, tables, work, color, result
-):  # fmt: skip
+def pixel_light(px, py, ray, exact, frame, work, color, result):
     """Spectral radiance of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
         Position from the left and top edge of the frame. [pixel]
-    x, y, z : float
+    ray : Vec3
         Viewing direction there, ``camera_direction``. [1]
     exact : bool
         Constant: whether the pixel is marched.
-    reach : float
-        Largest angle between the apparent star and a visible point of its disc. [rad]
-    window : SkyViewWindow
-        Window of the sky-view LUT.
-    observer, view, tables : Observer, ViewUniforms, MarchTables
-        Observer, camera with its maps, and tables of the solution.
+    frame : FrameTables
+        What the pixels read.
     work, color : MarchWorkspace, array of shape (11,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    sine, row, through_air, to_ground = classify_ray(x, y, z, observer, tables)
-    through_air = through_air and view.draws_air
-    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
+    observer, view, tables = frame.observer, frame.camera, frame.tables
+    found = classify_ray(ray, observer, tables)
+    through_air, to_ground = found.through_air and view.draws_air, found.to_ground
+    factors = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
     if through_air:
-        refraction = sky_lookup(
-            x, y, z, sine, row, to_ground, exact, window, observer, view, tables, work
-        )
+        refraction = sky_lookup(ray, found, exact, frame, work)
         if to_ground:
-            star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
-                x, y, z, sine, refraction, observer, view, tables, work, color
+            factors = ground_reflectances(
+                ray, found.sine, refraction, observer, view, tables, work, color
             )
             if view.overlaid:
                 columns_to_ground(
-                    z, sine, observer, tables, work.columns_total, work.columns_so_far
+                    ray.z, found.sine, observer, tables, work.columns_total, work.columns_so_far
                 )
     whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
     if view.filter > 0:
-        whole, stokes_q, stokes_u = filter_shares(x, y, z, view)
+        whole, stokes_q, stokes_u = filter_shares(ray, view)
     for at in range(0, tables.lanes, LANES):
-        found = lane_view(work.radiance, at)
+        radiance = lane_view(work.radiance, at)
         total = splat(0.0)
         if through_air:
-            total = found[0]
+            total = radiance[0]
         if to_ground and view.draws_air:
-            factor = ground_factor(
-                color, view, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
-                tables, work, at,
-            )  # fmt: skip
-            total = total + found[1] * factor
+            factor = ground_factor(color, view, factors, tables, work, at)
+            total = total + radiance[1] * factor
             if view.overlaid:
                 total = total + lamp_light(color, view, tables, work.columns_total, at)
         if view.filter > 0:
             total = total * np.float32(whole)
             if through_air:
-                total = total + found[4] * np.float32(stokes_q)
-                total = total + found[5] * np.float32(stokes_u)
+                total = total + radiance[4] * np.float32(stokes_q)
+                total = total + radiance[5] * np.float32(stokes_u)
         store(result, at, total)
     if view.draws_disc and not to_ground:
-        apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
-        p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-        if apart < reach:
-            p0, p1, p2, p3, p4, p5 = star_disc(
-                px, py, x, y, z, observer, view, tables, work.columns_total
-            )
-        if p0 > 0.0:
+        apart = 2.0 * half_sine_between(ray, observer.seen_x, observer.seen_z)
+        powers = whole_powers(0.0)
+        if apart < frame.reach:
+            powers = star_disc(px, py, ray, observer, view, tables, work.columns_total)
+        if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
                 transmittance = transmittance_columns(
                     work.columns_total, lane_view(tables.extinction, at), tables.constituents
                 )
-                disc = darkened(p0, p1, p2, p3, p4, p5, tables, at)
+                disc = darkened(powers, tables, at)
                 store(result, at, load(result, at) + transmittance * disc * np.float32(whole))

@@ -10,6 +10,7 @@ from __future__ import annotations
 from math import sqrt
 from typing import Final
 
+from airlight.geometry.vectors import dot, minus, plus, scaled
 from airlight.kernel import inlined
 
 #: Values of ``ViewUniforms.filter``: no filter, polariser, and Q or U instead of I.
@@ -20,12 +21,12 @@ ASLANT: Final = 3
 
 
 @inlined
-def filter_shares(x, y, z, view):
+def filter_shares(ray, view):
     """Weights of Stokes I, Q and U.
 
     Parameters
     ----------
-    x, y, z : float
+    ray : Vec3
         Viewing direction, a unit vector in the observer's frame. [1]
     view : ViewUniforms
         Camera and axis of its filter in the same frame.
@@ -35,18 +36,14 @@ def filter_shares(x, y, z, view):
     whole, stokes_q, stokes_u : float
         Weights of I, Q and U, with U for azimuths from 0 to 180°. [1]
     """
-    sine = sqrt(x * x + y * y)
+    sine = sqrt(ray.x * ray.x + ray.y * ray.y)
     cos_azimuth, sin_azimuth = 1.0, 0.0
     if sine > 0.0:
-        cos_azimuth, sin_azimuth = x / sine, y / sine
-    ahead = x * view.forward_x + y * view.forward_y + z * view.forward_z
-    part = x * view.filter_x + y * view.filter_y + z * view.filter_z
-    part = part / max(1.0 + ahead, 1e-6)
-    axis_x = view.filter_x - part * (view.forward_x + x)
-    axis_y = view.filter_y - part * (view.forward_y + y)
-    axis_z = view.filter_z - part * (view.forward_z + z)
-    down = z * (cos_azimuth * axis_x + sin_azimuth * axis_y) - sine * axis_z
-    side = cos_azimuth * axis_y - sin_azimuth * axis_x
+        cos_azimuth, sin_azimuth = ray.x / sine, ray.y / sine
+    part = dot(ray, view.filter_axis) / max(1.0 + dot(ray, view.forward), 1e-6)
+    axis = minus(view.filter_axis, scaled(plus(view.forward, ray), part))
+    down = ray.z * (cos_azimuth * axis.x + sin_azimuth * axis.y) - sine * axis.z
+    side = cos_azimuth * axis.y - sin_azimuth * axis.x
     square = max(down * down + side * side, 1e-12)
     whole = 0.5
     stokes_q, stokes_u = 0.5 * (down * down - side * side) / square, down * side / square
@@ -54,6 +51,6 @@ def filter_shares(x, y, z, view):
         whole, stokes_q, stokes_u = 0.0, 1.0, 0.0
     if view.filter == ASLANT:
         whole, stokes_q, stokes_u = 0.0, 0.0, -1.0  # azimuths are negative where y is positive
-    if y < 0.0:
+    if ray.y < 0.0:
         stokes_u = 0.0 - stokes_u
     return whole, stokes_q, stokes_u

@@ -30,42 +30,39 @@ def _as_color(radiance, weights, sums, out):
 
 
 @inlined
-def _pixels(exact, px, py, window, observer, view, tables, work, weights, reach, out):
+def _pixels(exact, px, py, frame, work, weights, out):
     """Common loop of ``render_pixels`` and ``march_pixels``."""
-    view, tables, work, weights, out = without_refcount((view, tables, work, weights, out))
-    found, total = np.empty(tables.lanes, np.float32), np.empty(tables.lanes, np.float32)
+    frame, work, weights, out = without_refcount((frame, work, weights, out))
+    lanes = frame.tables.lanes
+    found, total = np.empty(lanes, np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     sums = np.empty((3, LANES), np.float32)
     for k in range(px.size):
-        sampled_light(
-            px[k], py[k], exact, reach, window, observer, view, tables, work, color, total, found
-        )
+        sampled_light(px[k], py[k], exact, frame, work, color, total, found)
         _as_color(found, weights, sums, out[k])
 
 
 @compiled_loop
-def render_pixels(px, py, window, observer, view, tables, work, weights, reach, out):
+def render_pixels(px, py, frame, work, weights, out):
     """Render pixels with the sky-view LUT.
 
     Parameters
     ----------
     px, py : array, shape (n,)
         Pixel centres, from the left and top edge of the frame. [pixel]
-    observer, view, tables : Observer, ViewUniforms, MarchTables
-        Observer, camera with its maps, and tables of the solution.
+    frame : FrameTables
+        What the pixels read.
     work : MarchWorkspace
         Workspace of the thread.
     weights : array, shape (3, w)
         Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
-    reach : float
-        Largest angle between the apparent star and a visible point of its disc. [rad]
     out : array, shape (n, 3)
         Receives linear sRGB.
     """
-    _pixels(False, px, py, window, observer, view, tables, work, weights, reach, out)
+    _pixels(False, px, py, frame, work, weights, out)
 
 
 @compiled_loop
-def march_pixels(px, py, window, observer, view, tables, work, weights, reach, out):
+def march_pixels(px, py, frame, work, weights, out):
     """March pixels; arguments of ``render_pixels``."""
-    _pixels(True, px, py, window, observer, view, tables, work, weights, reach, out)
+    _pixels(True, px, py, frame, work, weights, out)

@@ -26,20 +26,20 @@ _CORNER: Final = 0.75
 
 
 @inlined
-def samples_per_side(x, y, z, observer, view):
+def samples_per_side(ray, observer, view):
     """Samples per side of a pixel.
 
     Parameters
     ----------
-    x, y, z : float
+    ray : Vec3
         Viewing direction of its centre. [1]
     observer, view : Observer, ViewUniforms
         Observer, and camera with ``samples`` and ``edges``.
     """
     if view.edges:
-        sine = sqrt(x * x + y * y)
-        above = z * observer.horizon_sine - sine * observer.horizon_mu
-        along = z * observer.horizon_mu + sine * observer.horizon_sine
+        sine = sqrt(ray.x * ray.x + ray.y * ray.y)
+        above = ray.z * observer.horizon_sine - sine * observer.horizon_mu
+        along = ray.z * observer.horizon_mu + sine * observer.horizon_sine
         if along > 0.0 and abs(above) < _CORNER * view.pixel_angle:
             return max(view.samples, EDGE)
     return view.samples
@@ -73,42 +73,37 @@ def sample_place(px, py, sample, side, view):
 
 
 @inlined
-def light_of_centre(
-    px, py, exact, reach, window, observer, view, tables, work, color, result
-):  # fmt: skip
+def light_of_centre(px, py, exact, frame, work, color, result):
     """Spectral radiance of a pixel with one sample; arguments of ``sampled_light``."""
-    x, y, z = camera_direction(px, py, view)
-    pixel_light(px, py, x, y, z, exact, reach, window, observer, view, tables, work, color, result)
+    ray = camera_direction(px, py, frame.camera)
+    pixel_light(px, py, ray, exact, frame, work, color, result)
 
 
 @inlined
-def sampled_light(
-    px, py, exact, reach, window, observer, view, tables, work, color, total, result
-):  # fmt: skip
+def sampled_light(px, py, exact, frame, work, color, total, result):
     """Spectral radiance of a pixel, averaged over samples, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
         Pixel centre, from the left and top edge of the frame. [pixel]
-    exact, reach, window, observer, view, tables, work, color :
+    exact, frame, work, color :
         Arguments of ``pixel_light``.
     total : array, shape (w,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    x, y, z = camera_direction(px, py, view)
-    side = samples_per_side(x, y, z, observer, view)
+    view, tables = frame.camera, frame.tables
+    ray = camera_direction(px, py, view)
+    side = samples_per_side(ray, frame.observer, view)
     step = 1.0 / side
     for sample in range(side * side):
         sx, sy = px, py
         if side > 1:
             sx, sy = sample_place(px, py, sample, side, view)
-            x, y, z = camera_direction(sx, sy, view)
-        pixel_light(
-            sx, sy, x, y, z, exact, reach, window, observer, view, tables, work, color, result
-        )
+            ray = camera_direction(sx, sy, view)
+        pixel_light(sx, sy, ray, exact, frame, work, color, result)
         if side > 1:
             for at in range(0, tables.lanes, LANES):
                 share = load(result, at) * np.float32(step * step)

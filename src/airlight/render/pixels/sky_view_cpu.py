@@ -69,10 +69,7 @@ def fill_texels(begin, end, window, observer, tables, work, layers):
             row = window.rows + window.first_ground + line
             if line >= window.ground_count:
                 row += window.rows - window.ground_count
-        sky_view_texel(
-            column, row, window.columns, window.rows, True, peaks, polarised, observer, tables,
-            work, work.radiance,
-        )  # fmt: skip
+        sky_view_texel(column, row, window, True, peaks, polarised, observer, tables, work)
         layers.air[texel], layers.ground[texel] = work.radiance[0], work.radiance[1]
         if tables.separated_1 >= 0:
             layers.first[texel] = work.radiance[2]

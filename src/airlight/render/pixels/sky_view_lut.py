@@ -13,6 +13,7 @@ from typing import Final, NamedTuple
 from airlight.geometry.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_intersection
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_view, maximum, splat
 from airlight.physics.optics.cox_munk import mean_square_slope
@@ -61,28 +62,48 @@ class Observer(NamedTuple):
     orders: int
 
 
+class SightLine(NamedTuple):
+    """Line of sight.
+
+    Attributes
+    ----------
+    mu, sine, cos_azimuth : float
+        Cosine and sine of its zenith angle, cosine of its azimuth. [1]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star. [1]
+    to_ground : bool
+        Whether it ends on the ground.
+    """
+
+    mu: float
+    sine: float
+    cos_azimuth: float
+    half_sine: float
+    to_ground: bool
+
+
 @kernel
-def half_sine_between(x, y, z, sun_x, sun_z):
+def half_sine_between(ray, sun_x, sun_z):
     """sin(θ/2) of the angle between a direction and the star, from their chord. [1]
 
     Parameters
     ----------
-    x, y, z : float
+    ray : Vec3
         Direction in the observer's frame, a unit vector. [1]
     sun_x, sun_z : float
         Components as in ``Observer``. [1]
     """
-    across = (x - sun_x) * (x - sun_x) + y * y
-    return min(0.5 * sqrt(across + (z - sun_z) * (z - sun_z)), 1.0)
+    across = (ray.x - sun_x) * (ray.x - sun_x) + ray.y * ray.y
+    return min(0.5 * sqrt(across + (ray.z - sun_z) * (ray.z - sun_z)), 1.0)
 
 
 @inlined
-def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
+def line_of_sight(line, observer, tables):
     """Segment of a line of sight inside the shell.
 
     Parameters
     ----------
-    mu, sine, cos_azimuth, to_ground, observer, tables :
+    line, observer, tables :
         Arguments of ``look``.
 
     Returns
@@ -91,6 +112,7 @@ def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
         Radius at its start [m], view-zenith and star-zenith cosines there [1], cosine between line
         and star [1], and length [m].
     """
+    mu, sine, cos_azimuth, _, to_ground = line
     nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
     r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
     if observer.outside:
@@ -106,12 +128,12 @@ def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
 
 
 @inlined
-def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer, tables):
+def star_on_ground(line, r, start_mu, nu, length, column, observer, tables):
     """Star-zenith cosine at the end of a line of sight, and angle of refraction.
 
     Parameters
     ----------
-    sine, cos_azimuth, observer, tables :
+    line, observer, tables :
         Arguments of ``look``.
     r, start_mu, nu, length : float
         Results of ``line_of_sight``.
@@ -123,9 +145,9 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
     mu_s, angle : float
         Cosine [1] and angle [rad].
     """
-    impact = observer.r * sine
-    across, up = first_intersection(min(impact, tables.bottom), sine, tables.bottom)
-    mu_s = star_from(across, up, tables.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
+    impact = observer.r * line.sine
+    across, up = first_intersection(min(impact, tables.bottom), line.sine, tables.bottom)
+    mu_s = star_from(across, up, tables.bottom, line.cos_azimuth, observer.sun_x, observer.sun_z)
     angle = 0.0
     if tables.refraction_strength > 0.0:
         angle = refraction_angle(r, start_mu, tables.refraction_strength, column)
@@ -136,41 +158,33 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
 
 
 @inlined
-def look(
-    mu, sine, cos_azimuth, half_sine, to_ground, mirrored, separated_phases, air, peaks, polarised,
-    observer, tables, work, result,
-):  # fmt: skip
+def look(line, mirrored, air, peaks, polarised, observer, tables, work):
     """March one line of sight: radiance of the air, and of a white ground behind it.
+
+    Single scattering by separated constituents is included for mirrored rays only. The result is
+    ``work.radiance``: the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the
+    single scattering by the two peaked constituents [1], and with ``polarised`` Q and U of the
+    air's light. [sr⁻¹]
 
     Parameters
     ----------
-    mu, sine, cos_azimuth : float
-        Direction: cosine and sine of the zenith angle, cosine of the azimuth. [1]
-    half_sine : float
-        sin(θ/2) of the angle to the apparent star. [1]
-    to_ground : bool
-        Whether the line ends on the ground.
+    line : SightLine
+        Line of sight.
     mirrored : bool
         Whether to march the ray mirrored by water at that end instead. The phase functions are
         blurred by the slope distribution of the facets.
-    separated_phases : bool
-        Whether the radiance includes single scattering by separated constituents.
     air, peaks, polarised, work : bool, bool, bool, MarchWorkspace
         Arguments of ``march``.
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
-    result : array, shape (4, w), or (6, w) if ``polarised``
-        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the single
-        scattering by the two peaked constituents [1], and Q and U of the air's light. [sr⁻¹]
 
     Returns
     -------
     float
         Angle of refraction of a line that ends on the ground. [rad]
     """
-    r, start_mu, start_mu_s, nu, length = line_of_sight(
-        mu, sine, cos_azimuth, to_ground, observer, tables
-    )
+    mu, sine, cos_azimuth, half_sine, to_ground = line
+    r, start_mu, start_mu_s, nu, length = line_of_sight(line, observer, tables)
     angle, orders = 0.0, observer.orders
     if mirrored:
         if tables.refraction_strength > 0.0:
@@ -182,25 +196,25 @@ def look(
         length = distance_to_top(r, start_mu, tables.top)
         spread = 0.25 * mean_square_slope(tables.ground.wind)
         half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
-    phases_towards(half_sine, separated_phases or mirrored, tables.phase, tables, work.phase)
+    phases_towards(half_sine, mirrored, tables.phase, tables, work.phase)
     if polarised:
-        phases_towards(half_sine, separated_phases, tables.phase_f12, tables, work.phase_f12)
+        phases_towards(half_sine, False, tables.phase_f12, tables, work.phase_f12)
     march(
         r, start_mu, start_mu_s, nu, half_sine, length, orders, air, peaks, polarised, work.phase,
-        work.phase_f12, tables, work, result,
+        work.phase_f12, tables, work, work.radiance,
     )  # fmt: skip
     if air and to_ground and not mirrored:
         mu_s, angle = star_on_ground(
-            sine, cos_azimuth, r, start_mu, nu, length, work.columns_total[tables.constituents - 1],
+            line, r, start_mu, nu, length, work.columns_total[tables.constituents - 1],
             observer, tables,
         )  # fmt: skip
         ground_light(mu_s, observer.orders, tables, work)
         for at in range(0, tables.lanes, LANES):
-            received, found = lane_view(work.irradiance, at), lane_view(result, at)
+            received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)
             found[1] = (received[0] + received[1]) * INVERSE_PI * found[1]
     else:
         for at in range(0, tables.lanes, LANES):
-            found = lane_view(result, at)
+            found = lane_view(work.radiance, at)
             found[1] = splat(0.0)
     return angle
 
@@ -233,34 +247,20 @@ def phases_towards(half_sine, separated_phases, table, tables, phase):
 
 
 @inlined
-def direction_of_texel(column, row, columns, rows, observer, tables):
-    """Direction of a texel.
-
-    Parameters
-    ----------
-    column, row, columns, rows, observer, tables :
-        Arguments of ``sky_view_texel``.
-
-    Returns
-    -------
-    mu, sine, cos_azimuth : float
-        Cosine and sine of its zenith angle, cosine of its azimuth. [1]
-    half_sine : float
-        sin(θ/2) of the angle to the apparent star. [1]
-    """
-    sky = row < rows
-    at = row_coordinate(row, rows, observer.outside)
-    cos_azimuth = cos(pi * column / (columns - 1))
+def line_of_texel(column, row, window, observer, tables):
+    """Line of sight of a texel, a ``SightLine``; arguments of ``sky_view_texel``."""
+    sky = row < window.rows
+    at = row_coordinate(row, window.rows, observer.outside)
+    cos_azimuth = cos(pi * column / (window.columns - 1))
     if observer.outside:
         sine = impact_from_row(at, sky, tables.bottom, tables.top) / observer.r
         mu = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
     else:
         mu, sine = direction_from_row(at, sky, observer.horizon_mu, observer.horizon_sine)
     side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
-    half_sine = half_sine_between(
-        sine * cos_azimuth, sine * side, mu, observer.seen_x, observer.seen_z
-    )
-    return mu, sine, cos_azimuth, half_sine
+    ray = Vec3(sine * cos_azimuth, sine * side, mu)
+    half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
+    return SightLine(mu, sine, cos_azimuth, half_sine, not sky)
 
 
 @kernel
@@ -273,7 +273,7 @@ def row_coordinate(row, rows, outside):
     Parameters
     ----------
     row, rows : int
-        Arguments of ``sky_view_texel``.
+        Index of a row, and number of rows of one half.
     outside : bool
         Whether the observer is outside the shell.
 
@@ -289,37 +289,30 @@ def row_coordinate(row, rows, outside):
 
 
 @inlined
-def sky_view_texel(
-    column, row, columns, rows, air, peaks, polarised, observer, tables, work, result
-):
-    """Texel: fourth roots of the results of ``look``, with I + Q and I + U.
+def sky_view_texel(column, row, window, air, peaks, polarised, observer, tables, work):
+    """Texel: fourth roots of the results of ``look``, with I + Q and I + U, in ``work.radiance``.
 
     Parameters
     ----------
     column, row : int
         Indices; of 3·rows, the first third is the sky from the horizon up, the second the ground,
         the last the mirrored sky for the same lines of sight as the ground.
-    columns, rows : int
-        Numbers of azimuths from 0 to π inclusive, and of rows of one half.
-    air, peaks, polarised, observer, tables, work, result :
+    window : SkyViewWindow
+        Window of the LUT, with its numbers of azimuths and of rows of one half.
+    air, peaks, polarised, observer, tables, work :
         Arguments of ``look``.
     """
-    mirrored = row >= 2 * rows
+    mirrored = row >= 2 * window.rows
     shown = air and tables.ground.wet and observer.orders != 1
     if shown or not mirrored:
-        line = row - rows if mirrored else row
-        mu, sine, cos_azimuth, half_sine = direction_of_texel(
-            column, line, columns, rows, observer, tables
-        )
-        if polarised and sine < UPRIGHT:
-            sine = UPRIGHT
-            mu = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if mu > 0.0 else -1.0)
-        look(
-            mu, sine, cos_azimuth, half_sine, line >= rows, mirrored, False, air, peaks, polarised,
-            observer, tables, work, result,
-        )  # fmt: skip
+        seen = row - window.rows if mirrored else row
+        line = line_of_texel(column, seen, window, observer, tables)
+        if polarised and line.sine < UPRIGHT:
+            mu = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if line.mu > 0.0 else -1.0)
+            line = SightLine(mu, UPRIGHT, line.cos_azimuth, line.half_sine, line.to_ground)
+        look(line, mirrored, air, peaks, polarised, observer, tables, work)
     for at in range(0, tables.lanes, LANES):
-        found = lane_view(result, at)
+        found = lane_view(work.radiance, at)
         if polarised:
             for layer in range(4, 6):
                 found[layer] = fourth_root(maximum(found[0] + found[layer], 0.0))

@@ -13,8 +13,9 @@ import numpy as np
 
 from airlight.geometry.mappings.sky_view import angle_above_horizon
 from airlight.geometry.refraction import refraction_angle
+from airlight.geometry.vectors import Vec3, combined, dot, minus, scaled
 from airlight.kernel import inlined, kernel
-from airlight.render.pixels.disc_shading import disc_powers, whole_powers
+from airlight.render.pixels.disc_shading import DiscPowers, disc_powers, whole_powers
 from airlight.render.pixels.sky_view_lut import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.solver.tables.column_ratios import columns_to_top
@@ -42,22 +43,17 @@ def camera_direction(px, py, view):
     px, py : float
         Position from the left and top edge of the frame. [pixel]
     """
-    right, above, ahead = projected_ray(
-        view.projection, px, py, view.width, view.height, view.field_of_view
-    )
-    x = right * view.right_x + above * view.up_x + ahead * view.forward_x
-    y = right * view.right_y + above * view.up_y + ahead * view.forward_y
-    z = right * view.right_z + above * view.up_z + ahead * view.forward_z
-    return x, y, z
+    ray = projected_ray(view.projection, px, py, view.width, view.height, view.field_of_view)
+    return combined(ray, view.right, view.up, view.forward)
 
 
 @inlined
-def leaving_air(x, y, z, observer, tables, columns):
+def leaving_air(ray, observer, tables, columns):
     """Refracted direction of a line of sight outside the atmosphere.
 
     Parameters
     ----------
-    x, y, z : float
+    ray : Vec3
         Direction at the observer. [1]
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
@@ -66,22 +62,22 @@ def leaving_air(x, y, z, observer, tables, columns):
 
     Returns
     -------
-    x, y, z : float
+    Vec3
         Refracted direction. [1]
     free : bool
         Whether the line misses the ground.
     """
-    level = sqrt(x * x + y * y)
+    level = sqrt(ray.x * ray.x + ray.y * ray.y)
     impact = observer.r * level
-    start_r, start_mu = observer.r, z
+    start_r, start_mu = observer.r, ray.z
     inside, free = True, True
     if observer.outside:
-        inside = z < 0.0 and impact < tables.top
+        inside = ray.z < 0.0 and impact < tables.top
         free = not (inside and impact < tables.bottom)
         start_r = tables.top
         start_mu = -sqrt(max((tables.top - impact) * (tables.top + impact), 0.0)) / tables.top
     else:
-        free = angle_above_horizon(z, level, observer.horizon_mu, observer.horizon_sine) >= 0.0
+        free = angle_above_horizon(ray.z, level, observer.horizon_mu, observer.horizon_sine) >= 0.0
     for c in range(tables.constituents):
         columns[c] = 0.0
     if inside and free:
@@ -100,9 +96,9 @@ def leaving_air(x, y, z, observer, tables, columns):
                 start_r, start_mu, tables.refraction_strength, columns[tables.constituents - 1]
             )
             turn, keep = sin(angle), cos(angle)
-            scale = (level * keep + z * turn) / max(level, 1e-30)
-            return x * scale, y * scale, z * keep - level * turn, free
-    return x, y, z, free
+            scale = (level * keep + ray.z * turn) / max(level, 1e-30)
+            return Vec3(ray.x * scale, ray.y * scale, ray.z * keep - level * turn), free
+    return ray, free
 
 
 @kernel
@@ -156,14 +152,14 @@ def covered(apart, radius, pixel):
 
 
 @inlined
-def star_disc(px, py, x, y, z, observer, view, tables, columns):
+def star_disc(px, py, ray, observer, view, tables, columns):
     """Unattenuated radiance of the disc in a pixel, per irradiance.
 
     Parameters
     ----------
     px, py : float
         Position of the pixel. [pixel]
-    x, y, z : float
+    ray : Vec3
         Its viewing direction; zero vector for none. [1]
     observer, view, tables : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
@@ -172,35 +168,38 @@ def star_disc(px, py, x, y, z, observer, view, tables, columns):
 
     Returns
     -------
-    tuple of six float
+    DiscPowers
         Weights of the powers of the emergence cosine, see ``disc_powers``; 0 off the disc. [sr⁻¹]
     """
-    if x == 0.0 and y == 0.0 and z == 0.0:
-        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    lx, ly, lz, free = leaving_air(x, y, z, observer, tables, columns)
-    apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
+    if ray.x == 0.0 and ray.y == 0.0 and ray.z == 0.0:
+        return DiscPowers(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    left, free = leaving_air(ray, observer, tables, columns)
+    apart = 2.0 * half_sine_between(left, observer.sun_x, observer.sun_z)
     pixel = view.pixel_angle
     # Beyond two pixel diagonals no point is splatted.
     if not free or apart > tables.star_radius + 3.0 * pixel:
-        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        return DiscPowers(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     part = covered(apart, tables.star_radius, pixel) * view.disc
     if tables.star_radius < SMALL * pixel:
         part = _point_like(px, py, part, observer, view, tables, columns)
         return whole_powers(part)
     if view.occulter_radius > 0.0:
-        dx, dy, dz = lx - view.occulter_x, ly - view.occulter_y, lz - view.occulter_z
-        beside = 2.0 * min(0.5 * sqrt(dx * dx + dy * dy + dz * dz), 1.0)
+        away = minus(left, view.occulter)
+        beside = 2.0 * min(0.5 * sqrt(dot(away, away)), 1.0)
         # Pixels with both rims: coverages are subtracted.
         part = max(part - covered(beside, view.occulter_radius, pixel) * view.disc, 0.0)
     along = 0.0
     if view.phased:
-        toward = (lx - observer.sun_x) * view.limb_x + ly * view.limb_y
-        toward += (lz - observer.sun_z) * view.limb_z
+        toward = (left.x - observer.sun_x) * view.limb.x + left.y * view.limb.y
+        toward += (left.z - observer.sun_z) * view.limb.z
         along = toward / max(apart, 1e-12)
-    return disc_powers(
-        part, apart, tables.star_radius, pixel, along, view.phased, view.phase_sine,
-        view.phase_cosine, view.phase_share,
-    )  # fmt: skip
+    return disc_powers(part, apart, tables.star_radius, pixel, along, view.phased, view.phase)
+
+
+@inlined
+def _step(steps, place):
+    """Step to a place of the stencil. [1]"""
+    return Vec3(steps[3 * place], steps[3 * place + 1], steps[3 * place + 2])
 
 
 @inlined
@@ -215,11 +214,9 @@ def _point_like(px, py, otherwise, observer, view, tables, columns):
         side = place - 4 if place > 4 else place
         aside = way if side == 1 else (-way if side == 3 else 0.0)
         below = way if side == 2 else (-way if side == 4 else 0.0)
-        x, y, z = camera_direction(px + aside, py + below, view)
-        nx, ny, nz, free = leaving_air(x, y, z, observer, tables, columns)
-        steps[3 * place] = nx
-        steps[3 * place + 1] = ny
-        steps[3 * place + 2] = nz
+        ray = camera_direction(px + aside, py + below, view)
+        left, free = leaving_air(ray, observer, tables, columns)
+        steps[3 * place], steps[3 * place + 1], steps[3 * place + 2] = left
         fits[place] = 1.0 if free else 0.0
     for place in range(1, _PLACES):
         apart = 0.0
@@ -233,41 +230,35 @@ def _point_like(px, py, otherwise, observer, view, tables, columns):
     # A pixel reaches half-way to its neighbours on both sides, which may differ in distance.
     half_right, half_left = fits[1] / (fits[1] + fits[3]), fits[3] / (fits[1] + fits[3])
     half_below, half_above = fits[2] / (fits[2] + fits[4]), fits[4] / (fits[2] + fits[4])
-    u, v = 3, 6
+    p, q = 1, 2
     if fits[5] + fits[6] + fits[7] + fits[8] > 3.5:
         half_right, half_left, half_below, half_above = 1.0, 1.0, 1.0, 1.0
-        u, v = 15, 18
-    ux = half_right * steps[u] - half_left * steps[u + 6]
-    uy = half_right * steps[u + 1] - half_left * steps[u + 7]
-    uz = half_right * steps[u + 2] - half_left * steps[u + 8]
-    vx = half_below * steps[v] - half_above * steps[v + 6]
-    vy = half_below * steps[v + 1] - half_above * steps[v + 7]
-    vz = half_below * steps[v + 2] - half_above * steps[v + 8]
-    wide = ux * ux + uy * uy + uz * uz
-    slant = ux * vx + uy * vy + uz * vz
-    area = sqrt(max(wide * (vx * vx + vy * vy + vz * vz) - slant * slant, 0.0))
+        p, q = 5, 6
+    u = minus(scaled(_step(steps, p), half_right), scaled(_step(steps, p + 2), half_left))
+    v = minus(scaled(_step(steps, q), half_below), scaled(_step(steps, q + 2), half_above))
+    slant = dot(u, v)
+    area = sqrt(max(dot(u, u) * dot(v, v) - slant * slant, 0.0))
     if area < _FLAT * view.pixel_angle * view.pixel_angle:
         return otherwise
     # Fractions are measured along the step to the neighbours between which the disc lies: both
     # pixels then use the same step, and the fractions sum to 1.
-    dx, dy, dz = observer.sun_x - steps[0], -steps[1], observer.sun_z - steps[2]
-    u, v = 3, 6
-    if fits[1] < 0.5 or (fits[3] > 0.5 and dx * ux + dy * uy + dz * uz < 0.0):
-        u = 9
-    if fits[2] < 0.5 or (fits[4] > 0.5 and dx * vx + dy * vy + dz * vz < 0.0):
-        v = 12
-    ux, uy, uz = steps[u], steps[u + 1], steps[u + 2]
-    vx, vy, vz = steps[v], steps[v + 1], steps[v + 2]
-    right = sqrt(ux * ux + uy * uy + uz * uz)
+    away = Vec3(observer.sun_x - steps[0], -steps[1], observer.sun_z - steps[2])
+    p, q = 1, 2
+    if fits[1] < 0.5 or (fits[3] > 0.5 and dot(away, u) < 0.0):
+        p = 3
+    if fits[2] < 0.5 or (fits[4] > 0.5 and dot(away, v) < 0.0):
+        q = 4
+    u, v = _step(steps, p), _step(steps, q)
+    right = sqrt(dot(u, u))
     if right == 0.0:
         return otherwise
-    ux, uy, uz = ux / right, uy / right, uz / right
-    slant = ux * vx + uy * vy + uz * vz
-    vx, vy, vz = vx - slant * ux, vy - slant * uy, vz - slant * uz
-    upright = sqrt(vx * vx + vy * vy + vz * vz)
+    u = Vec3(u.x / right, u.y / right, u.z / right)
+    slant = dot(u, v)
+    v = minus(v, scaled(u, slant))
+    upright = sqrt(dot(v, v))
     if upright == 0.0:
         return otherwise
-    across = dx * ux + dy * uy + dz * uz
-    down = (dx * vx + dy * vy + dz * vz) / upright
+    across = dot(away, u)
+    down = dot(away, v) / upright
     part = shared_out(across, down, tables.star_radius, right, slant, upright)
     return part / area

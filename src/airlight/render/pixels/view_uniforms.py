@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from airlight.image.display import display_of
 from airlight.image.spectral import sun_color
 from airlight.image.texels import CHANNELS
 from airlight.image.xyz import luminance
+from airlight.kernel.shader_fields import scalars_of
 from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.physics.spectra.blackbody import planck_radiance
 from airlight.planets.light_source import Occulter
@@ -64,7 +65,6 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
                 r, sun[2], geometry.shell.bottom, geometry.shell.top, geometry.refraction_table
             )[0]
         )
-    axes = camera.axes
     assert camera.field_of_view is not None
     star_radius = solution.lights[0].angular_radius
     horizon_mu, horizon_sine, sun_level, seen_level, disc = observer_uniforms(
@@ -89,23 +89,27 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     }
     source = solution.lights[0]
     uniforms["filter"] = NONE if camera.polariser is None else CAMERA
-    axis = camera.filter_axis
-    uniforms |= {f"filter_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    uniforms |= _vector("filter_axis", camera.filter_axis)
     uniforms |= _occulter_uniforms(source.occulter)
     if source.occulter is not None:
         uniforms["disc"] *= disc_factor(source.occulter.left)
     uniforms |= shading_uniforms(source.phase, source.limb, sun_level, float(sun[2]))
-    for name, axis in zip(("right", "up", "forward"), axes, strict=True):
-        uniforms |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    for name, axis in zip(("right", "up", "forward"), camera.axes, strict=True):
+        uniforms |= _vector(name, axis)
     ground = solution.medium.surface.map
     rows = NOMINAL_ROWS if ground is None else surface_map(ground).rows
     cell = finest_cell(bottom, rows)
     uniforms |= {"detailed": float(scene.ground == "detailed"), "detail_cell": cell}
     for name, row in zip("xyz", scene.ground_frame, strict=True):
-        uniforms |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
+        uniforms |= _vector(f"ground_{name}", row)
         whole, part = lattice_origin(float(row[2]), bottom, cell)
         uniforms |= {f"whole_{name}": whole, f"part_{name}": part}
     return uniforms
+
+
+def _vector(name: str, values: FloatArray) -> dict[str, float]:
+    """Uniforms of a ``Vec3``."""
+    return {f"{name}_{c}": float(value) for c, value in zip("xyz", values, strict=True)}
 
 
 def _occulter_uniforms(occulter: Occulter | None) -> dict[str, float]:
@@ -116,14 +120,11 @@ def _occulter_uniforms(occulter: Occulter | None) -> dict[str, float]:
 
 def observer_from(uniforms: Mapping[str, float]) -> Observer:
     """``Observer`` from the uniforms of a scene and of the orders of scattering."""
-    values: dict[str, Any] = {name: float(uniforms[name]) for name in Observer._fields}
-    values["outside"] = bool(values["outside"])
-    values["orders"] = int(values["orders"])
-    return Observer(**values)
+    return Observer(**scalars_of(Observer, uniforms))
 
 
 def cpu_view_uniforms(
-    uniforms: Mapping[str, float],
+    uniforms: dict[str, float],
     camera: Camera,
     ground: SurfaceMap | None,
     overlay: SurfaceMap | None,
@@ -133,7 +134,7 @@ def cpu_view_uniforms(
 
     Parameters
     ----------
-    uniforms : mapping
+    uniforms : dict
         Numbers of the scene, and whether the star's disc is rendered.
     camera : Camera
         Camera of the scene.
@@ -144,37 +145,20 @@ def cpu_view_uniforms(
     layers : SkyViewLayers
         Layers of a window of the sky-view LUT.
     """
-    values: dict[str, Any] = {
-        name: float(uniforms[name]) for name in ViewUniforms._fields if name in uniforms
-    }
-    values |= map_uniforms(ground) | overlay_size_uniforms(overlay)
-    values |= {
-        "width": float(camera.width),
-        "height": float(camera.height),
-        "projection": int(uniforms["projection"]),
-        "draws_disc": bool(uniforms["draws_disc"]),
-        "draws_air": bool(uniforms["draws_air"]),
-        "phased": bool(uniforms["phased"]),
-        "filter": int(uniforms["filter"]),
-        "samples": int(uniforms["samples"]),
-        "edges": bool(uniforms["edges"]),
-        "mapped": ground is not None,
-        "overlaid": overlay is not None,
-        "clouded": bool(uniforms["clouded"]),
-        "detailed": bool(uniforms["detailed"]),
-        "texels": np.zeros(CHANNELS, np.uint8) if ground is None else ground.flat,
-        "over_texels": np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat,
-        "sky_columns": 0,
-        "sky_rows": 0,
-        "separated_phases": len(layers.first) > 1,
-        "sky_air": layers.air,
-        "sky_ground": layers.ground,
-        "sky_first": layers.first,
-        "sky_second": layers.second,
-        "sky_q": layers.stokes_q,
-        "sky_u": layers.stokes_u,
-    }
-    return ViewUniforms(**values)
+    uniforms = uniforms | map_uniforms(ground) | overlay_size_uniforms(overlay)
+    uniforms |= {"width": camera.width, "height": camera.height, "sky_columns": 0, "sky_rows": 0}
+    uniforms["separated_phases"] = len(layers.first) > 1
+    return ViewUniforms(
+        **scalars_of(ViewUniforms, uniforms),
+        texels=np.zeros(CHANNELS, np.uint8) if ground is None else ground.flat,
+        over_texels=np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat,
+        sky_air=layers.air,
+        sky_ground=layers.ground,
+        sky_first=layers.first,
+        sky_second=layers.second,
+        sky_q=layers.stokes_q,
+        sky_u=layers.stokes_u,
+    )
 
 
 def map_uniforms(ground: SurfaceMap | None) -> dict[str, int]:

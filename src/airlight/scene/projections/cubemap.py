@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import floor, sqrt
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.projections.projection import Projection
 
@@ -27,13 +28,13 @@ def cube_ray(x, y, width, height, field_of_view):
 
     Returns
     -------
-    right, up, forward : float
-        Unit vector. [1]
+    Vec3
+        Unit vector: right, up, forward. [1]
 
     Examples
     --------
     >>> cube_ray(4.5, 0.5, 6, 1, 6.283185307179586)  # the middle of the fifth face
-    (0.0, 0.0, 1.0)
+    Vec3(x=0.0, y=0.0, z=1.0)
     """
     face = min(max(floor(x / height), 0), 5)
     across = 2.0 * (x / height - face) - 1.0
@@ -51,7 +52,7 @@ def cube_ray(x, y, width, height, field_of_view):
     else:
         right, up, forward = -across, above, -1.0
     length = sqrt(1.0 + across * across + above * above)
-    return right / length, up / length, forward / length
+    return Vec3(right / length, up / length, forward / length)
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:

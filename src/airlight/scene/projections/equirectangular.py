@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from math import cos, pi, sin
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.projections.projection import Projection
 
@@ -26,8 +27,8 @@ def panorama_ray(x, y, width, height, field_of_view):
 
     Returns
     -------
-    right, up, forward : float
-        Unit vector. [1]
+    Vec3
+        Unit vector: right, up, forward. [1]
 
     Examples
     --------
@@ -37,7 +38,7 @@ def panorama_ray(x, y, width, height, field_of_view):
     azimuth = 2.0 * pi * (x / width - 0.5)
     elevation = pi * (0.5 - y / height)
     level = cos(elevation)
-    return level * sin(azimuth), sin(elevation), level * cos(azimuth)
+    return Vec3(level * sin(azimuth), sin(elevation), level * cos(azimuth))
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:

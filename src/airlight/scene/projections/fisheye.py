@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import cos, sin, sqrt
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.projections.projection import Projection
 
@@ -26,13 +27,13 @@ def fisheye_ray(x, y, width, height, field_of_view):
 
     Returns
     -------
-    right, up, forward : float
-        Unit vector, zero outside the circle. [1]
+    Vec3
+        Unit vector: right, up, forward; zero outside the circle. [1]
 
     Examples
     --------
     >>> fisheye_ray(2.0, 2.0, 4, 4, 3.0)  # the centre
-    (0.0, 0.0, 1.0)
+    Vec3(x=0.0, y=0.0, z=1.0)
     """
     diameter = min(width, height)
     across = 2.0 * x - width
@@ -40,11 +41,11 @@ def fisheye_ray(x, y, width, height, field_of_view):
     square = across * across + up * up
     # Both sides are whole numbers for the pixels' centres: no rounding decides on the rim.
     if square > diameter * diameter:
-        return 0.0, 0.0, 0.0
+        return Vec3(0.0, 0.0, 0.0)
     distance = sqrt(square)
     theta = 0.5 * field_of_view * distance / diameter
     scale = sin(theta) / max(distance, 1e-12)  # at the centre both components are 0
-    return scale * across, scale * up, cos(theta)
+    return Vec3(scale * across, scale * up, cos(theta))
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:

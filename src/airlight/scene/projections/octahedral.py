@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from math import cos, pi, sin, sqrt
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.projections.projection import Projection
 
@@ -31,8 +32,8 @@ def octahedral_ray(x, y, width, height, field_of_view):
 
     Returns
     -------
-    right, up, forward : float
-        Unit vector. [1]
+    Vec3
+        Unit vector: right, up, forward. [1]
 
     References
     ----------
@@ -54,7 +55,7 @@ def octahedral_ray(x, y, width, height, field_of_view):
     level = r * sqrt(max(2.0 - r * r, 0.0))
     right, forward = level * cos(angle), level * sin(angle)
     up = r * r - 1.0 if lower else 1.0 - r * r
-    return (-right if u < 0.0 else right), up, (-forward if v < 0.0 else forward)
+    return Vec3(-right if u < 0.0 else right, up, -forward if v < 0.0 else forward)
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from math import sin, sqrt
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.projections.projection import Projection
 
@@ -28,21 +29,21 @@ def orthographic_ray(x, y, width, height, field_of_view):
 
     Returns
     -------
-    right, up, forward : float
-        Unit vector, zero more than a quarter of a turn off the axis. [1]
+    Vec3
+        Unit vector: right, up, forward; zero more than a quarter of a turn off the axis. [1]
 
     Examples
     --------
     >>> orthographic_ray(3.0, 1.0, 4, 2, 2.0 * math.asin(0.5))  # half-way to the right edge
-    (0.25, 0.0, 0.9682458365518543)
+    Vec3(x=0.25, y=0.0, z=0.9682458365518543)
     """
     edge = sin(0.5 * field_of_view)
     right = (2.0 * x - width) / width * edge
     up = (height - 2.0 * y) / width * edge
     square = right * right + up * up
     if square > 1.0:
-        return 0.0, 0.0, 0.0
-    return right, up, sqrt(1.0 - square)
+        return Vec3(0.0, 0.0, 0.0)
+    return Vec3(right, up, sqrt(1.0 - square))
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from math import cos, sin, sqrt
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.projections.projection import Projection
 
@@ -24,8 +25,8 @@ def perspective_ray(x, y, width, height, field_of_view):
 
     Returns
     -------
-    right, up, forward : float
-        Unit vector. [1]
+    Vec3
+        Unit vector: right, up, forward. [1]
 
     Examples
     --------
@@ -36,7 +37,7 @@ def perspective_ray(x, y, width, height, field_of_view):
     right = (2.0 * x - width) / width * slope
     up = (height - 2.0 * y) / width * slope
     length = sqrt(1.0 + right * right + up * up)
-    return right / length, up / length, 1.0 / length
+    return Vec3(right / length, up / length, 1.0 / length)
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:

@@ -22,12 +22,8 @@ projected_ray = chosen_kernel(
 def _fill(projection, x, y, width, height, field_of_view, out):
     for row in range(y.size):
         for column in range(x.size):
-            right, up, forward = projected_ray(
-                projection, x[column], y[row], width, height, field_of_view
-            )
-            out[row, column, 0] = right
-            out[row, column, 1] = up
-            out[row, column, 2] = forward
+            ray = projected_ray(projection, x[column], y[row], width, height, field_of_view)
+            out[row, column, 0], out[row, column, 1], out[row, column, 2] = ray
 
 
 def projected_rays(

@@ -16,13 +16,21 @@ from airlight.physics.optics.altitude_nodes import node_value
 from airlight.physics.optics.moon_phase import moon_phase_factor
 from airlight.render.gpu.emit.emitter import Emitter
 from airlight.render.gpu.emit.javascript import JAVASCRIPT
-from airlight.render.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, ShaderTable, Value
+from airlight.render.gpu.emit.shader_types import (
+    F32,
+    I32,
+    VEC3,
+    VEC4,
+    LocalArray,
+    ShaderTable,
+    Value,
+)
 from airlight.render.pixels.disc_shading import OCCULTER, SHADING, phase_shading
 from airlight.render.pixels.light_visibility import light_visibility
 from airlight.render.pixels.observer_uniforms import observer_uniforms
 from airlight.render.pixels.occulted_light import disc_factor, light_left
 from airlight.scene import flight, great_circle, ground_detail, sun_time
-from airlight.scene.directions import camera_frame, direction_of, filter_axis
+from airlight.scene.directions import camera_frame, direction_of, rolled
 from airlight.scene.metering import left_out, metering_weight
 from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
@@ -48,7 +56,7 @@ _STARS: Final = ("bright", "weight", "near", "light")
 FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     direction_of: (),
     camera_frame: (),
-    filter_axis: (),
+    rolled: (VEC3, VEC3, F32),
     ground_axes: (),
     observer_uniforms: (),
     apparent_sun_cosine: (F32, F32, F32, F32, ShaderTable("refraction_table", 3)),
@@ -56,7 +64,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     exposure_with_stars: (*(ShaderTable(one) for one in _STARS), I32, F32, F32),
     eased: (),
     left_out: (),
-    metering_weight: (I32, *(F32 for _ in range(9))),
+    metering_weight: (I32, *(F32 for _ in range(5)), VEC3, F32),
     glare_levels: (),
     glare_share: (),
     great_circle.compass: (),

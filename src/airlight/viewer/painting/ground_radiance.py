@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.physics.optics import water
-from airlight.physics.optics.clouds import under_clouds
+from airlight.physics.optics.clouds import GroundFactors, under_clouds
 from airlight.physics.optics.cox_munk import mirrored_cosine
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct, cos_reflected
 from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
@@ -82,14 +82,9 @@ def ground_radiance(
         diffuse, specular = water.brdf_diffuse(ground, mu_r)
         sky_diffuse, mirrored = sky_diffuse + share * diffuse, share * specular
     if clouds is not None:
+        clear = GroundFactors(star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored)
         star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = under_clouds(
-            *clouds,
-            ground.cloud_albedo,
-            star_diffuse,
-            star_specular,
-            sky_diffuse,
-            sky_specular,
-            mirrored,
+            *clouds, ground.cloud_albedo, clear
         )
     by_sky = _factor((sky_diffuse, sky_specular), albedo)
     if mirrored > 0.0:

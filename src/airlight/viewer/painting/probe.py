@@ -18,7 +18,7 @@ from airlight.image.texels import CHANNELS
 from airlight.image.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.render.cpu_renderer import color_weights
-from airlight.render.pixels.disc_shading import disc_powers, shading_uniforms
+from airlight.render.pixels.disc_shading import MoonPhase, disc_powers, shading_uniforms
 from airlight.render.pixels.occulted_light import DARKEST
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
@@ -301,7 +301,7 @@ def _star(
     along = float((outside - towards) @ [across, aside, numbers["limb_z"]]) / max(apart, 1e-12)
     powers = disc_powers(
         1.0 / (left * sun_solid_angle(alpha)), apart, alpha, 0.0, along, star.phase is not None,
-        numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"],
+        MoonPhase(numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"]),
     )  # fmt: skip
     return np.asarray(transmittance * star.irradiance * (star.darkenings @ powers))
 

@@ -25,6 +25,7 @@ from airlight.render.gpu.emit.shader_types import (
     Scalar,
     ShaderTable,
     StructValue,
+    TupleType,
     UniformValue,
     Value,
     joined,
@@ -44,8 +45,8 @@ class Calls(Scope, ABC):
     def write(self, node: ast.expr) -> tuple[str, Value | None]:
         """Emit an expression: text and type, None for a call without result."""
 
-    def as_scalar(self, node: ast.expr, wanted: Scalar) -> str:
-        """Emit an expression, cast to a scalar type."""
+    def as_scalar(self, node: ast.expr, wanted: Scalar | TupleType) -> str:
+        """Emit an expression, cast to a scalar type, or of the type of a NamedTuple."""
         text, found = self.write(node)
         try:
             return self.cast(text, found, wanted)
@@ -131,6 +132,12 @@ class Calls(Scope, ABC):
                 return self.lane_call(node, name)
         if called is channel_of:
             return self.channel(node)
+        if hasattr(called, "_fields"):
+            kind = self.emitter.record_type(called)
+            if len(node.args) != len(kind.items):
+                raise self.refuse(node, f"{len(kind.items)} fields")
+            pairs = zip(node.args, kind.items, strict=True)
+            return self.dialect.tuple_expr(kind, [self.as_scalar(*pair) for pair in pairs]), kind
         if inspect.isfunction(getattr(called, "py_func", called)):
             return self.kernel_call(node, called)
         raise self.refuse(node, "is not known here")

@@ -13,6 +13,7 @@ from airlight.render.gpu.emit.shader_types import (
     BOOL,
     F32,
     I32,
+    VEC3,
     VEC4,
     Constant,
     LocalArray,
@@ -59,7 +60,7 @@ class Dialect(ABC):
         """Name of a type."""
 
     @abstractmethod
-    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
+    def declared(self, name: str, kind: Scalar | LocalArray | TupleType) -> str:
         """Declaration of an uninitialised variable."""
 
     @abstractmethod
@@ -67,7 +68,7 @@ class Dialect(ABC):
         """Declaration of an immutable variable."""
 
     @abstractmethod
-    def variable(self, name: str, kind: Scalar, text: str) -> str:
+    def variable(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         """Declaration of a mutable variable with its initial value."""
 
     @abstractmethod
@@ -84,9 +85,9 @@ class Dialect(ABC):
     def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
         """Tuple expression."""
 
-    @abstractmethod
-    def part(self, text: str, index: int) -> str:
-        """Element of a tuple."""
+    def part(self, text: str, index: int, kind: TupleType | None = None) -> str:
+        """Element of a tuple; the type distinguishes a vector."""
+        return f"{text}.{'xyz'[index] if kind == VEC3 else f'v{index}'}"
 
     @abstractmethod
     def convert(self, text: str, wanted: Scalar) -> str:
@@ -209,4 +210,4 @@ class ShaderDialect(Dialect):
 
 
 #: Type names in GLSL and HLSL.
-PLAIN_NAMES = {F32: "float", I32: "int", BOOL: "bool", VEC4: "vec4"}
+PLAIN_NAMES = {F32: "float", I32: "int", BOOL: "bool", VEC4: "vec4", VEC3: "vec3"}

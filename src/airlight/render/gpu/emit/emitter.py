@@ -18,11 +18,14 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any, Final
 
+from airlight.kernel.shader_fields import shader_fields
 from airlight.render.gpu.emit import single_precision
 from airlight.render.gpu.emit.dialect import Dialect, ShaderDialect
 from airlight.render.gpu.emit.lane_views import LaneViews
 from airlight.render.gpu.emit.scope import SubsetError
 from airlight.render.gpu.emit.shader_types import (
+    SCALARS,
+    VEC3,
     LocalArray,
     Scalar,
     ShaderTable,
@@ -111,16 +114,31 @@ class Emitter:
         self.emitted[key] = made
         return made
 
-    def tuple_type(self, items: Sequence[Scalar]) -> TupleType:
+    def tuple_type(self, items: Sequence[Scalar | TupleType]) -> TupleType:
         """Struct that represents a tuple.
 
         Parameters
         ----------
-        items : sequence of Scalar
+        items : sequence of Scalar or TupleType
             Types of the members.
         """
         several = TupleType(tuple(items))
         return self.tuples.setdefault(several.name, several)
+
+    def record_type(self, kind: Any) -> TupleType:
+        """Struct that represents a NamedTuple.
+
+        Parameters
+        ----------
+        kind : type
+            NamedTuple of numbers, and of NamedTuples of such.
+        """
+        items = tuple(
+            self.record_type(one.kind) if one.is_group else SCALARS[one.kind]
+            for one in shader_fields(kind)
+        )
+        record = TupleType(items, kind.__name__, kind._fields)
+        return record if record == VEC3 else self.tuples.setdefault(record.name, record)
 
     def module_array(self, name: str, kind: LocalArray) -> LocalArray:
         """Array declared at module scope in languages that require it; otherwise unchanged.

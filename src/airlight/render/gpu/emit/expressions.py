@@ -73,13 +73,20 @@ class Expressions(Calls):
         found = self.bound(node)
         if isinstance(found, UniformValue):
             return self.dialect.uniform(found.text, found.scalar), found.scalar
+        if isinstance(found, StructValue) and found.vector is not None:
+            members = [ast.Attribute(node, name, ast.Load()) for name in found.fields]
+            parts = [self.as_scalar(ast.copy_location(one, node), F32) for one in members]
+            return self.dialect.tuple_expr(found.vector, parts), found.vector
         if isinstance(found, (ShaderTable, StructValue)):
             return "", found
         if isinstance(found, LocalArray):
             return self.array_name(node)[0], found
         if isinstance(found, (Scalar, TupleType)):
-            assert isinstance(node, ast.Name)
-            return self.mangle(node.id), found
+            if isinstance(node, ast.Name):
+                return self.mangle(node.id), found
+            text, owner = self.write(node.value)
+            assert isinstance(owner, TupleType)
+            return self.dialect.part(text, owner.fields.index(node.attr), owner), found
         raise self.refuse(node, "is not known here")
 
     def operation(self, node: ast.BinOp) -> tuple[str, Value]:

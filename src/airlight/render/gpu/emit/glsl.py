@@ -63,9 +63,9 @@ void main() {
     def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)}[{kind.size}]"
-        return PLAIN_NAMES[kind] if isinstance(kind, Scalar) else kind.name
+        return PLAIN_NAMES.get(kind, kind.name)
 
-    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
+    def declared(self, name: str, kind: Scalar | LocalArray | TupleType) -> str:
         if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)} {name}[{kind.size}];"
         return f"{self.type_name(kind)} {name};"
@@ -73,7 +73,7 @@ void main() {
     def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"{self.type_name(kind)} {name} = {text};"
 
-    def variable(self, name: str, kind: Scalar, text: str) -> str:
+    def variable(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return self.let(name, kind, text)
 
     def head(
@@ -87,10 +87,7 @@ void main() {
         return f"struct {kind.name} {{ {parts} }};\n"
 
     def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
-        return f"{kind.name}({', '.join(parts)})"
-
-    def part(self, text: str, index: int) -> str:
-        return f"{text}.v{index}"
+        return f"{self.type_name(kind)}({', '.join(parts)})"
 
     def convert(self, text: str, wanted: Scalar) -> str:
         return f"{PLAIN_NAMES[wanted]}({text})"

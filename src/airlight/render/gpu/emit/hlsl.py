@@ -15,6 +15,7 @@ from airlight.render.gpu.emit.shader_types import (
     BOOL,
     F32,
     I32,
+    VEC3,
     VEC4,
     LocalArray,
     Scalar,
@@ -23,7 +24,7 @@ from airlight.render.gpu.emit.shader_types import (
 )
 from airlight.render.gpu.emit.single_precision import MATHEMATICS
 
-_NAMES: Final = {F32: "float", I32: "int", BOOL: "bool", VEC4: "float4"}
+_NAMES: Final = {F32: "float", I32: "int", BOOL: "bool", VEC4: "float4", VEC3: "float3"}
 
 #: HLSL's keywords, reserved words and those intrinsic functions that a shader might redefine.
 _RESERVED: Final = """
@@ -70,9 +71,9 @@ float4 main(uint vertex : SV_VertexID) : SV_Position {
     def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)}[{kind.size}]"
-        return _NAMES[kind] if isinstance(kind, Scalar) else kind.name
+        return _NAMES.get(kind, kind.name)
 
-    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
+    def declared(self, name: str, kind: Scalar | LocalArray | TupleType) -> str:
         if isinstance(kind, LocalArray):  # a variable of the module; without static, a constant
             return f"static {self.type_name(kind.element)} {name}[{kind.size}];"
         return f"{self.type_name(kind)} {name};"
@@ -80,7 +81,7 @@ float4 main(uint vertex : SV_VertexID) : SV_Position {
     def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"{self.type_name(kind)} {name} = {text};"
 
-    def variable(self, name: str, kind: Scalar, text: str) -> str:
+    def variable(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return self.let(name, kind, text)
 
     def head(
@@ -101,10 +102,8 @@ float4 main(uint vertex : SV_VertexID) : SV_Position {
         )
 
     def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
-        return f"make_{kind.name}({', '.join(parts)})"
-
-    def part(self, text: str, index: int) -> str:
-        return f"{text}.v{index}"
+        made = _NAMES.get(kind, f"make_{kind.name}")
+        return f"{made}({', '.join(parts)})"
 
     def convert(self, text: str, wanted: Scalar) -> str:
         return f"(({_NAMES[wanted]})({text}))"

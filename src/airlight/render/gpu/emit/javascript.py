@@ -52,7 +52,7 @@ class JavaScript(Dialect):
     def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         return kind.name
 
-    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
+    def declared(self, name: str, kind: Scalar | LocalArray | TupleType) -> str:
         if isinstance(kind, LocalArray):
             return f"const {name} = new Float64Array({kind.size});"
         return f"let {name};"
@@ -60,7 +60,7 @@ class JavaScript(Dialect):
     def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"const {name} = {text};"
 
-    def variable(self, name: str, kind: Scalar, text: str) -> str:
+    def variable(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"let {name} = {text};"
 
     def head(
@@ -74,7 +74,7 @@ class JavaScript(Dialect):
     def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"[{', '.join(parts)}]"
 
-    def part(self, text: str, index: int) -> str:
+    def part(self, text: str, index: int, kind: TupleType | None = None) -> str:
         return f"{text}[{index}]"
 
     def convert(self, text: str, wanted: Scalar) -> str:

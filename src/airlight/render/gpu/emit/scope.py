@@ -74,8 +74,11 @@ class Functions(Protocol):
     def add(self, function: Callable[..., Any], *arguments: Value) -> Callee:
         """Emit a function."""
 
-    def tuple_type(self, items: Sequence[Scalar]) -> TupleType:
+    def tuple_type(self, items: Sequence[Scalar | TupleType]) -> TupleType:
         """Struct that represents a tuple."""
+
+    def record_type(self, kind: Any) -> TupleType:
+        """Struct that represents a NamedTuple."""
 
     def module_array(self, name: str, kind: LocalArray) -> LocalArray:
         """Array declared in the module."""
@@ -155,8 +158,10 @@ class Scope:
         text = repr(float(value))
         return text if any(mark in text for mark in ".en") else f"{text}.0"
 
-    def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
+    def cast(self, text: str, found: Value | None, wanted: Scalar | TupleType) -> str:
         """Expression with an implicit conversion to another type."""
+        if found == wanted:
+            return text
         if found is None or isinstance(found, (ShaderTable, StructValue, LocalArray, TupleType)):
             raise SubsetError(f"{self.function.__qualname__}: {text} is not a number")
         kind = run_time(found)
@@ -231,6 +236,8 @@ class Scope:
             owner = self.bound(node.value)
             if isinstance(owner, StructValue):
                 return owner.fields.get(node.attr)
+            if isinstance(owner, TupleType) and node.attr in owner.fields:
+                return owner.items[owner.fields.index(node.attr)]
             if isinstance(owner, LocalArray) and node.attr == "size":
                 return Constant(owner.size)
             if inspect.ismodule(owner):

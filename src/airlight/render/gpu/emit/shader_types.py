@@ -32,6 +32,8 @@ F32: Final = Scalar("f32")
 I32: Final = Scalar("i32")
 BOOL: Final = Scalar("bool")
 VEC4: Final = Scalar("vec4f")
+#: Types of the fields of a NamedTuple.
+SCALARS: Final = {float: F32, int: I32, bool: BOOL}
 
 
 @dataclass(frozen=True)
@@ -118,9 +120,12 @@ class StructValue:
     ----------
     fields : mapping from str to Value
         Fields in the order of the tuple.
+    vector : TupleType, optional
+        Type as which a vector, whose fields are all numbers, is passed at run time.
     """
 
     fields: Mapping[str, Value]
+    vector: TupleType | None = None
 
     def __hash__(self) -> int:
         return hash(tuple(self.fields.items()))
@@ -128,15 +133,30 @@ class StructValue:
 
 @dataclass(frozen=True)
 class TupleType:
-    """Type of a tuple result."""
+    """Type of a tuple, or of a NamedTuple that a function makes.
 
-    items: tuple[Scalar, ...]
+    Attributes
+    ----------
+    items : tuple of Scalar or TupleType
+        Types of the members.
+    label : str
+        Name of the NamedTuple.
+    fields : tuple of str
+        Its fields.
+    """
+
+    items: tuple[Scalar | TupleType, ...]
+    label: str = ""
+    fields: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
         """Name of its struct."""
-        return "Tuple_" + "_".join(item.name for item in self.items)
+        return self.label or "Tuple_" + "_".join(item.name for item in self.items)
 
+
+#: ``geometry.vectors.Vec3``, for which shading languages have a type of their own.
+VEC3: Final = TupleType((F32, F32, F32), "Vec3", ("x", "y", "z"))
 
 Value = Scalar | Constant | UniformValue | ShaderTable | LocalArray | StructValue | TupleType
 

@@ -127,18 +127,18 @@ class FunctionBody:
         changed = _assigned(self.tree)
         handed = self.made.argument_lists(self.dialect)
         for name, kind in (one for several in handed for one in several):
-            if isinstance(kind, Scalar) and name in changed:
+            if isinstance(kind, (Scalar, TupleType)) and name in changed:
                 given = f"{spell(name)}_given"
                 heads.append((given, kind))
                 now = self.names[name]
-                assert isinstance(now, Scalar)
-                if now != kind:
+                assert isinstance(now, (Scalar, TupleType))
+                if isinstance(now, Scalar) and now != kind:
                     given = self.dialect.convert(given, now)
                 copies.append(f"  {self.dialect.variable(spell(name), now, given)}")
             else:
                 heads.append((spell(name), kind))
         for name, value in self.names.items():
-            if name in parameters or not isinstance(value, (Scalar, LocalArray)):
+            if name in parameters or not isinstance(value, (Scalar, LocalArray, TupleType)):
                 continue
             if not (isinstance(value, LocalArray) and value.variable):
                 copies.append(f"  {self.dialect.declared(spell(name), value)}")
@@ -306,10 +306,13 @@ class FunctionBody:
             return
         if isinstance(node.value, ast.Tuple):
             written = [self.expressions.write(one) for one in node.value.elts]
-            items = [self.expressions.number(node, value) for _, value in written]
+            items = [
+                value if isinstance(value, TupleType) else self.expressions.number(node, value)
+                for _, value in written
+            ]
             before = self.made.result
             if isinstance(before, TupleType) and len(before.items) == len(items):
-                items = [joined(a, b) for a, b in zip(before.items, items, strict=True)]
+                items = [_promoted(a, b) for a, b in zip(before.items, items, strict=True)]
             several = self.expressions.emitter.tuple_type(items)
             parts = [
                 self.expressions.cast(text, value, item)
@@ -348,7 +351,7 @@ class FunctionBody:
             self.expressions.declare(target, target.id, found)
             return
         kind = run_time(found)
-        if isinstance(kind, TupleType):
+        if isinstance(kind, TupleType) and not kind.label:
             raise self.refuse(target, "a tuple is taken apart where it is made")
         if isinstance(kind, LocalArray):
             if text:
@@ -360,7 +363,7 @@ class FunctionBody:
             return
         self.expressions.declare(target, target.id, kind)
         now = self.names[target.id]
-        assert isinstance(now, Scalar)
+        assert isinstance(now, (Scalar, TupleType))
         mangle = self.expressions.mangle(target.id)
         self.add_line(depth, f"{mangle} = {self.expressions.cast(text, found, now)};")
 
@@ -402,7 +405,7 @@ class FunctionBody:
         several = f"several_{self.temporaries}"
         self.add_line(depth, self.dialect.let(several, found, text))
         for i, (one, kind) in enumerate(zip(target.elts, found.items, strict=True)):
-            self.assign_element(one, self.dialect.part(several, i), kind, depth)
+            self.assign_element(one, self.dialect.part(several, i, found), kind, depth)
 
     def assign_element(self, target: ast.expr, text: str, found: Value | None, depth: int) -> None:
         """Emit the assignment of one tuple element."""
@@ -415,6 +418,11 @@ class FunctionBody:
             self.add_line(depth, f"{place} = {self.expressions.cast(text, found, kind)};")
             return
         raise self.refuse(target, "cannot be assigned to")
+
+
+def _promoted(first: Scalar | TupleType, second: Scalar | TupleType) -> Scalar | TupleType:
+    """Common type of a member of two tuples."""
+    return joined(first, second) if isinstance(first, Scalar) else first  # type: ignore[arg-type]
 
 
 def _is_not_unrolled(node: ast.For) -> bool:

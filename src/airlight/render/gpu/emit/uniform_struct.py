@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +19,8 @@ from airlight.kernel.shader_fields import CHOICE, Always, InTexture, ShaderField
 from airlight.render.gpu.emit.dialect import ShaderDialect
 from airlight.render.gpu.emit.shader_types import (
     BOOL,
-    F32,
-    I32,
+    SCALARS,
+    VEC3,
     Constant,
     Scalar,
     StructValue,
@@ -34,8 +34,6 @@ Float32Array = NDArray[np.float32]
 Place = tuple[int, ...]
 #: Scalars bound as constants.
 Fixed = tuple[tuple[str, int | bool], ...]
-
-_SCALARS: Final = {float: F32, int: I32, bool: BOOL}
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,9 +78,9 @@ class UniformStruct:
                 continue
             if isinstance(one.mark, Always):
                 continue
-            if one.kind not in _SCALARS:
+            if one.kind not in SCALARS:
                 raise TypeError(f"{one.name} is an array without a mark of its texture")
-            self.numbers[one.name] = _SCALARS[one.kind]
+            self.numbers[one.name] = SCALARS[one.kind]
             if one.kind is bool or one.mark is CHOICE:
                 choices.append(one.name)
         object.__setattr__(self, "choices", tuple(dict.fromkeys(choices)))
@@ -130,7 +128,10 @@ class UniformStruct:
         known = dict(fixed)
         fields: dict[str, Value] = {}
         for one in shader_fields(kind):
-            if _is_group(one):
+            if one.vector:
+                numbers = {of: self.uniform(f"{one.name}_{of}") for of in one.vector}
+                fields[one.name] = StructValue(numbers, VEC3 if one.vector == VEC3.fields else None)
+            elif one.is_group:
                 fields[one.name] = self.struct_value(one.kind, fixed)
             elif isinstance(one.mark, Always):
                 fields[one.name] = Constant(one.mark.value)
@@ -257,14 +258,12 @@ class UniformStruct:
         return out
 
 
-def _is_group(one: ShaderField) -> bool:
-    return hasattr(one.kind, "_fields")
-
-
 def _leaves(bundle: Any) -> Iterable[ShaderField]:
     """Scalars and tables of a NamedTuple, including nested ones."""
     for one in shader_fields(bundle):
-        if _is_group(one):
+        if one.vector:
+            yield from (ShaderField(f"{one.name}_{of}", float, None) for of in one.vector)
+        elif one.is_group:
             yield from _leaves(one.kind)
         else:
             yield one

@@ -8,6 +8,7 @@ from typing import ClassVar, Final
 
 from airlight.render.gpu.emit.dialect import Named, ShaderDialect
 from airlight.render.gpu.emit.shader_types import (
+    VEC3,
     LocalArray,
     Scalar,
     ShaderTable,
@@ -51,19 +52,17 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
 """
 
     def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
-        return (
-            f"array<{kind.element.name}, {kind.size}>"
-            if isinstance(kind, LocalArray)
-            else kind.name
-        )
+        if isinstance(kind, LocalArray):
+            return f"array<{kind.element.name}, {kind.size}>"
+        return "vec3f" if kind == VEC3 else kind.name
 
-    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
+    def declared(self, name: str, kind: Scalar | LocalArray | TupleType) -> str:
         return f"var {name}: {self.type_name(kind)};"
 
     def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"let {name} = {text};"
 
-    def variable(self, name: str, kind: Scalar, text: str) -> str:
+    def variable(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"var {name} = {text};"
 
     def head(
@@ -75,18 +74,15 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
             else f"{one}: {self.type_name(kind)}"
             for one, kind in parameters
         ]
-        arrow = "" if result is None else f" -> {result.name}"
+        arrow = "" if result is None else f" -> {self.type_name(result)}"
         return f"fn {name}({', '.join(written)}){arrow} {{"
 
     def struct(self, kind: TupleType) -> str:
-        parts = ", ".join(f"v{i}: {item.name}" for i, item in enumerate(kind.items))
+        parts = ", ".join(f"v{i}: {self.type_name(item)}" for i, item in enumerate(kind.items))
         return f"struct {kind.name} {{ {parts} }}\n"
 
     def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
-        return f"{kind.name}({', '.join(parts)})"
-
-    def part(self, text: str, index: int) -> str:
-        return f"{text}.v{index}"
+        return f"{self.type_name(kind)}({', '.join(parts)})"
 
     def convert(self, text: str, wanted: Scalar) -> str:
         return f"{wanted.name}({text})"

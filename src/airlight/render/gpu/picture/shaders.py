@@ -25,7 +25,7 @@ from airlight.render.gpu.emit.uniform_struct import Fixed
 from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.render.pixels.ground import GROUND_VALUES
-from airlight.render.pixels.pixel import ViewUniforms
+from airlight.render.pixels.pixel import FrameTables, ViewUniforms
 from airlight.render.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
 from airlight.render.pixels.samples import light_of_centre, sampled_light
 from airlight.render.pixels.sky_view_lut import Observer, sky_view_texel
@@ -141,24 +141,21 @@ def _sky_shader(
     polarised: bool = False,
 ) -> Shader:
     emitter = Emitter(dialect)
-    found = emitter.module_array("result", LocalArray(6 if polarised else 4, VEC4))
     made = emitter.add(
-        sky_view_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
-        FRAME.struct_value(Observer), FRAME.struct_value(MarchTables), march_workspace(emitter),
-        found,
+        sky_view_texel, I32, I32, _whole_window(), Constant(air), Constant(peaks),
+        Constant(polarised), FRAME.struct_value(Observer), FRAME.struct_value(MarchTables),
+        march_workspace(emitter),
         name=function,
     )  # fmt: skip
-    columns, rows = (
-        dialect.uniform(FRAME.uniform(one).text, I32) for one in ("sky_columns", "sky_rows")
-    )
-    places = ("number % columns", "number / columns", "columns", rows)
+    columns = dialect.uniform(FRAME.uniform("sky_columns").text, I32)
+    places = ("number % columns", "number / columns")
     x, y = dialect.convert("at.x", I32), dialect.convert("at.y", I32)
     body = [
         dialect.let("columns", I32, columns),
         dialect.let("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
         *filled_by(made, places, dialect),
     ]
-    entry = dialect.fragment(name, 2, body, [f"result[{layer}]" for layer in layers])
+    entry = dialect.fragment(name, 2, body, [f"work_radiance[{layer}]" for layer in layers])
     return assembled(name, {name: entry}, emitter)
 
 
@@ -219,11 +216,13 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     kinds = {"color": LocalArray(GROUND_VALUES)}
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
-        light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
-        _whole_window(), FRAME.struct_value(Observer, fixed),
-        FRAME.struct_value(ViewUniforms, fixed),
-        FRAME.struct_value(MarchTables, fixed), march_workspace(emitter), *arrays,
-        name="light_of_pixel",
+        light_of_centre if once else sampled_light, F32, F32, Constant(exact),
+        StructValue(dict(zip(FrameTables._fields, (
+            Constant(_NO_REACH), _whole_window(), *(
+                FRAME.struct_value(one, fixed) for one in (Observer, ViewUniforms, MarchTables)
+            ),
+        ), strict=True))),
+        march_workspace(emitter), *arrays, name="light_of_pixel",
     )  # fmt: skip
     column, row = (f"at.{at} + {FRAME.uniform(name).text}" for at, name in (
         ("x", "first_column"), ("y", "first_row"),

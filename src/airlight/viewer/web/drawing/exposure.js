@@ -31,7 +31,7 @@ export function automaticExposure(rgba, [width, height], camera, projection, sta
     const [x, y] = [(i % width) + 0.5, Math.floor(i / width) + 0.5];
     if (!Number.isFinite(bright)) continue;
     const weights = towards.map((seen, i) =>
-      metering_weight(projection, x, y, width, height, fieldOfView, ...seen, cosines[i]),
+      metering_weight(projection, x, y, width, height, fieldOfView, seen, cosines[i]),
     );
     const light = weights.findIndex((weight) => weight < 0);
     const solid = Math.abs(weights[0]);

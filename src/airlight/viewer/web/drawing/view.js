@@ -5,14 +5,9 @@
  * increases clockwise seen from above. The formulas are those of scene/directions.py and
  * scene/observer.py.
  */
-import { ASPECTS, camera_frame, direction_of, filter_axis, ground_axes } from "../generated/formulas.js";
+import { ASPECTS, camera_frame, direction_of, ground_axes, rolled } from "../generated/formulas.js";
 
 const RADIAN = Math.PI / 180;
-
-/** Split nine numbers into three rows. */
-function rows(nine) {
-  return [0, 3, 6].map((start) => nine.slice(start, start + 3));
-}
 
 /** Largest size with a projection's aspect ratio that fits into a window. [pixel] */
 export function fitting(projection, width, height) {
@@ -36,14 +31,14 @@ export function cameraOf(values, limits) {
   const [low, high] = limits[projection];
   const bearing = values["view.sun_azimuth"];
   const azimuth = (((values["view.heading"] - bearing) % 360) + 360) % 360;
-  const axes = rows(camera_frame(values["view.look_zenith"], azimuth, values["view.roll"]));
+  const axes = camera_frame(values["view.look_zenith"], azimuth, values["view.roll"]);
   return {
     projection,
     axes,
-    filter: values["view.filter"] ? filter_axis(...axes[0], ...axes[1], values["view.polariser"]) : null,
+    filter: values["view.filter"] ? rolled(axes[1], axes[0], values["view.polariser"]) : null,
     sun: direction_of(values["view.sun_zenith"], 0),
     fieldOfView: Math.min(Math.max(values["view.field_of_view"], low), high) * RADIAN,
     detailed: values["view.ground"] === "detailed",
-    ground: rows(ground_axes(values["view.latitude"], values["view.longitude"], bearing)),
+    ground: ground_axes(values["view.latitude"], values["view.longitude"], bearing),
   };
 }

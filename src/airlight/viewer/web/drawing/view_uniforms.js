@@ -50,7 +50,7 @@ export function observerUniforms(planet, altitude, sun) {
 /** Uniforms of the camera. */
 export function cameraUniforms(camera, width, height, projections) {
   const { projection, fieldOfView: field, axes, ground, filter } = camera;
-  const numbers = {
+  return {
     width,
     height,
     field_of_view: field,
@@ -59,34 +59,25 @@ export function cameraUniforms(camera, width, height, projections) {
     edges: 1,
     filter: Number(Boolean(filter)),
     pixel_angle: PIXEL_ANGLES[projection](width, height, field),
+    ...vectors({ filter_axis: filter ?? [0, 0, 0] }),
+    ...vectors({ right: axes[0], up: axes[1], forward: axes[2] }),
+    ...vectors({ ground_x: ground[0], ground_y: ground[1], ground_z: ground[2] }),
   };
-  "xyz".split("").forEach((c, j) => {
-    numbers[`filter_${c}`] = filter ? filter[j] : 0;
-  });
-  ["right", "up", "forward"].forEach((name, i) => {
-    "xyz".split("").forEach((c, j) => {
-      numbers[`${name}_${c}`] = axes[i][j];
-    });
-  });
-  "xyz".split("").forEach((name, i) => {
-    "xyz".split("").forEach((c, j) => {
-      numbers[name + c] = ground[i][j];
-    });
-  });
-  return numbers;
+}
+
+/** Uniforms of vectors: their names with those of the components. */
+function vectors(byName) {
+  const named = ([name, vector]) => ["x", "y", "z"].map((c, i) => [`${name}_${c}`, vector[i]]);
+  return Object.fromEntries(Object.entries(byName).flatMap(named));
 }
 
 /** Uniforms of the ground noise below the camera. */
 export function detailUniforms({ radius, geometry, ground }, camera) {
   const bottom = geometry ? geometry.bottom : radius;
   const cell = finest_cell(bottom, ground?.rows ?? NOMINAL_ROWS);
-  const numbers = { detailed: Number(camera.detailed), detail_cell: cell };
-  "xyz".split("").forEach((name, i) => {
-    const [whole, part] = lattice_origin(camera.ground[i][2], bottom, cell);
-    numbers[`whole_${name}`] = whole;
-    numbers[`part_${name}`] = part;
-  });
-  return numbers;
+  const origins = camera.ground.map((row) => lattice_origin(row[2], bottom, cell));
+  const [whole, part] = [0, 1].map((i) => origins.map((origin) => origin[i]));
+  return { detailed: Number(camera.detailed), detail_cell: cell, ...vectors({ whole, part }) };
 }
 
 /** Optical radius n·r of an observer. [m] */
