@@ -284,15 +284,11 @@ def _white(text: str) -> float | None:
 def _solved(world: Planet, place: Placement, solve: SolveOptions) -> Any:
     """Solution of the planet for the ground around the scene."""
     from airlight.render.solve_planet import solve_planet
-    from airlight.scene.local_ground import local_ground
 
     nm = solve.picture_nm(world)
-    world = local_ground(
-        world, latitude=place.latitude, longitude=place.longitude,
-        altitude=max(place.altitude, 0.0),
-    )  # fmt: skip
+    around = place.latitude, place.longitude, max(place.altitude, 0.0)
     with shown_progress() as report:
-        return solve_planet(world, nm, progress=report, **solve.keywords())
+        return solve_planet(world, nm, around=around, progress=report, **solve.keywords())
 
 
 def _write(
