@@ -12,8 +12,8 @@ from numpy.testing import assert_array_equal
 from airlight import Camera, Scene, load_planet
 from airlight.errors import Cancelled, ParameterError
 from airlight.render.gpu.device.device import Device
-from airlight.render.render_scene import render_scene
-from airlight.render.renderer import CPU, Renderer
+from airlight.render.render_scene import CPU, render_scene, render_solution
+from airlight.render.renderer import LiveRenderer
 from airlight.solver.moments.solution import MomentsSolution
 
 PLANET = "earth-atmosphere-plus"
@@ -30,7 +30,7 @@ def never() -> bool:
 def test_a_live_picture_ends_as_the_still_one(solved: Solved) -> None:
     # one policy: what the window shows in the end is what the command line writes
     still = render_scene(load_planet(PLANET), SCENE, wavelengths=NM, quality="preview")
-    live = Renderer().live(solved(load_planet(PLANET), NM, "preview"), SCENE, stale=never)
+    live = LiveRenderer().live(solved(load_planet(PLANET), NM, "preview"), SCENE, stale=never)
     *_, last = live
     assert last.finished
     assert last.frame is not None
@@ -42,18 +42,18 @@ def test_the_cpu_takes_what_a_device_has_no_capacity_for(device: Device, solved:
     # a texel holds four wavelengths: five are rendered live by the CPU, and refused by name
     nm = (680.0, 620.0, 550.0, 500.0, 440.0)
     solution = solved(load_planet(PLANET), nm, "preview")
-    renderer = Renderer(dataclasses.replace(device, software=False))
+    renderer = LiveRenderer(dataclasses.replace(device, software=False))
     *_, last = renderer.live(solution, SCENE, stale=never)
     renderer.close()
     *_, again = renderer.live(solution, SCENE, stale=never)
     assert [one.by for one in (last, again)] == [CPU] * 2
     with pytest.raises(ParameterError, match="at most 4 on the GPU"):
-        renderer.render(solution, SCENE)
+        render_solution(solution, SCENE, device)
 
 
 def test_a_stale_picture_stops_after_its_first_coarse_step(solved: Solved) -> None:
     # the first step is shown however quickly requests follow each other; the rest is left
-    renderer = Renderer()
+    renderer = LiveRenderer()
     renderer._rate = 2000.0  # as if the CPU were slow: the first picture is a small one
     steps = renderer.live(solved(load_planet(PLANET), NM, "preview"), SCENE, stale=lambda: True)
     first = next(steps)
@@ -68,9 +68,10 @@ def test_a_still_picture_follows_a_live_one_on_the_same_device(
 ) -> None:
     # live pictures of a software GPU read a coarser table, which a still picture must not
     solution = solved(load_planet(PLANET), NM, "preview")
-    renderer, fresh = Renderer(device), Renderer(device)
+    before = render_solution(solution, SCENE, device).rgb
+    renderer = LiveRenderer(device)
     list(renderer.live(solution, SCENE, stale=never))
     renderer.close()
     list(renderer.live(solution, SCENE, stale=never))
-    assert_array_equal(renderer.render(solution, SCENE).rgb, fresh.render(solution, SCENE).rgb)
-    assert np.ptp(renderer.render(solution, SCENE).rgb) > 0.0
+    assert_array_equal(render_solution(solution, SCENE, device).rgb, before)
+    assert np.ptp(before) > 0.0

@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.gpu.device.device import Device
-from airlight.render.renderer import Renderer
+from airlight.render.renderer import LiveRenderer
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.side_renderer import SideRenderer
@@ -87,7 +87,7 @@ def request_(solved: Callable[..., MomentsSolution]) -> Request:
 
 
 def test_pictures_ease_until_the_exposure_is_reached(device: Device, request_: Request) -> None:
-    renderer = SideRenderer(device.device, Renderer())
+    renderer = SideRenderer(device.device, LiveRenderer())
     plain = list(renderer.render(request_, lambda: False))[-1]
     adaptation = Adaptation()
     adaptation.towards(plain.exposure - 4.0, held=False)

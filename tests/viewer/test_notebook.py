@@ -19,7 +19,7 @@ from airlight import solve
 from airlight.image.display import to_display
 from airlight.kernel.compiling import Compiling
 from airlight.planets import load_planet
-from airlight.render.renderer import Renderer
+from airlight.render import render
 from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.parameters.view_parameters import scene_of
 from airlight.viewer.session.session import Session
@@ -180,7 +180,7 @@ def test_the_kernel_draws_what_a_browser_asks_for(viewer: Any, solution: Any) ->
     assert rendered["exposure"] == -2.0
     got = np.asarray(Image.open(io.BytesIO(rendered["png"])).convert("RGB"))
     scene = scene_of(view, 40, 24)
-    light = Renderer().render(solution, scene)
+    light = render(solution, scene)
     wanted = to_display(
         light.rgb, -2.0, str(view["display.tone_map"]), eye=True,
         glare=float(view["display.glare"]), pixel_angle=light.pixel_angle,

@@ -14,7 +14,7 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.gpu.device.device import Device
-from airlight.render.renderer import Renderer
+from airlight.render.renderer import LiveRenderer
 from airlight.render.solve_planet import live_solver
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.picture_source import Picture, Request
@@ -51,7 +51,7 @@ def never() -> bool:
 
 def renderer_of(device: Device, by: Device | None = None) -> SideRenderer:
     """PictureSource with textures on a device, that draws by the CPU or by a device."""
-    return SideRenderer(device.device, Renderer(by))
+    return SideRenderer(device.device, LiveRenderer(by))
 
 
 def test_the_cpu_paints_finer_and_finer(device: Device, request_: Request) -> None:

@@ -12,7 +12,7 @@ import pytest
 
 from airlight import load_planet
 from airlight.render.gpu.device.device import Device
-from airlight.render.renderer import Renderer
+from airlight.render.renderer import LiveRenderer
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.session.session import Session
@@ -50,7 +50,7 @@ def window(device: Device, solver: Solver) -> Iterator[Window]:
         session,
         OffscreenCanvas((800, 600)),
         device.device,
-        lambda: SideRenderer(device.device, Renderer()),
+        lambda: SideRenderer(device.device, LiveRenderer()),
         cast(Any, solver),
     )
     window.actions.shows_panels = False
@@ -105,7 +105,7 @@ def test_a_picture_of_another_planet_than_the_controls_says_so(
         Session("mars"),
         OffscreenCanvas((800, 600)),
         device.device,
-        lambda: SideRenderer(device.device, Renderer()),
+        lambda: SideRenderer(device.device, LiveRenderer()),
         cast(Any, solver),
     )
     window.actions.shows_panels = False

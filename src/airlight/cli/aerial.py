@@ -50,7 +50,6 @@ def aerial(
     from airlight.engines.composition.aerial_perspective import AerialPerspective, check_request
     from airlight.files.atomic_folder import check_folder
     from airlight.render.solve_planet import solve_planet
-    from airlight.scene.local_ground import local_ground
 
     check_folder(output, FORMAT, FILES, overwrite=overwrite)
     between = options.length(nearest, "--nearest"), options.length(farthest, "--farthest")
@@ -59,12 +58,13 @@ def aerial(
     world = place.lit(world, scene)
     scene = replace(scene, time=None, secondary_lights=())
     nm = solve.nm(world)
-    world = local_ground(
-        world, latitude=scene.latitude, longitude=scene.longitude, altitude=scene.altitude
-    )
+    scene = Scene(
+        altitude=placed.altitude, sun_zenith=placed.sun_zenith,
+        sun_azimuth=placed.sun_azimuth, latitude=placed.latitude, longitude=placed.longitude,
+    )  # fmt: skip
     check_request(world.thickness, scene, *between)
     with shown_progress() as report:
-        solution = solve_planet(world, nm, progress=report, **solve.keywords())
+        solution = solve_planet(world, nm, around=scene.place, progress=report, **solve.keywords())
         made = AerialPerspective.fill(
             solution, scene, nearest=between[0], farthest=between[1], progress=report
         )

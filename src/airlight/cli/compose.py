@@ -240,13 +240,11 @@ def _white(text: str) -> float | None:
 def _solved(world: Planet, place: Placement, solve: SolveOptions) -> Any:
     """Solution of the planet with the albedo around the scene."""
     from airlight.render.solve_planet import solve_planet
-    from airlight.scene.local_ground import local_ground
 
     nm = solve.picture_nm(world)
-    above = max(place.altitude, 0.0)
-    world = local_ground(world, latitude=place.latitude, longitude=place.longitude, altitude=above)
+    around = place.latitude, place.longitude, max(place.altitude, 0.0)
     with shown_progress() as report:
-        return solve_planet(world, nm, progress=report, **solve.keywords())
+        return solve_planet(world, nm, around=around, progress=report, **solve.keywords())
 
 
 def _write(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from typing import TYPE_CHECKING, Annotated, Final
 
 import numpy as np
@@ -253,18 +252,7 @@ class Planet(TomlModel):
         wavelengths : array, shape (nl,)
             Wavelengths of the samples. [nm]
         """
-        from airlight.planets.light_source import LightSource
-
-        nm = values_in(wavelengths, "nm", "wavelengths")
-        star = LightSource(
-            name="star",
-            angular_radius=math.radians(self.star.angular_radius_degrees),
-            wavelengths=nm,
-            irradiance=self.star.irradiances(nm),
-            spectrum=self.star.irradiances,
-            darkening=self.star.darkening,
-        )
-        return (star,)
+        return (self.star.source("star", values_in(wavelengths, "nm", "wavelengths")),)
 
     def lit_at(self, time: datetime) -> Planet:
         """Planet with the sun at its distance at a time; itself if the star has no distance.

@@ -6,7 +6,7 @@ import dataclasses
 import math
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Any, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -27,6 +27,9 @@ from airlight.planets.spectral import (
     spectral_limits,
     table_limits,
 )
+
+if TYPE_CHECKING:
+    from airlight.planets.light_source import LightSource
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -310,6 +313,27 @@ class Star(TomlModel):
         assert self.temperature is not None
         assert self.radius is not None
         return star_irradiance(wavelengths, self.temperature, self.radius, self.known_distance)
+
+    def source(self, name: str, wavelengths: FloatArray) -> LightSource:
+        """Light source of the star.
+
+        Parameters
+        ----------
+        name : str
+            Name of the source.
+        wavelengths : array, shape (nl,)
+            Wavelengths of the samples. [nm]
+        """
+        from airlight.planets.light_source import LightSource
+
+        return LightSource(
+            name=name,
+            angular_radius=math.radians(self.angular_radius_degrees),
+            wavelengths=wavelengths,
+            irradiance=self.irradiances(wavelengths),
+            spectrum=self.irradiances,
+            darkening=self.darkening,
+        )
 
     @property
     def darkening(self) -> Callable[[npt.ArrayLike], FloatArray] | None:

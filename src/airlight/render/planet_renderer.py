@@ -1,59 +1,123 @@
-"""CPU renderer of a planet in a scene of several bodies, with or without a moon's shadow."""
+"""Atmosphere and ground of a planet in a scene of several bodies, with or without an eclipse."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.occulted_star import OccultedStar, occulted_star
+from airlight.kernel.large_arrays import zeros
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.light_source import LightSource
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.eclipse_renderer import EclipseRenderer, check_unfiltered
+from airlight.render.local_frame import camera_angles, level_axes
+from airlight.render.render import add_rendered
 from airlight.render.scene_lights import SceneLights
-from airlight.scene import Scene
+from airlight.render.through_air import AirAround
+from airlight.scene import Camera, Scene
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
 from airlight.solver.eclipsed.solution import EclipsedSolution
-from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
+#: Fraction of the strongest irradiance below which a light is ignored. [1]
+_FAINTEST: Final = 1e-12
 
-def planet_renderer(
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class AtmosphereLayer(AirAround):
+    """Rendered atmosphere and ground of a planet.
+
+    Attributes
+    ----------
+    body : Body
+        Planet.
+    layer : array, shape (rows, columns, 3)
+        Linear sRGB of air and ground. [W m⁻² sr⁻¹]
+    """
+
+    body: Body
+    layer: NDArray[np.float32]
+
+
+def atmosphere_layer(
     lights: SceneLights,
-    light: Light,
+    camera: Camera,
     body: Body,
-    lit: MomentsSolution,
-    scene: Scene,
-    local: FloatArray,
     *,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> CpuRenderer:
-    """Renderer of a planet under one light; ``EclipseRenderer`` in the shadow of a moon.
+) -> AtmosphereLayer:
+    """Render a planet under each light of a scene.
 
     Parameters
     ----------
-    light, body : Light, Body
-        Light, and planet with air.
-    scene : Scene
-        Observer and camera in the frame of the light.
-    local : array, shape (3, 3)
-        Axes of that frame in the scene's, as rows. [1]
+    lights : SceneLights
+        Lights of the scene, with the solution of the planet.
+    camera : Camera
+        Projection and size of the frame.
+    body : Body
+        Planet with air.
     cache, progress, cancel :
         See ``render_system``.
     """
-    source = lights.seen_from(light, body)
-    star = None if light.star is None else occulting_moon(lights, light, body, source)
-    if star is None:
-        return CpuRenderer(lit, scene, disc=False)
-    check_unfiltered(scene)  # before the shadow is solved, which takes minutes
-    eclipsed = EclipsedSolution(lit, star, cache=cache, progress=progress, cancel=cancel)
-    return EclipseRenderer(eclipsed, scene, local)
+    system, solution = lights.system, lights.solutions[body.name]
+    up = (system.eye - body.centre) / np.linalg.norm(system.eye - body.centre)
+    layers = zeros((1, camera.rows, camera.columns, 3), np.float32)
+    brightest, black = 0.0, True
+    for number, light in enumerate(lights.on(body)):
+        source = lights.seen_from(light, body)
+        brightest = max(brightest, float(source.irradiance.max()))
+        if source.irradiance.max() <= _FAINTEST * brightest:
+            continue
+        lit = solution.with_light(source, secondary=number > 0)
+        towards = lights.towards(light, body.centre[None])[0]
+        local = level_axes(up, towards)
+        scene = _scene_of_light(lights, camera, body, towards, local)
+        moon = None if light.star is None else occulting_moon(lights, light, body, source)
+        if moon is None:
+            renderer = CpuRenderer(lit, scene, disc=False)
+        else:
+            check_unfiltered(scene)  # before the shadow is solved, which takes minutes
+            eclipsed = EclipsedSolution(lit, moon, cache=cache, progress=progress, cancel=cancel)
+            renderer = EclipseRenderer(eclipsed, scene, local)
+        add_rendered(layers, renderer, (None,), progress, cancel, black=black)
+        black = False
+    return AtmosphereLayer(
+        body=body, solution=solution, altitude=system.place_above(body)[2], axes=level_axes(up),
+        layer=layers[0],
+    )  # fmt: skip
+
+
+def _scene_of_light(
+    lights: SceneLights, camera: Camera, body: Body, towards: FloatArray, local: FloatArray
+) -> Scene:
+    """Single-planet scene of a light in its local frame, whose axes are the rows of ``local``."""
+    system, up = lights.system, local[2]
+    latitude, longitude, altitude = system.place_above(body)
+    east = np.cross(system.axes(body)[2], up)
+    flat = np.linalg.norm(east)
+    bearing = 0.0
+    if flat > 1e-12:
+        east = east / flat
+        bearing = math.degrees(math.atan2(local[0] @ east, local[0] @ np.cross(up, east)))
+    zenith, azimuth, roll = camera_angles(system.camera_axes @ local.T)
+    return Scene(
+        camera=replace(camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
+        altitude=altitude,
+        sun_zenith=math.degrees(math.atan2(abs(towards @ local[0]), towards @ up)),
+        latitude=latitude,
+        longitude=longitude,
+        sun_azimuth=bearing,
+        ground="detailed",
+    )
 
 
 def occulting_moon(

@@ -14,15 +14,16 @@ from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.planets.reading.reader import PlanetLike
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.pixels.polarising_filter import ALONG, ASLANT
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
-from airlight.solver import Solution, solve
+from airlight.solver import Solution
 from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.solve import solution_of
 
 Float32Array = NDArray[np.float32]
 
@@ -85,7 +86,9 @@ def render(
     if not isinstance(scene, Scene):
         raise ParameterError("scene", scene, "a Scene")
     if not isinstance(solution, Solution):
-        solution = _solved(solution, scene, progress, cancel)
+        latitude, longitude, altitude = scene.place
+        planet = local_ground(solution, latitude=latitude, longitude=longitude, altitude=altitude)
+        solution = solution_of(planet, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
         raise ParameterError(
             "solution", solution.report.solver, "a solution of the moments solver: a picture "
@@ -113,33 +116,12 @@ def render(
                 stokes=stokes,
             )  # fmt: skip
             share = None if progress is None else _shared(progress, number, len(pictures))
-            _add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
-    wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
-    return Frame(
-        rgb=layers[0],
-        polarised=layers[1:] if stokes else None,
-        metadata={
-            "solver": solution.report.provenance,
-            "wavelengths": f"{wavelengths} nm",
-            "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
-        },
-        pixel_angle=scene.camera.glare_angle,
-        circle=scene.camera.circle,
-        scene=scene,
+            add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
+    return Frame.seen_by(
+        scene.camera, layers[0], solution.wavelengths, {"solver": solution.report.provenance},
+        polarised=layers[1:] if stokes else None, scene=scene,
         star_radius=solution.lights[0].angular_radius,
-        origin=(scene.camera.left, scene.camera.top),
-    )
-
-
-def _solved(
-    given: PlanetLike, scene: Scene, progress: Progress | None, cancel: Cancel | None
-) -> Solution:
-    """Solution of a planet with the albedo around the observer."""
-    planet = local_ground(
-        load_planet(given), latitude=scene.latitude, longitude=scene.longitude,
-        altitude=scene.altitude,
     )  # fmt: skip
-    return solve(planet, picture_wavelengths(planet), progress=progress, cancel=cancel)
 
 
 def _shared(progress: Progress, number: int, count: int) -> Progress:
@@ -147,7 +129,7 @@ def _shared(progress: Progress, number: int, count: int) -> Progress:
     return lambda done, total, message: progress(number * total + done, count * total, message)
 
 
-def _add_rendered(
+def add_rendered(
     layers: Float32Array,
     renderer: CpuRenderer,
     elements: Sequence[int | None],
@@ -156,9 +138,20 @@ def _add_rendered(
     *,
     black: bool,
 ) -> None:
-    """Add the frame of one light to ``layers``, which are zero if ``black``.
+    """Add the frame of one light to ``layers``, in blocks of rows.
 
-    Linear sRGB of each Stokes element, shape (elements, height, width, 3). [W m⁻² sr⁻¹]
+    Parameters
+    ----------
+    layers : array, shape (elements, height, width, 3)
+        Linear sRGB of each Stokes element. [W m⁻² sr⁻¹]
+    renderer : CpuRenderer
+        Renderer of the light.
+    elements : sequence of int or None
+        Stokes elements, see ``CpuRenderer.render_rows``.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+    black : bool
+        Whether ``layers`` are zero.
     """
     height, width = layers.shape[1:3]
     lit = layers if black else zeros(layers.shape, np.float32)
@@ -186,6 +179,4 @@ def _add_rendered(
                 release(whole[first:last])
             release(rgb[first:last])
 
-    run_blocks(
-        render_block, blocks, cancel=cancel, progress=rendering, message="rendering",
-    )  # fmt: skip
+    run_blocks(render_block, blocks, cancel=cancel, progress=rendering, message="rendering")

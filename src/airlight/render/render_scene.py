@@ -1,11 +1,11 @@
-"""``render_scene``: frame of a planet, solved and rendered on the CPU or the GPU."""
+"""``Renderer``: frames of a planet, solved and rendered on the CPU or the GPU."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
-from typing import TYPE_CHECKING, Final, NamedTuple
+from dataclasses import KW_ONLY, dataclass, replace
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 
@@ -20,22 +20,27 @@ from airlight.planets.picture_wavelengths import (
     texel_wavelengths,
 )
 from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.render import render
 from airlight.render.background_compilation import SKY_VIEW_LOOPS, start_sky_view_compiler
 from airlight.render.pixels.sky_view_window import is_always_read
-from airlight.render.renderer import Renderer
 from airlight.render.rendering_gpu import Choice, rendering_gpu
 from airlight.render.solve_planet import solve_planet
 from airlight.render.star_points import add_catalogue, check_stars
 from airlight.scene.basin import on_basin_floor
 from airlight.scene.frame import Frame
-from airlight.scene.local_ground import local_ground
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from airlight.kernel.threads import Cancel, Progress
     from airlight.physics.units import Measures
+    from airlight.planets.planet import Planet
+    from airlight.render.gpu.device.device import Device
     from airlight.scene import Scene
     from airlight.solver.moments.solution import MomentsSolution
 
+#: Value of the frame's metadata ``device`` for the CPU.
+CPU: Final = "CPU"
 #: Smallest number of wavelengths that gives colours.
 FEWEST: Final = 3
 
@@ -55,33 +60,14 @@ class RenderedScene(NamedTuple):
     solution: MomentsSolution
 
 
-def render_scene(
-    planet: PlanetLike,
-    scene: Scene,
-    *,
-    wavelengths: Measures | None = None,
-    quality: str = "default",
-    polarisation: bool = True,
-    device: Choice = "cpu",
-    exact: bool = False,
-    orders: str = "all",
-    samples: int = 1,
-    stokes: bool = False,
-    cache: bool = True,
-    local: bool = True,
-    stars: bool = False,
-    refused: Callable[[str], None] | None = None,
-    progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> Frame:
-    """Solve a planet and render a scene.
+@dataclass(frozen=True)
+class Renderer:
+    """Renderer of a planet, which chooses solver, device, wavelengths and local ground.
 
-    Parameters
+    Attributes
     ----------
     planet : Planet, str, Path or Solution
         Planet to solve, see ``load_planet``.
-    scene : Scene
-        Observer, star and camera.
     wavelengths : array, shape (nl,), optional
         Wavelengths, at least three. By default sixteen over the visible; on the GPU the four that
         reproduce colours best, with a colour matrix fitted to the star. [nm]
@@ -95,6 +81,8 @@ def render_scene(
         Whether every pixel is marched; otherwise a sky-view LUT is interpolated.
     orders : str
         Orders of scattering as for ``airlight.render``.
+    disc : bool
+        Whether the discs of the lights are rendered.
     samples : int
         Samples per side of every pixel, as for ``airlight.render``.
     stokes : bool
@@ -108,6 +96,105 @@ def render_scene(
         Whether the star catalogue is added, for planets with a known ``body``.
     refused : callable, optional
         Receives one line with the reason when ``gpu`` falls back to the CPU.
+    """
+
+    planet: PlanetLike
+    _: KW_ONLY
+    wavelengths: Measures | None = None
+    quality: str = "default"
+    polarisation: bool = True
+    device: Choice = "cpu"
+    exact: bool = False
+    orders: str = "all"
+    disc: bool = True
+    samples: int = 1
+    stokes: bool = False
+    cache: bool = True
+    local: bool = True
+    stars: bool = False
+    refused: Callable[[str], None] | None = None
+
+    def render(
+        self, scene: Scene, *, progress: Progress | None = None, cancel: Cancel | None = None
+    ) -> RenderedScene:
+        """Solve the planet for a scene and render it.
+
+        Parameters
+        ----------
+        scene : Scene
+            Observer, star and camera.
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
+
+        Raises
+        ------
+        ParameterError, ConvergenceError, Cancelled
+            As ``render_scene``.
+        """
+        planet = load_planet(self.planet, progress=progress, cancel=cancel)
+        camera = scene.camera
+        if self.stars:
+            check_stars(planet.body, camera.projection)
+        nm = None if self.wavelengths is None else color_wavelengths(self.wavelengths)
+        check_drawn(camera.columns, camera.rows, 3 if self.stokes else 1)
+        device = self._chosen_device(planet, LIVE if nm is None else len(nm), camera.columns)
+        weights, metadata = None, {}
+        if nm is None:
+            by_default = picture_wavelengths if device is None else texel_wavelengths
+            nm = tuple(by_default(planet).tolist())
+            if device is not None:
+                from airlight.image.four_wavelengths import fitted_weights
+
+                weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
+                metadata = {"colour": "from four wavelengths, fitted to the star"}
+        if scene.altitude < 0.0:
+            requested = scene.altitude
+            planet, scene = on_basin_floor(planet, scene)
+            metadata["solved_floor"] = f"ground lowered to {requested - scene.altitude:.10g} m"
+        with _compiling(device is None and not self.exact and is_always_read(camera), cancel):
+            solution = solve_planet(
+                planet, nm, self.quality, polarisation=self.polarisation, cache=self.cache,
+                around=scene.place if self.local else None, progress=progress, cancel=cancel,
+            )  # fmt: skip
+        names = ("exact", "orders", "disc", "samples", *(["stokes"] if self.stokes else []))
+        options = {name: getattr(self, name) for name in names}
+        frame = render_solution(
+            solution, scene, device, weights, progress=progress, cancel=cancel, **options
+        )
+        if self.stars:
+            add_catalogue(frame.rgb, scene, solution, planet.body)
+            metadata["stars"] = "to magnitude 6.5"
+        if solution.report.ground:
+            metadata["solved_ground"] = solution.report.ground
+        return RenderedScene(replace(frame, metadata={**frame.metadata, **metadata}), solution)
+
+    def _chosen_device(self, planet: Planet, count: int, width: int) -> Device | None:
+        """GPU for a frame of so many wavelengths and columns; None for the CPU."""
+        if not self.stokes:
+            return rendering_gpu(self.device, planet, count, width, self.refused)
+        if self.device == "gpu" and self.refused is not None:
+            self.refused("the GPU does not render Q and U")
+        return None
+
+
+def render_scene(
+    planet: PlanetLike,
+    scene: Scene,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    **options: Any,
+) -> Frame:
+    """Solve a planet and render a scene.
+
+    Parameters
+    ----------
+    planet : Planet, str, Path or Solution
+        Planet to solve, see ``load_planet``.
+    scene : Scene
+        Observer, star and camera.
+    **options
+        Further attributes of ``Renderer``.
 
     Returns
     -------
@@ -123,97 +210,66 @@ def render_scene(
     >>> frame.rgb.shape, frame.metadata["device"]
     ((6, 8, 3), 'CPU')
     """
-    rendered = render_with_solution(
-        planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
-        device=device, exact=exact, orders=orders, samples=samples, stokes=stokes, cache=cache,
-        local=local, stars=stars, refused=refused, progress=progress, cancel=cancel,
-    )  # fmt: skip
-    return rendered.frame
+    return Renderer(planet, **options).render(scene, progress=progress, cancel=cancel).frame
 
 
-def render_with_solution(
-    planet: PlanetLike,
+def color_wavelengths(wavelengths: Measures) -> tuple[float, ...]:
+    """Wavelengths of a frame. [nm]
+
+    Raises
+    ------
+    ParameterError
+        If there are fewer than ``FEWEST``.
+    """
+    nm = tuple(np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")).tolist())
+    if len(nm) < FEWEST:
+        raise ParameterError("wavelengths", list(nm), f"{FEWEST} or more, or none given")
+    return nm
+
+
+def render_solution(
+    solution: MomentsSolution,
     scene: Scene,
-    *,
-    wavelengths: Measures | None = None,
-    quality: str = "default",
-    polarisation: bool = True,
-    device: Choice = "cpu",
-    exact: bool = False,
-    orders: str = "all",
-    disc: bool = True,
-    samples: int = 1,
-    stokes: bool = False,
-    cache: bool = True,
-    local: bool = True,
-    stars: bool = False,
-    refused: Callable[[str], None] | None = None,
-    progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> RenderedScene:
-    """Frame of ``render_scene`` together with its solution.
+    device: Device | None = None,
+    weights: NDArray[np.float64] | None = None,
+    **options: Any,
+) -> Frame:
+    """Render a still frame of a solution, at once and at full resolution.
 
     Parameters
     ----------
-    planet, scene, wavelengths, quality, polarisation, device, exact, orders, samples, stokes :
-        Arguments of ``render_scene``.
-    cache, local, stars :
-        Arguments of ``render_scene``.
-    disc : bool
-        Whether the discs of the lights are rendered.
-    refused, progress, cancel :
-        Arguments of ``render_scene``.
-    """
-    planet = load_planet(planet, progress=progress, cancel=cancel)
-    if stars:
-        check_stars(planet.body, scene.camera.projection)
-    nm: tuple[float, ...] | None = None
-    if wavelengths is not None:
-        nm = tuple(np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")).tolist())
-        if len(nm) < FEWEST:
-            raise ParameterError("wavelengths", list(nm), f"{FEWEST} or more, or none given")
-    if stokes and device != "cpu":
-        if device == "gpu" and refused is not None:
-            refused("the GPU does not render Q and U")
-        device = "cpu"
-    check_drawn(scene.camera.columns, scene.camera.rows, 3 if stokes else 1)
-    count = LIVE if nm is None else len(nm)
-    chosen = rendering_gpu(device, planet, count, scene.camera.columns, refused)
-    weights, metadata = None, {}
-    if nm is None:
-        by_default = picture_wavelengths if chosen is None else texel_wavelengths
-        nm = tuple(by_default(planet).tolist())
-        if chosen is not None:
-            from airlight.image.four_wavelengths import fitted_weights
+    solution : MomentsSolution
+        Solution of a planet.
+    scene : Scene
+        Observer, star and camera.
+    device : Device, optional
+        GPU, see ``rendering_gpu``; by default the CPU renders.
+    weights : array, shape (nl, 3), optional
+        Linear sRGB per radiance, on the GPU; by default ``picture_weights``.
+    **options
+        Further arguments of ``airlight.render`` or ``GpuRenderer.render``.
 
-            weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
-            metadata = {"colour": "from four wavelengths, fitted to the star"}
-    if scene.altitude < 0.0:
-        requested = scene.altitude
-        planet, scene = on_basin_floor(planet, scene)
-        metadata["solved_floor"] = f"ground lowered to {requested - scene.altitude:.10g} m"
-    if local:
-        planet = local_ground(
-            planet,
-            latitude=scene.latitude,
-            longitude=scene.longitude,
-            altitude=scene.altitude,
-        )
-    with _compiling(chosen is None and not exact and is_always_read(scene.camera), cancel):
-        solution = solve_planet(
-            planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
-            cancel=cancel,
-        )  # fmt: skip
-    frame = Renderer(chosen).render(
-        solution, scene, exact=exact, orders=orders, disc=disc, samples=samples, stokes=stokes,
-        weights=weights, progress=progress, cancel=cancel,
-    )  # fmt: skip
-    if stars:
-        add_catalogue(frame.rgb, scene, solution, planet.body)
-        metadata["stars"] = "to magnitude 6.5"
-    if solution.report.ground:
-        metadata["solved_ground"] = solution.report.ground
-    return RenderedScene(replace(frame, metadata={**frame.metadata, **metadata}), solution)
+    Returns
+    -------
+    Frame
+        Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
+
+    Raises
+    ------
+    ParameterError
+        If the solution or the frame exceeds the capacity of the GPU.
+    Cancelled
+        If ``cancel`` requested it.
+    """
+    if device is None:
+        frame = render(solution, scene, **options)
+    else:
+        from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
+
+        gpu = GpuRenderer(device)
+        gpu.set_solution(solution, weights)
+        frame = gpu.render(scene, **options)
+    return replace(frame, metadata={"device": CPU, **frame.metadata})
 
 
 @contextmanager

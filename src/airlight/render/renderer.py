@@ -1,9 +1,6 @@
-"""``Renderer``: frames of a solution on the CPU or the GPU, at once or progressively.
-
-The policy of command line, window and saved frames alike:
+"""``LiveRenderer``: frames of a solution on the CPU or the GPU, progressively.
 
 * The CPU renders where there is no GPU, or where the solution exceeds its capacity.
-* A still frame is rendered once, at full resolution.
 * Live frames of the CPU start coarse and become finer; a newer request interrupts all but the
   first.
 * A live frame of a hardware GPU is rendered once, at full resolution. * A software GPU renders from
@@ -31,6 +28,7 @@ from airlight.errors import Cancelled, ParameterError
 from airlight.kernel.memory import give_back
 from airlight.render import render
 from airlight.render.background_compilation import MARCH_LOOPS, SKY_VIEW_LOOPS
+from airlight.render.render_scene import CPU
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
@@ -40,15 +38,13 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from airlight.kernel.background_compiler import BackgroundCompiler
-    from airlight.kernel.threads import Cancel, Progress
+    from airlight.kernel.threads import Cancel
     from airlight.render.gpu.device.device import Device
     from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
     from airlight.scene import Scene
     from airlight.scene.frame import Frame
     from airlight.solver.moments.solution import MomentsSolution
 
-#: Value of the frame's metadata ``device`` for the CPU.
-CPU: Final = "CPU"
 #: Format of the target textures of live frames: encoded sRGB.
 LIVE_FORMAT: Final = "rgba8unorm"
 #: Time budget of the CPU's first frame of a new view. [s]
@@ -129,7 +125,7 @@ class LiveFrame:
         )  # fmt: skip
 
 
-class Renderer:
+class LiveRenderer:
     """Renderer of successive frames, which reuses its GPU, shaders and textures.
 
     Parameters
@@ -154,62 +150,24 @@ class Renderer:
         self._rate = _FIRST_GUESS
         self._last: tuple[MomentsSolution, LiveFrame] | None = None  # finished by the CPU
 
-    def render(
-        self,
-        solution: MomentsSolution,
-        scene: Scene,
-        *,
-        exact: bool = False,
-        orders: str = "all",
-        disc: bool = True,
-        samples: int = 1,
-        stokes: bool = False,
-        weights: NDArray[np.float64] | None = None,
-        progress: Progress | None = None,
-        cancel: Cancel | None = None,
+    def still(
+        self, solution: MomentsSolution, scene: Scene, *, orders: str = "all", cancel: Cancel
     ) -> Frame:
-        """Render a still frame.
+        """Render a still frame on the CPU, once its loops are compiled.
 
         Parameters
         ----------
-        scene : Scene
-            Observer, star and camera.
-        exact : bool
-            Whether every pixel is marched; otherwise a sky-view LUT is interpolated.
-        orders : str
-            Orders of scattering as for ``airlight.render``.
-        disc : bool
-            Whether the discs of the lights are rendered.
-        samples : int
-            Samples per side of every pixel, as for ``airlight.render``.
-        stokes : bool
-            Whether the frame has Stokes Q and U; CPU only.
-        weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance, on the GPU; by default ``picture_weights``.
+        solution, scene, orders, cancel :
+            Arguments of ``airlight.render``.
 
-        Returns
-        -------
-        Frame
-            Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
+        Raises
+        ------
+        Cancelled
+            If ``cancel`` requested it.
         """
-        if self._device is None:
-            if not self._are_compiled(SKY_VIEW_LOOPS, cancel or (lambda: False)):
-                raise Cancelled("the frame")
-            frame = render(
-                solution, scene, exact=exact, orders=orders, disc=disc, samples=samples,
-                stokes=stokes, progress=progress, cancel=cancel,
-            )  # fmt: skip
-        else:
-            if stokes:
-                raise ParameterError("stokes", True, "False on the GPU")
-            gpu = self._gpu_renderer(live=False)
-            gpu.set_solution(solution, weights)
-            self._loaded = None
-            frame = gpu.render(
-                scene, exact=exact, orders=orders, disc=disc, samples=samples, progress=progress,
-                cancel=cancel,
-            )  # fmt: skip
-        return replace(frame, metadata={"device": CPU, **frame.metadata})
+        if not self._are_compiled(SKY_VIEW_LOOPS, cancel):
+            raise Cancelled("the frame")
+        return render(solution, scene, orders=orders, cancel=cancel)
 
     def live(
         self,
@@ -223,8 +181,12 @@ class Renderer:
 
         Parameters
         ----------
-        solution, scene, orders :
-            Arguments of ``render``.
+        solution : MomentsSolution
+            Solution of a planet.
+        scene : Scene
+            Observer, star and camera.
+        orders : str
+            Orders of scattering as for ``airlight.render``.
         stale : callable
             ``stale()`` is True once the request is superseded; rendering may then stop.
 
@@ -321,29 +283,22 @@ class Renderer:
 
     # --- on the GPU ---------------------------------------------------------------------------
 
-    def _gpu_renderer(self, *, live: bool) -> GpuRenderer:
-        """GPU renderer, with a small sky-view LUT for live frames of a software GPU."""
-        from airlight.render.gpu.picture.gpu_renderer import (
-            QUICK_SKY_VIEW_SIZE,
-            SKY_VIEW_SIZE,
-            GpuRenderer,
-        )
-
-        assert self._device is not None
-        shape = QUICK_SKY_VIEW_SIZE if live and self._device.software else SKY_VIEW_SIZE
-        if self._gpu is None:
-            self._gpu = GpuRenderer(self._device, shape)
-        elif self._gpu.sky_view_size != shape:
-            self._gpu.sky_view_size = shape
-        return self._gpu
-
     def _upload(self, solution: MomentsSolution) -> bool:
         """Upload a solution; False if it exceeds the GPU's capacity."""
-        gpu = self._gpu_renderer(live=True)
         if solution is self._loaded:
             return True
+        if self._gpu is None:
+            from airlight.render.gpu.picture.gpu_renderer import (
+                QUICK_SKY_VIEW_SIZE,
+                SKY_VIEW_SIZE,
+                GpuRenderer,
+            )
+
+            assert self._device is not None
+            size = QUICK_SKY_VIEW_SIZE if self._device.software else SKY_VIEW_SIZE
+            self._gpu = GpuRenderer(self._device, size)
         try:
-            gpu.set_solution(solution)
+            self._gpu.set_solution(solution)
         except ParameterError:  # too many wavelengths or constituents
             self._loaded = None
             return False
@@ -356,9 +311,8 @@ class Renderer:
         assert self._device is not None
         if self._compiling is None:
             self._compiling = threading.Thread(
-                target=self._compile, args=(solution, step), name="airlight-compiling",
-                daemon=True,
-            )  # fmt: skip
+                target=self._compile, args=(solution, step), name="airlight-compiling", daemon=True
+            )
             self._compiling.start()
         if not self._device.software and not self._are_compiled(SKY_VIEW_LOOPS):
             while not self._compiled and not stale():

@@ -9,6 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Literal
 
+from airlight.errors import ParameterError
+from airlight.render.pixels.capacity import check_capacity
+
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
     from airlight.render.gpu.device.device import Device
@@ -62,12 +65,10 @@ def rendering_gpu(
     """
     if choice == "cpu":
         return None
-    from airlight.errors import ParameterError
-    from airlight.render.capacity import check_planet
     from airlight.render.gpu.device.device import NoDevice, open_device
 
     try:
-        check_planet(planet, wavelengths)
+        _check_planet(planet, wavelengths)
         device = open_device()
         widest = device.device.limits["max-texture-dimension-2d"]
         if width > widest:
@@ -77,3 +78,18 @@ def rendering_gpu(
             refused(str(reason))
         return None
     return None if choice == "auto" and device.software else device
+
+
+def fits(planet: Planet, wavelengths: int) -> bool:
+    """Whether the constituents of a planet and a number of wavelengths fit the shaders."""
+    try:
+        _check_planet(planet, wavelengths)
+    except ParameterError:
+        return False
+    return True
+
+
+def _check_planet(planet: Planet, wavelengths: int) -> None:
+    """Raise if the constituents of a planet or the wavelengths do not fit the shaders."""
+    constituents = len(planet.constituents) + (planet.refraction != "none")  # "refraction" is one
+    check_capacity(wavelengths, constituents)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -91,15 +90,7 @@ class SceneLights:
         """
         nm = self.wavelengths
         if light.star is not None:
-            seen = light.star_at(point)
-            return LightSource(
-                name=light.name,
-                angular_radius=math.radians(seen.angular_radius_degrees),
-                wavelengths=nm,
-                irradiance=seen.irradiances(nm),
-                spectrum=seen.irradiances,
-                darkening=seen.darkening,
-            )
+            return light.star_at(point).source(light.name, nm)
         assert light.body is not None
         body = self.system.body(light.body)
         offset = point - body.centre

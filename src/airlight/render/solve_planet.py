@@ -23,8 +23,8 @@ from airlight.planets.medium import Medium
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.planets.planet import Planet
-from airlight.render.capacity import fits
-from airlight.render.rendering_gpu import Choice, live_gpu
+from airlight.render.rendering_gpu import Choice, fits, live_gpu
+from airlight.scene.local_ground import local_ground
 from airlight.solver.moments.settings import MomentsSettings, settings_for
 
 if TYPE_CHECKING:
@@ -55,6 +55,7 @@ def solve_planet(
     polarisation: bool = True,
     device: Device | None = None,
     cache: bool = True,
+    around: tuple[float, float, float] | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MomentsSolution:
@@ -72,11 +73,17 @@ def solve_planet(
         GPU from ``open_device``; by default the CPU solves.
     cache : bool
         Whether the CPU reads and stores solutions on disk.
+    around : (float, float, float), optional
+        Latitude and longitude [deg] and altitude [m] of an observer, with whose local ground the
+        planet is solved, see ``airlight.local_ground``; by default with its mean.
     """
     if wavelengths is None:
         chosen = picture_wavelengths if device is None else texel_wavelengths
         wavelengths = chosen(planet)
     nm = values_in(wavelengths, "nm", "wavelengths")
+    if around is not None:
+        latitude, longitude, altitude = around
+        planet = local_ground(planet, latitude=latitude, longitude=longitude, altitude=altitude)
     if device is not None and not device.software and fits(planet, nm.size):
         from airlight.render.gpu.solver.solver import ThickAir, solve_on
 

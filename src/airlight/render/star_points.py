@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,18 +11,15 @@ from airlight.errors import ConflictError
 from airlight.geometry.ephemeris.instant import days_of
 from airlight.geometry.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun
 from airlight.geometry.ephemeris.world import WORLDS
-from airlight.geometry.refraction import apparent_sun_cosine
-from airlight.render.through_air import through_air
-from airlight.scene import Scene
+from airlight.planets.light_source import LightSource
+from airlight.render.through_air import AirAround, SeenThrough, apparent_points
+from airlight.scene import Camera, Scene
 from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.system.stars import stars
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
-
-#: Iterations for the apparent direction of a star behind refracting air.
-_BENDS: Final = 4
 
 
 def add_catalogue(
@@ -54,8 +50,7 @@ def add_catalogue(
         axes = horizon_axes_by_sun(place, scene.sun_zenith, scene.sun_azimuth)
     else:
         axes = horizon_axes(place, days_of(scene.time))
-    catalogue = stars()
-    east, north, up = axes @ catalogue.directions.T
+    east, north, up = axes @ stars().directions.T
     turn = math.radians(scene.sun_azimuth)
     ahead = north * math.cos(turn) + east * math.sin(turn)
     true = np.stack([ahead, north * math.sin(turn) - east * math.cos(turn), up], axis=-1)
@@ -68,17 +63,47 @@ def add_catalogue(
     ahead_of = true @ camera.axes.T
     x, _, _ = pixel_positions(camera, ahead_of)
     near = np.isfinite(x) | (np.abs(true[:, 2]) < math.sin(math.radians(2.0)))
-    shown = np.flatnonzero(free & near)
-    if shown.size == 0:
+    air = AirAround(solution=solution, altitude=scene.altitude)
+    add_shown(rgb, camera, camera.axes, air, solution.lights[0], true, free & near)
+
+
+def add_shown(
+    rgb: NDArray[np.floating],
+    camera: Camera,
+    axes: FloatArray,
+    air: SeenThrough,
+    source: LightSource,
+    true: FloatArray,
+    shown: NDArray[np.bool_],
+) -> None:
+    """Add stars of the catalogue, attenuated and refracted by air or occulted.
+
+    Parameters
+    ----------
+    rgb : array, shape (rows, columns, 3)
+        Linear sRGB, modified in place. [W m⁻² sr⁻¹]
+    camera : Camera
+        Camera.
+    axes : array, shape (3, 3)
+        Its right, up and forward, as rows. [1]
+    air : SeenThrough
+        Air, and bodies, around the observer.
+    source : LightSource
+        Light with the colour-matching functions at the wavelengths.
+    true : array, shape (n, 3)
+        Directions of all stars of the catalogue. [1]
+    shown : array, shape (n,)
+        Which of them are added.
+    """
+    if not shown.any():
         return
-    rays, through = apparent_points(solution, scene.altitude, true[shown])
-    source = solution.lights[0]
+    rays, through = apparent_points(air, true[shown])
     weights = source.colors() / source.irradiance[:, None]
-    light_of = (through * catalogue.irradiances(solution.wavelengths)[shown]) @ weights
-    light_of *= 1.0 if camera.polariser is None else 0.5  # starlight is not polarised
-    x, y, solid = pixel_positions(camera, rays @ camera.axes.T)
+    light = (through * stars().irradiances(source.wavelengths)[shown]) @ weights
+    light *= 1.0 if camera.polariser is None else 0.5  # starlight is not polarised
+    x, y, solid = pixel_positions(camera, rays @ axes.T)
     seen = np.isfinite(x) & (through.max(axis=1) > 0.0)
-    add_points(rgb, x[seen] - camera.left, y[seen] - camera.top, light_of[seen] / solid[seen, None])
+    add_points(rgb, x[seen] - camera.left, y[seen] - camera.top, light[seen] / solid[seen, None])
 
 
 def check_stars(body: str | None, projection: str, field: str = "stars") -> None:
@@ -102,69 +127,6 @@ def check_stars(body: str | None, projection: str, field: str = "stars") -> None
         raise ConflictError(field, f"requires a planet whose body is {' or '.join(WORLDS)}")
     if PROJECTIONS[projection].parallel:
         raise ConflictError(field, f"cannot be combined with projection {projection}")
-
-
-def apparent_points(
-    solution: MomentsSolution, altitude: float, true: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Apparent directions of points at infinity, and transmittance towards them.
-
-    Fixed-point iteration on the error of the refracted direction, from the direction that the
-    refraction table gives.
-
-    Parameters
-    ----------
-    altitude : float
-        Altitude of the observer. [m]
-    true : array, shape (n, 3)
-        Unit vectors in the observer's local frame, with z to the zenith.
-
-    Returns
-    -------
-    rays : array, shape (n, 3)
-        Unit vectors.
-    transmittance : array, shape (n, nl)
-        Transmittance; 0 where the line ends on the ground. [1]
-    """
-    rays = true
-    if altitude < solution.medium.thickness:
-        rays = raised_points(solution, altitude, true)
-    for _ in range(_BENDS):
-        through, behind = through_air(solution, altitude, rays)
-        open_ = through.max(axis=1) > 0.0
-        moved = np.where(open_[:, None], rays + true - behind, rays)
-        rays = moved / np.linalg.norm(moved, axis=-1, keepdims=True)
-    return rays, through_air(solution, altitude, rays)[0]
-
-
-def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) -> FloatArray:
-    """Apparent directions of points at infinity from inside the air, by the refraction table.
-
-    Parameters
-    ----------
-    solution, altitude, true :
-        Arguments of ``apparent_points``.
-
-    Returns
-    -------
-    array, shape (n, 3)
-        Unit vectors in the observer's local frame.
-    """
-    geometry = solution.geometry
-    if geometry.shell is None:
-        return true
-    r = np.array(solution.medium.bottom_radius + altitude)
-    place = float(geometry.optical_radius(r)), geometry.shell.bottom, geometry.shell.top
-    seen = np.array(
-        [
-            apparent_sun_cosine(place[0], z, *place[1:], geometry.refraction_table)
-            for z in true[:, 2]
-        ]
-    )
-    flat = np.hypot(true[:, 0], true[:, 1])
-    level = np.sqrt(np.maximum((1.0 - seen) * (1.0 + seen), 0.0))
-    scale = np.divide(level, flat, out=np.ones_like(flat), where=flat > 0.0)
-    return np.stack([true[:, 0] * scale, true[:, 1] * scale, seen], axis=-1)
 
 
 def add_points(rgb: NDArray[np.floating], x: FloatArray, y: FloatArray, light: FloatArray) -> None:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.image.exposure import automatic_exposure
 from airlight.image.xyz import luminance
+from airlight.scene.camera import Camera
 from airlight.scene.metering import scene_exposure
 from airlight.scene.scene import Scene
 
@@ -50,6 +51,29 @@ class Frame:
     scene: Scene | None = None
     star_radius: float = 0.0
     origin: tuple[int, int] = (0, 0)
+
+    @classmethod
+    def seen_by(
+        cls,
+        camera: Camera,
+        rgb: NDArray[np.float32],
+        wavelengths: NDArray[np.float64],
+        metadata: dict[str, str],
+        *,
+        device: str | None = None,
+        **more: Any,
+    ) -> Frame:
+        """Frame of a camera, described by wavelengths [nm], unit and device."""
+        described = {
+            **metadata,
+            "wavelengths": ", ".join(f"{nm:g}" for nm in wavelengths) + " nm",
+            "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
+            **({} if device is None else {"device": device}),
+        }
+        return cls(
+            rgb=rgb, metadata=described, pixel_angle=camera.glare_angle, circle=camera.circle,
+            origin=(camera.left, camera.top), **more,
+        )  # fmt: skip
 
     def __repr__(self) -> str:
         height, width = self.rgb.shape[:2]

@@ -279,6 +279,11 @@ class Scene:
         return replace(self, camera=replace(self.camera, look_azimuth=north))
 
     @property
+    def place(self) -> tuple[float, float, float]:
+        """Latitude and longitude [deg], and altitude [m], of the observer."""
+        return self.latitude, self.longitude, self.altitude
+
+    @property
     def sun_direction(self) -> NDArray[np.float64]:
         """Unit vector towards the sun in the local frame, shape (3,). [1]"""
         return LightPosition(zenith=self.sun_zenith).direction

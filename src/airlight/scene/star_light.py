@@ -74,15 +74,7 @@ class StarLight(LightPosition):
         sources : tuple of LightSource
             Sources of the planet: ``Solution.lights``.
         """
-        nm = sources[self.index].wavelengths
-        return LightSource(
-            name="second star",
-            angular_radius=math.radians(self.star.angular_radius_degrees),
-            wavelengths=nm,
-            irradiance=self.star.irradiances(nm),
-            spectrum=self.star.irradiances,
-            darkening=self.star.darkening,
-        )
+        return self.star.source("second star", sources[self.index].wavelengths)
 
     def metadata(self) -> str:
         """Metadata for file headers."""

@@ -10,7 +10,7 @@ from scipy.ndimage import binary_erosion
 from airlight import AirlightWarning, Camera, ParameterError, Scene, load_planet, render
 from airlight.engines.composition import Pinhole, Placement, compose
 from airlight.engines.composition.depth import KINDS
-from airlight.engines.composition.surface_light import SurfaceLight
+from airlight.engines.composition.relight import SurfaceLight
 from airlight.solver.moments.solution import MomentsSolution
 
 from .views import directions, distance_to_sphere, looking

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from airlight.engines.environment.half_floats import half_scale
+from airlight.engines.environment.files import half_scale
 from airlight.image.exr import LARGEST_HALF
 
 

@@ -14,7 +14,6 @@ from airlight.physics.optics.moon_phase import (
     moon_phase,
 )
 from airlight.scene.system.body import Body
-from airlight.scene.system.surface_light import surface_factor
 
 WHOLE = {"lambert": lambert_phase, "lommel-seeliger": lommel_seeliger_phase, "moon": moon_phase}
 
@@ -32,7 +31,7 @@ def test_the_surface_adds_up_to_the_sphere(law: str, phase: float) -> None:
     light = np.broadcast_to([np.sin(angle), 0.0, np.cos(angle)], normal.shape)
     eye = np.broadcast_to([0.0, 0.0, 1.0], normal.shape)
     body = Body(name="x", radius=1.0, albedo=1.0, reflection=law)
-    factor = surface_factor(body, normal, light, eye, np.zeros(len(normal)))
+    factor = body.surface_factor(normal, light, eye, np.zeros(len(normal)))
     total = factor.sum() * (2.0 / n) ** 2
     assert_allclose(total, body.brightness([550.0], phase)[0], rtol=4e-3)
 

@@ -10,9 +10,9 @@ from numpy.testing import assert_allclose
 
 from airlight import load_planet
 from airlight.planets import replace as planet_replace
-from airlight.render.capacity import fits
 from airlight.render.gpu.solver.solver import fields_on
 from airlight.render.pixels.render_tables import MAX_CONSTITUENTS
+from airlight.render.rendering_gpu import fits
 from airlight.render.solve_planet import live_solver, solve_planet
 
 NM = [450.0, 530.0, 600.0, 680.0]

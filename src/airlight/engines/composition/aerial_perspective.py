@@ -47,8 +47,6 @@ _DARKEST: Final = 1e-6
 _LARGEST: Final = 3e4
 #: Texels marched at once.
 _BLOCK: Final = 1 << 15
-#: Reflectance of the grey surface to whose light errors are compared.
-_GREY: Final = 0.18
 #: Number and seed of the points at which errors are measured.
 ERROR_POINTS: Final = 4096
 SEED: Final = 20260621
@@ -226,10 +224,7 @@ class _March:
         self._white = colors / colors.sum(axis=0)
         radius = solution.lights[0].angular_radius
         self._disc = 0.0 if radius == 0.0 else self.numbers["disc"]
-        r, mu_s = np.array([self._r]), np.array([self._sun[2]])
-        received = solution.relative_direct_irradiance(r, mu_s)
-        received = received + solution.relative_sky_irradiance(r, mu_s)
-        self.grey = (_GREY / np.pi * received[0]) @ self._radiance
+        self.grey = self._air.grey @ self._radiance
 
     def nodes(self, columns: int, rows: int) -> FloatArray:
         """Directions of the texels, row by row, from above the horizon down, (n, 3). [1]"""

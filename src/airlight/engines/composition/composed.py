@@ -17,8 +17,7 @@ from airlight.engines.composition.froxels import BAR, CELL, Froxels
 from airlight.engines.composition.path_radiance import PathRadiance
 from airlight.engines.composition.pinhole import Pinhole
 from airlight.engines.composition.placement import PinholeView, Placement, pinhole_view
-from airlight.engines.composition.relight import Relight
-from airlight.engines.composition.surface_light import SurfaceLight
+from airlight.engines.composition.relight import Relight, SurfaceLight
 from airlight.errors import Cancelled, ConflictError, ParameterError, warn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.physics.units import without_unit
@@ -43,8 +42,6 @@ _CELLS: Final = 8
 _REACH: Final = 8
 #: Largest cover, albedo and share of light: 1 and what is lost in half floats. [1]
 _MOST: Final = 1.001
-#: Reflectance of the grey surface to whose light errors are compared.
-_GREY: Final = 0.18
 #: Pixels of the sky in one block of work.
 _BLOCK: Final = 1 << 12
 
@@ -287,16 +284,7 @@ class _LightRenderer:
         self._filled = False
         r = solution.medium.bottom_radius + scene.altitude
         self._relight = Relight(solution, r, scene.sun_direction)
-        self._grey = self._grey_light(solution, scene)
-
-    def _grey_light(self, solution: MomentsSolution, scene: Scene) -> FloatArray:
-        """Radiance of a horizontal grey surface at the observer, per irradiance, (nl,). [sr⁻¹]"""
-        medium = solution.medium
-        r = np.array([min(medium.bottom_radius + scene.altitude, medium.top_radius)])
-        mu_s = np.array([scene.sun_direction[2]])
-        received = solution.relative_direct_irradiance(r, mu_s)
-        received = received + solution.relative_sky_irradiance(r, mu_s)
-        return np.asarray(_GREY / np.pi * received[0])
+        self._grey = self._air.grey
 
     def _directions(self, rays: FloatArray) -> FloatArray:
         unit = rays / np.linalg.norm(rays, axis=-1, keepdims=True)

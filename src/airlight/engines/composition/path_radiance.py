@@ -17,6 +17,8 @@ FloatArray = NDArray[np.float64]
 _NOTHING = 1e-6
 #: Length up to which nodes lie below the ground, over the length to it.
 _BELOW = 2.5
+#: Reflectance of the grey surface to whose light errors are compared.
+_GREY = 0.18
 
 
 class PathRadiance:
@@ -44,6 +46,14 @@ class PathRadiance:
     def inside(self) -> bool:
         """Whether the observer is inside the atmosphere."""
         return self._r < self._top
+
+    @property
+    def grey(self) -> FloatArray:
+        """Radiance of a horizontal grey surface at the observer, per irradiance, (nl,). [sr⁻¹]"""
+        r, mu_s = np.array([min(self._r, self._top)]), np.array([self._sun[2]])
+        received = self.solution.relative_direct_irradiance(r, mu_s)
+        received = received + self.solution.relative_sky_irradiance(r, mu_s)
+        return np.asarray(_GREY / np.pi * received[0])
 
     def before(
         self, directions: FloatArray, distances: FloatArray, *, below: bool = False

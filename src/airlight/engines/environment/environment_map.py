@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +17,7 @@ from airlight.engines.environment.texels import texel_solid_angles
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.pixels.scenes_by_light import scenes_by_light
-from airlight.render.render_scene import render_with_solution
+from airlight.render.render_scene import Renderer
 from airlight.scene.basin import on_basin_floor
 from airlight.scene.camera import Camera
 from airlight.scene.frame import Frame
@@ -26,8 +25,6 @@ from airlight.scene.local_ground import local_ground
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
-    from airlight.physics.units import Measures
-    from airlight.render.rendering_gpu import Choice
     from airlight.scene import Scene
 
 FloatArray = NDArray[np.float64]
@@ -126,16 +123,9 @@ def environment_map(
     ground: str = "neutral",
     placed: bool = True,
     local: bool = True,
-    wavelengths: Measures | None = None,
-    quality: str = "default",
-    polarisation: bool = True,
-    device: Choice = "cpu",
-    exact: bool = False,
-    stars: bool = False,
-    cache: bool = True,
-    refused: Callable[[str], None] | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
+    **options: Any,
 ) -> EnvironmentMap:
     """Solve a planet and render the environment map of an observer.
 
@@ -157,7 +147,7 @@ def environment_map(
     local : bool
         Whether the planet is solved with the albedo around a given location, as by
         ``render_scene``.
-    wavelengths, quality, polarisation, device, exact, stars, cache, refused, progress, cancel :
+    progress, cancel, **options :
         Arguments of ``render_scene``.
     """
     for name, value, allowed in (("sun", sun, SUNS), ("ground", ground, GROUNDS)):
@@ -174,11 +164,8 @@ def environment_map(
         )
     if ground == "neutral":
         planet = grey_ground(planet)
-    frame, solution = render_with_solution(
-        planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
-        device=device, exact=exact, disc=False, cache=cache, local=False, stars=stars,
-        refused=refused, progress=progress, cancel=cancel,
-    )  # fmt: skip
+    renderer = Renderer(planet, disc=False, local=False, **options)
+    frame, solution = renderer.render(scene, progress=progress, cancel=cancel)
     light = frame.rgb
     if ground == "black":
         blacken_ground(light, solution, scene)

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
-from airlight.engines.environment.half_floats import half_scale
-from airlight.engines.environment.header import standard_attributes
+from airlight.engines.environment.gamut import grey_of
 from airlight.engines.environment.mitsuba_scene import mitsuba_scene
-from airlight.engines.environment.sidecar import FORMAT, as_json, described
+from airlight.engines.environment.sidecar import FORMAT, as_json, described, standard_attributes
 from airlight.engines.environment.texels import reaching_poles
 from airlight.engines.environment.usd_scene import usd_scene
 from airlight.errors import FileError, ParameterError
@@ -34,6 +35,15 @@ SCENES: Final[dict[str, tuple[str, Callable[[EnvironmentMap, str, float], str]]]
 }
 #: Texts about a scene's place.
 _PLACE: Final = ("latitude", "longitude")
+#: Luminance below which halves begin to lose digits, with a margin of four bits over the smallest
+#: normal one, 2⁻¹⁴.
+_DIM: Final = 2.0**-10
+#: Share of the lit texels that may be dimmer than that.
+_DIM_SHARE: Final = 0.05
+#: Exponent of the largest scale: a night darker than starlight may lose its digits.
+_HIGHEST: Final = 24
+#: Number of texels by which that share is judged.
+_SAMPLED: Final = 1 << 20
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -192,3 +202,35 @@ def _write(path: Path, content: bytes) -> None:
             part.write_bytes(content)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error}") from error
+
+
+def half_scale(rgb: NDArray[np.floating]) -> float:
+    """Power of two that scales a map into the range of half floats.
+
+    Below 1 if a texel, such as one with the sun's disc, would overflow; above 1 if more than 5 % of
+    the nonzero texels would be subnormal, as at night, and the brightest texel permits it.
+
+    Parameters
+    ----------
+    rgb : array, shape (h, w, 3)
+        Linear sRGB, not negative.
+
+    Returns
+    -------
+    float
+        Scale. [1]
+
+    Examples
+    --------
+    >>> half_scale(np.full((1, 1, 3), 2.4e6)), half_scale(np.full((1, 1, 3), 10.0))
+    (0.015625, 1.0)
+    """
+    peak = float(np.max(rgb, initial=0.0))
+    if not peak > 0.0:
+        return 1.0
+    most = math.floor(math.log2(LARGEST_HALF / peak))
+    step = max(1, round((rgb.shape[0] * rgb.shape[1] / _SAMPLED) ** 0.5))
+    grey = grey_of(rgb[::step, ::step])
+    dim = float(np.quantile(grey[grey > 0.0], _DIM_SHARE)) if np.any(grey > 0.0) else 1.0
+    least = min(max(math.ceil(math.log2(_DIM / dim)), 0), _HIGHEST)
+    return 2.0 ** min(most, least)

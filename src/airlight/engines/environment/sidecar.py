@@ -1,10 +1,11 @@
-"""JSON sidecar of a map: axes, scale, and lights with their directions."""
+"""Description of a map: JSON sidecar with axes, scale and lights, and OpenEXR attributes."""
 
 from __future__ import annotations
 
 import json
 import math
 import re
+from datetime import UTC
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -126,3 +127,37 @@ def _numbers(values: ArrayLike) -> list[float]:
     array = np.asarray(values, np.float64)
     array = np.where(np.abs(array) < 10.0**-_DIGITS * np.abs(array).max(), 0.0, array)
     return [_rounded(float(value)) for value in array]
+
+
+def standard_attributes(made: EnvironmentMap, scale: float) -> dict[str, Any]:
+    """Standard attributes: projection, place, time and unit.
+
+    Location and time are written if known: ``latitude`` and ``longitude`` north and east
+    positive [deg], ``altitude`` [m], ``capDate`` in universal time with ``utcOffset`` 0 [s].
+
+    Parameters
+    ----------
+    made : EnvironmentMap
+        Map.
+    scale : float
+        Ratio of the file's numbers to radiances; ``whiteLuminance``, the luminance of (1, 1, 1), is
+        proportional to its reciprocal. [1]
+
+    References
+    ----------
+    OpenEXR, "Standard Attributes"; "Technical Introduction to OpenEXR", environment maps.
+    """
+    import OpenEXR
+
+    scene = made.scene
+    known: dict[str, Any] = {
+        "whiteLuminance": LUMINOUS_EFFICACY / scale, "altitude": scene.altitude,
+    }  # fmt: skip
+    if made.consumer.projection == "equirectangular":
+        known["envmap"] = OpenEXR.ENVMAP_LATLONG
+    if made.placed:
+        known |= {"latitude": scene.latitude, "longitude": scene.longitude}
+    if scene.time is not None:
+        moment = scene.time.astimezone(UTC)
+        known |= {"capDate": f"{moment:%Y:%m:%d %H:%M:%S}", "utcOffset": 0.0}
+    return known

@@ -9,11 +9,14 @@ import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.geometry.ephemeris.positions import BODIES
+from airlight.geometry.sun_disc import mean_cosine
+from airlight.kernel import vectorized
 from airlight.physics.optics.moon_phase import (
     lambert_phase,
     lommel_seeliger_phase,
     moon_albedo,
     moon_phase,
+    moon_surface_factor,
 )
 from airlight.physics.units import values_in
 from airlight.planets.parameters import MISSING, parameters
@@ -188,6 +191,45 @@ class Body(TomlModel):
         """
         share = 2.0 / 3.0 if self.reflection == "lambert" else 1.0
         return self.albedos(wavelengths) * share * float(LAWS[self.reflection](phase))
+
+    def surface_factor(
+        self,
+        normal: FloatArray,
+        to_light: FloatArray,
+        to_eye: FloatArray,
+        angular_radius: FloatArray,
+    ) -> FloatArray:
+        """Radiance reflected by an airless body over irradiance and albedo. [sr⁻¹]
+
+        Parameters
+        ----------
+        normal, to_light, to_eye : array, shape (n, 3)
+            Unit vectors: of the surface, towards the light, and towards the observer.
+        angular_radius : array, shape (n,)
+            Angular radius of the light; its disc sets gradually. [rad]
+
+        Returns
+        -------
+        array, shape (n,)
+            Factor, to be multiplied by ``Body.albedo``.
+
+        Notes
+        -----
+        The Lommel-Seeliger law, L = E (2 p / π) μ₀/(μ₀ + μ), with geometric albedo p, makes the
+        full disc uniform.
+        """
+        sine = np.einsum("nk,nk->n", normal, to_light)
+        # Of the light's disc; that of a sphere's limb is half below the horizon.
+        elevation = np.arcsin(np.clip(sine, -1.0, 1.0))
+        lit = np.asarray(vectorized(mean_cosine)(elevation, sine, angular_radius))
+        if self.reflection == "lambert":
+            return lit / np.pi
+        leaving = np.maximum(np.einsum("nk,nk->n", normal, to_eye), 0.0)
+        shade = np.divide(lit, lit + leaving, out=np.zeros_like(lit), where=lit > 0.0)
+        if self.reflection == "moon":
+            phase = np.einsum("nk,nk->n", to_light, to_eye)
+            shade = shade * moon_surface_factor(np.degrees(np.arccos(np.clip(phase, -1.0, 1.0))))
+        return np.asarray(2.0 / np.pi * shade)
 
     def axes(self, faced: FloatArray | None) -> FloatArray:
         """Axes of the body-fixed frame as rows, shape (3, 3). [1]

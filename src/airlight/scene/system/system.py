@@ -159,6 +159,22 @@ class System:
         local = np.array([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)])
         return np.asarray(local @ self.axes(body))
 
+    def place_above(self, body: Body) -> tuple[float, float, float]:
+        """Latitude and longitude [deg], and altitude [m], of the observer above a body."""
+        offset = self.eye - body.centre
+        distance = float(np.linalg.norm(offset))
+        x, y, z = self.axes(body) @ (offset / distance)
+        altitude = max(distance - self.radius(body), 0.0)
+        if self.observer.body == body.name:
+            altitude = self.observer.altitude
+        latitude, longitude = math.asin(min(max(z, -1.0), 1.0)), math.atan2(y, x)
+        return math.degrees(latitude), math.degrees(longitude), altitude
+
+    def power(self, body: Body) -> float:
+        """Power of the observer's point with respect to a body and its atmosphere. [m²]"""
+        distance, outer = float(np.linalg.norm(body.centre - self.eye)), self.outer_radius(body)
+        return (distance - outer) * (distance + outer)
+
     def check_distances(self) -> None:
         """Raise if bodies or their atmospheres overlap.
 

@@ -8,6 +8,7 @@ from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Field
 from airlight.planets.schema.toml_model import TomlModel
+from airlight.scene.camera import Camera
 from airlight.scene.compass import read_bearing
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.system.vectors import POSITION, unit
@@ -165,3 +166,10 @@ class View(TomlModel):
             unit(self.direction, "direction")
         if self.up is not None:
             unit(self.up, "up")
+
+    def camera(self, width: int, height: int, crop: tuple[int, int, int, int] | None) -> Camera:
+        """Camera of a frame's size [pixel], oriented by ``System.camera_axes``."""
+        return Camera(
+            projection=self.projection, width=width, height=height, polariser=self.polariser,
+            field_of_view=self.field_of_view, crop=crop,
+        )  # fmt: skip

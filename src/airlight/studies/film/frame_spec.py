@@ -18,7 +18,6 @@ from airlight.render.star_points import add_catalogue
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.ground_overlay import lights_file
-from airlight.scene.local_ground import local_ground
 from airlight.scene.surface_map import map_file, water_file
 from airlight.scene.system import System
 from airlight.solver.moments.solve import solve_work
@@ -145,30 +144,21 @@ class PlanetFrameSpec:
         return {kind: float(rendered) + _TABLE, "solve": solve_work(how.quality, len(nm))}
 
     def _solution(self, progress: Progress | None = None) -> MomentsSolution:
-        how, scene = self.how, self.scene
-        place = (scene.latitude, scene.longitude, scene.altitude)
+        how, place = self.how, self.scene.place
         key = digest((self.planet, place, how), self.files)
         if key not in _SOLUTIONS:
-            nm = how.wavelengths or picture_wavelengths(self.planet)
-            found = solve_planet(self._ground(), nm, how.quality, progress=progress)
+            found = solve_planet(
+                self.planet, how.wavelengths, how.quality, around=place, progress=progress
+            )
             _SOLUTIONS.clear()
             _SOLUTIONS[key] = found
         return _SOLUTIONS[key]
 
-    def _ground(self) -> Planet:
-        scene = self.scene
-        return local_ground(
-            self.planet, latitude=scene.latitude, longitude=scene.longitude,
-            altitude=scene.altitude,
-        )  # fmt: skip
-
     @property
     def solved_for(self) -> object:
         """See ``FrameSpec``."""
-        scene = self.scene
-        place = (scene.latitude, scene.longitude, scene.altitude)
         mapped = self.planet.ground.map is not None or self.planet.ground.clouds is not None
-        return self.planet, place if mapped else None
+        return self.planet, self.scene.place if mapped else None
 
     @property
     def defined_by(self) -> object:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.image.display import to_display
-from airlight.render.renderer import Renderer
+from airlight.render.renderer import LiveRenderer
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.background.preparing import Preparing
@@ -97,7 +97,7 @@ class KernelPictures:
 
     def _work(self) -> None:
         preparing = self.preparing
-        renderer = Renderer(ahead=None if preparing is None else preparing.ahead)
+        renderer = LiveRenderer(ahead=None if preparing is None else preparing.ahead)
         while (order := self._orders.get()) is not None and not self._closing:
             try:
                 rendered = self._rendered(renderer, order)
@@ -111,9 +111,9 @@ class KernelPictures:
                 self._answer({"number": order.number, **rendered})
         renderer.close()
 
-    def _rendered(self, renderer: Renderer, order: Order) -> dict[str, Any]:
+    def _rendered(self, renderer: LiveRenderer, order: Order) -> dict[str, Any]:
         view, scene = order.view, scene_of(order.view, *order.size)
-        frame = renderer.render(
+        frame = renderer.still(
             order.solution, scene, orders=str(view["light.orders"]), cancel=lambda: self._closing
         )
         exposure = float(view["display.exposure"])

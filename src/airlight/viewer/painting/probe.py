@@ -32,8 +32,7 @@ from airlight.solver.moments.radiance_parts import radiance_parts
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.stokes_frame import to_meridian
 from airlight.solver.tables.columns import columns
-from airlight.viewer.painting.ground_radiance import ground_radiance
-from airlight.viewer.painting.probed_clouds import probed_clouds
+from airlight.viewer.painting.ground_radiance import ground_radiance, probed_clouds
 
 FloatArray = NDArray[np.float64]
 

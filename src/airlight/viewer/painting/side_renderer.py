@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from airlight.image.display import to_display
 from airlight.image.exposure import MOST_EXPOSURE
-from airlight.render.renderer import LiveFrame, Renderer
+from airlight.render.renderer import LiveFrame, LiveRenderer
 from airlight.scene.metering import METERED, scene_exposure
 from airlight.scene.picture_size import scaled
 from airlight.viewer.painting.picture_source import Picture, Request
@@ -19,17 +19,17 @@ _PAUSE: Final = 1.0 / 60.0
 
 
 class SideRenderer:
-    """``PictureSource`` that displays the steps of a ``Renderer``.
+    """``PictureSource`` that displays the steps of a ``LiveRenderer``.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
         Device of the textures.
-    renderer : Renderer
+    renderer : LiveRenderer
         Renderer, which this object closes.
     """
 
-    def __init__(self, device: Any, renderer: Renderer) -> None:
+    def __init__(self, device: Any, renderer: LiveRenderer) -> None:
         self._canvases = Canvases(device)
         self._renderer = renderer
         self._measured: tuple[Request, float] | None = None

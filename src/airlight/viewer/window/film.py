@@ -12,7 +12,7 @@ from airlight.image.display import to_display
 from airlight.image.exposure import eased
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.parameters import replace
-from airlight.render.renderer import Renderer
+from airlight.render.render_scene import render_solution
 from airlight.scene import Scene
 from airlight.scene.sun_time import sun_at, time_of
 from airlight.viewer.painting.picture_source import Picture
@@ -137,11 +137,11 @@ def _frames(
 ) -> Iterator[Image]:
     from PIL import Image
 
-    renderer, request, exposure = Renderer(), picture.request, picture.exposure
+    request, exposure = picture.request, picture.exposure
     for index, scene in enumerate(scenes):
         if cancel():
             raise Cancelled("the film")
-        frame = renderer.render(request.solution, scene, orders=request.orders, cancel=cancel)
+        frame = render_solution(request.solution, scene, orders=request.orders, cancel=cancel)
         if request.automatic and not request.held:
             exposure = eased(exposure, frame.exposure + request.exposure, 1.0 / RATE, TIME_CONSTANT)
         shown = to_display(

@@ -13,7 +13,6 @@ from functools import cache, cached_property
 from typing import Any, Final
 
 from airlight.errors import AirlightError
-from airlight.render.gpu.device.known_types import know_types
 
 #: Environment variable with the adapter: ``off``, or a part of its name. Not set: the fastest.
 CHOICE: Final = "AIRLIGHT_GPU"
@@ -54,6 +53,11 @@ BROWSER_LIMITS: Final = {
 }
 #: Optional features: timing of passes.
 _WELCOME: Final = frozenset({"timestamp-query"})
+
+#: Numbers of which wgpu allocates arrays.
+_NUMBERS: Final = ("char", "uint8_t", "uint32_t")
+#: Kinds of types of which it allocates some.
+_KINDS: Final = ("StructType", "EnumType", "PointerType")
 
 #: Environment variable with the folder of a session's sockets.
 _RUNTIME: Final = "XDG_RUNTIME_DIR"
@@ -192,9 +196,42 @@ def _wgpu() -> Any:
         raise NoDevice("wgpu is not installed: pip install 'airlight[view]'") from error
     except Exception as error:  # its library does not load here, with one of several errors
         raise NoDevice(f"wgpu cannot be loaded: {_last_line(error)}") from error
-    know_types()
+    _know_types()
     _leave_out_opengl()
     return wgpu
+
+
+def _know_types() -> None:
+    """Add pointers to wgpu's structures, and arrays, to cffi's cache of parsed type names.
+
+    wgpu allocates structures by type name, such as ``"WGPUExtent3D *"``, which cffi parses with a C
+    parser in Python: 26 ms for each of about fifty names, two thirds of the time until a window's
+    first frame. One declaration with all types as arguments takes as long as two names. The cache
+    is not a public interface of cffi; if it is missing or different, this has no effect.
+    """
+    try:
+        from wgpu.backends.wgpu_native import ffi
+
+        table: Any = ffi._parsed_types
+        names = [name for name in ffi.list_types()[0] if _kind(ffi, name)]
+        structures = [name for name in names if _kind(ffi, name) == "StructType"]
+        texts = [f"{name} *" for name in structures]
+        arrays = [f"{name}[]" for name in names] + [f"{name} []" for name in _NUMBERS]
+        behind = [text.replace("[]", "(*)[]") for text in arrays]
+        known = ffi.typeof(f"void(*)({', '.join(texts + behind)})").args
+        for text, kind in zip(texts, known, strict=False):
+            table.setdefault(text, (kind, False))
+        for text, pointer in zip(arrays, known[len(texts) :], strict=True):
+            table.setdefault(text, (pointer.item, False))
+    except Exception:  # whatever has changed there: it only took less time
+        return
+
+
+def _kind(ffi: Any, name: str) -> str:
+    """Kind of a type: structure, handle or enumeration; empty for others."""
+    declared = ffi._parser._declarations.get(f"typedef {name}", (None,))[0]
+    kind = type(declared).__name__
+    return kind if name.startswith("WGPU") and kind in _KINDS else ""
 
 
 def _leave_out_opengl() -> None:

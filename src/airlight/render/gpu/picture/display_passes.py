@@ -1,8 +1,8 @@
-"""Display passes of a frame: glare, exposure, tone map and encoding."""
+"""Passes after rendering: sum over lights, glare, exposure, tone map and encoding."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any, Final
 
 from airlight.image.displayed import Display
@@ -11,6 +11,7 @@ from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.fragment_pass import FragmentPass
 from airlight.render.gpu.emit.uniform_struct import Fixed
 from airlight.render.gpu.picture.display_shaders import (
+    added_shader,
     coarser_shader,
     display_shader,
     spread_shader,
@@ -23,7 +24,7 @@ LINEAR: Final = "rgba32float"
 
 
 class DisplayPasses:
-    """Display of a cached frame of linear radiance, with its glare.
+    """Sum over lights of linear radiance, and display of a cached frame with its glare.
 
     Parameters
     ----------
@@ -42,6 +43,7 @@ class DisplayPasses:
         self._size = (0, 0)
         self._spread: Hashable = None
         self._picture: Any = None
+        self._lights: list[Any] = []  # frames of single lights and their partial sums
         self._levels: list[Any] = []  # pyramid in texels of 2, 4, 8 … pixels
         self._spreads: list[Any] = []  # spread light of each level and all coarser ones
         self._uniforms: dict[int, Any] = {}
@@ -65,6 +67,49 @@ class DisplayPasses:
             self._size, self.rendered, self._spread = (width, height), None, None
             self._groups.clear()
         return self._picture.create_view()
+
+    def add_lights(
+        self,
+        parts: Sequence[Callable[[Any, str], None]],
+        view: Any,
+        size: tuple[int, int],
+        target_format: str,
+    ) -> None:
+        """Render the sum over lights into a target.
+
+        Parameters
+        ----------
+        parts : sequence of callable
+            ``part(view, format)`` renders the frame of one light.
+        view : wgpu.GPUTextureView
+            View of the target.
+        size : (int, int)
+            Width and height of the target. [pixel]
+        target_format : str
+            Format of the target.
+        """
+        if len(parts) == 1:
+            parts[0](view, target_format)
+            return
+        # the last sum is written to the target: two lights need no third texture
+        count = min(len(parts), 3)
+        if count > len(self._lights) or size != tuple(self._lights[0].size[:2]):
+            for texture in self._lights:
+                texture.destroy()
+            self._lights = [self._texture(*size, f"light {k}") for k in range(count)]
+        one, other, *spare = self._lights
+        parts[0](one.create_view(), LINEAR)
+        for number, part in enumerate(parts[1:], start=2):
+            part(other.create_view(), LINEAR)
+            last = number == len(parts)
+            adding = self._pass(added_shader(), target_format if last else LINEAR)
+            encoder = self.device.device.create_command_encoder()
+            # the shader reads no uniform
+            groups = adding.bind({"frame": self._buffer(0), "picture": one, "level": other})
+            adding.run(encoder, groups, [view if last else spare[0].create_view()])
+            self.device.device.queue.submit([encoder.finish()])
+            if not last:
+                one, spare = spare[0], [one]
 
     def display(
         self, uniforms: Mapping[str, float], pixel_angle: float, view: Any, target_format: str

@@ -26,7 +26,7 @@ class FramePasses:
 
     def __init__(self, device: Device) -> None:
         self._device = device
-        self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
+        self._passes: dict[tuple[Shader, tuple[str, ...]], FragmentPass] = {}
         self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
         self._textures: dict[int, Mapping[str, Any]] = {}
         self._places: Mapping[str, tuple[int, ...]] = {}
@@ -57,7 +57,6 @@ class FramePasses:
     def run(
         self,
         shader: Shader,
-        entry: str,
         uniforms: Mapping[str, float],
         views: Sequence[Any],
         formats: tuple[str, ...],
@@ -70,9 +69,7 @@ class FramePasses:
         Parameters
         ----------
         shader : Shader
-            Shader of the pass.
-        entry : str
-            Its entry point.
+            Shader of the pass, with one entry point.
         views : sequence of wgpu.GPUTextureView
             Views of the targets, of the ``formats``.
         area : (int, int, int, int), optional
@@ -83,15 +80,16 @@ class FramePasses:
             Index of the light whose textures are bound.
         """
         device = self._device.device
-        one = self._pass(shader, entry, formats)
+        one = self._pass(shader, formats)
         device.queue.write_buffer(self._uniforms, 0, self.packed(uniforms))
         encoder = device.create_command_encoder()
         one.run(encoder, self._bound(one, light), list(views), area, keep)
         device.queue.submit([encoder.finish()])
 
-    def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
-        key = (shader, entry, targets)
+    def _pass(self, shader: Shader, targets: tuple[str, ...]) -> FragmentPass:
+        key = shader, targets
         if key not in self._passes:
+            entry = next(iter(shader.entries))
             self._passes[key] = FragmentPass(self._device, shader.text, entry, targets, entry)
         return self._passes[key]
 

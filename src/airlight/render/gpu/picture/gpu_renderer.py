@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any, Final
 
@@ -17,43 +16,28 @@ from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.gpu.device.device import Device
-from airlight.render.gpu.device.flat import (
-    empty_flat_texture,
-    flat_texture,
-    read_texture,
-    update_flat,
-)
-from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture.bands import Band, bands
 from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses
 from airlight.render.gpu.picture.frame_passes import FramePasses
-from airlight.render.gpu.picture.light_sum import LightSum
-from airlight.render.gpu.picture.shaders import (
-    picture_shader,
-    sky_air_shader,
-    sky_peaks_shader,
-    sky_polarised_shader,
-)
+from airlight.render.gpu.picture.shaders import picture_shader
+from airlight.render.gpu.picture.sky_views import SkyViews
 from airlight.render.gpu.picture.solution_textures import SolutionTextures
-from airlight.render.gpu.picture.uniforms import FRAME, LAYERS
+from airlight.render.gpu.picture.uniforms import FRAME
 from airlight.render.pixels.capacity import check_capacity
 from airlight.render.pixels.march_points import FEW
-from airlight.render.pixels.render_tables import WAVELENGTHS, pack_texels, render_tables
+from airlight.render.pixels.render_tables import WAVELENGTHS, render_tables
 from airlight.render.pixels.scenes_by_light import SceneForLight, scenes_by_light
-from airlight.render.pixels.sky_view_cpu import fill_sky_view
-from airlight.render.pixels.sky_view_lut import Observer
-from airlight.render.pixels.sky_view_window import COARSEST, SkyViewWindow
+from airlight.render.pixels.sky_view_window import COARSEST
 from airlight.render.pixels.view_uniforms import (
     checked_samples,
     display_uniforms,
     lamp_uniforms,
-    observer_from,
     order_number,
     view_uniforms,
 )
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
-from airlight.solver.moments.march_tables import MarchTables, quadratures
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -68,38 +52,6 @@ QUICK_SKY_VIEW_SIZE: Final = (64, 64)
 #: Pixels per submission: interpolated, marched, and marched in software. It stays below the
 #: watchdog limits of drivers, and a strip that is read back takes 64 MiB at most.
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
-#: Entry point of the pixel shaders.
-_ENTRY: Final = "linear_picture"
-
-
-@dataclass(eq=False)
-class _SkyView:
-    """Sky-view LUT of one light.
-
-    Attributes
-    ----------
-    shape : (int, int)
-        Azimuths, and rows of each half.
-    layers : dict
-        Textures by name.
-    law : array or None
-        Limb darkening of the light; None for that of the solution's star.
-    disc : wgpu.GPUTexture or None
-        Texture of ``law``.
-    seen : tuple or None
-        Key of the current contents; None before they are computed.
-    """
-
-    shape: tuple[int, int]
-    layers: dict[str, Any]
-    law: Float32Array | None = None
-    disc: Any = None
-    seen: tuple[Observer, float, float, bool] | None = None
-
-    @classmethod
-    def of(cls, device: Device, shape: tuple[int, int]) -> _SkyView:
-        count = 3 * shape[0] * shape[1]
-        return cls(shape, {name: empty_flat_texture(device, count, 4, name) for name in LAYERS})
 
 
 class GpuRenderer:
@@ -130,66 +82,18 @@ class GpuRenderer:
         sky_view_on_cpu: bool | None = None,
     ) -> None:
         self.device = device
-        self._sky_view_on_cpu = device.software if sky_view_on_cpu is None else sky_view_on_cpu
         self._passes = FramePasses(device)
-        self._sum = LightSum(device)
-        self._sky_views: list[_SkyView] = []
+        on_cpu = device.software if sky_view_on_cpu is None else sky_view_on_cpu
+        self._sky_views = SkyViews(device, self._passes, sky_view_size, on_cpu=on_cpu)
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._given: FloatArray | None = None
-        self._tables: MarchTables | None = None
         self._display = DisplayPasses(device)
-        self.sky_view_size = sky_view_size
 
     @property
     def sky_view_size(self) -> tuple[int, int]:
         """Azimuths, and rows of each half, of the sky-view LUT."""
-        return self._sky_view_size
-
-    @sky_view_size.setter
-    def sky_view_size(self, shape: tuple[int, int]) -> None:
-        columns, rows = shape
-        whole = columns >= 2 and rows >= 2 and 3 * columns * rows % FLAT_WIDTH == 0
-        if not whole or 3 * columns * rows > FLAT_WIDTH * 4096:
-            raise ParameterError(
-                "sky_view_size", shape, "columns and rows whose product fills rows"
-            )
-        self._sky_view_size = (columns, rows)
-        self._forget()
-
-    def _forget(self) -> None:
-        """Invalidate the sky-view LUTs and the displayed frame."""
-        self._sky_views = [one for one in self._sky_views if one.shape == self._sky_view_size]
-        if self._textures is not None and not self._sky_views:
-            self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
-        for number in range(len(self._sky_views)):
-            self._read(number, None)
-        self._display.rendered = None
-
-    def _read(self, number: int, law: Float32Array | None) -> None:
-        """Bind the tables of the solution, and the limb darkening of a light, to its passes."""
-        assert self._textures is not None
-        sky = self._sky_views[number]
-        textures = {**self._textures.textures, **sky.layers}
-        if law is not None:
-            sky.disc = textures["disc"] = flat_texture(self.device, law, "disc")
-        sky.law, sky.seen = law, None
-        self._passes.read(textures, self._textures.places, number)
-
-    def _sky(self, number: int, lit: MomentsSolution) -> _SkyView:
-        """Sky-view LUT of a light."""
-        while len(self._sky_views) <= number:
-            self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
-            self._read(len(self._sky_views) - 1, None)
-        sky, law = self._sky_views[number], None
-        if lit is not self._solution:
-            law = pack_texels(lit.tables.darkening, lit.wavelengths.size)
-        same = law is sky.law or (
-            law is not None and sky.law is not None and np.array_equal(law, sky.law)
-        )
-        if not same:
-            self._read(number, law)
-        return sky
+        return self._sky_views.size
 
     def set_solution(
         self, solution: MomentsSolution, weights: FloatArray | None = None, *, maps: bool = True
@@ -215,12 +119,13 @@ class GpuRenderer:
         elif np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else FEW.points
-        self._tables = render_tables(solution, points=points)
+        tables = render_tables(solution, points=points)
         self._textures = SolutionTextures.of(
-            self.device, solution, self._tables, self._textures, maps=maps
+            self.device, solution, tables, self._textures, maps=maps
         )
         self._solution = solution
-        self._forget()
+        self._sky_views.load(solution, tables, self._textures)
+        self._display.rendered = None
 
     def render(
         self,
@@ -254,84 +159,67 @@ class GpuRenderer:
         Frame
             Linear sRGB radiance. [W m⁻² sr⁻¹]
         """
-        width, height = scene.camera.columns, scene.camera.rows
-        check_drawn(width, height)
-        lights = scenes_by_light(scene, self._require_solution())
-        rendered = width * height * checked_samples(samples) ** 2 * len(lights)
-        with timed(DEVICE, rendered, f"a picture of {width}x{height} pixels"):
-            frames = [
-                self._render(number, one, exact, orders, disc, samples, progress, cancel)
-                for number, one in enumerate(lights)
-            ]
-        if len(frames) == 1:
-            return frames[0]
-        for one in frames[1:]:
-            np.add(frames[0].rgb, one.rgb, out=frames[0].rgb)
-        return replace(frames[0], scene=scene)
-
-    def _render(
-        self,
-        number: int,
-        light: SceneForLight,
-        exact: bool,
-        orders: str,
-        disc: bool,
-        samples: int,
-        progress: Progress | None,
-        cancel: Cancel | None,
-    ) -> Frame:
-        """Frame of one light; arguments of ``render``."""
-        import wgpu
-
-        scene, solution = light.scene, light.solution
         camera = scene.camera
         width, height = camera.columns, camera.rows
+        check_drawn(width, height)
         limit = self.device.device.limits["max-texture-dimension-2d"]
         if width > limit:
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
-        uniforms = self._uniforms(light, (camera.width, camera.height), exact, orders, disc)
-        uniforms["first_column"] = camera.left
-        if checked_samples(samples) > 1 and not uniforms["edges"]:
-            raise ParameterError("samples", samples, "1 for an exact picture of a software GPU")
-        uniforms["samples"] = samples
-        rows = self._rows_at_once(samples * samples * width, height, exact)
+        solution = self._require_solution()
+        lights = scenes_by_light(scene, solution)
+        rendered = width * height * checked_samples(samples) ** 2 * len(lights)
+        rgb = zeros((height, width, 3), np.float32)
+        with timed(DEVICE, rendered, f"a picture of {width}x{height} pixels"):
+            for number, light in enumerate(lights):
+                uniforms = self._uniforms(light, (camera.width, camera.height), exact, orders, disc)
+                if samples > 1 and not uniforms["edges"]:
+                    allowed = "1 for an exact picture of a software GPU"
+                    raise ParameterError("samples", samples, allowed)
+                uniforms |= {"first_column": camera.left, "samples": samples}
+                for rows, strip in self._strips(number, light, uniforms, exact, cancel):
+                    rgb[rows] += strip
+                    release(rgb[rows])
+                    if progress is not None:
+                        progress(rows.stop, height, "rendering")
+        return Frame.seen_by(
+            camera, rgb, solution.wavelengths, {"solver": solution.report.provenance},
+            device=self.device.name, scene=scene,
+            star_radius=lights[0].solution.lights[0].angular_radius,
+        )  # fmt: skip
+
+    def _strips(
+        self,
+        number: int,
+        light: SceneForLight,
+        uniforms: dict[str, float],
+        exact: bool,
+        cancel: Cancel | None,
+    ) -> Iterator[tuple[slice, Float32Array]]:
+        """Rows and linear sRGB of the strips of a frame of one light."""
+        import wgpu
+
+        camera = light.scene.camera
+        width, height = camera.columns, camera.rows
+        count = self._rows_at_once(int(uniforms["samples"] ** 2) * width, height, exact)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
-            size=(width, rows, 1), format=LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
+            size=(width, count, 1), format=LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
         )
         view = target.create_view()
-        rgb = zeros((height, width, 3), np.float32)
-        self._fill_sky_view(number, light, uniforms, exact)
+        self._sky_views.fill(number, light, uniforms, exact)
         try:
-            for first in range(0, height, rows):
+            for first in range(0, height, count):
                 if cancel is not None and cancel():
                     raise Cancelled
-                count = min(rows, height - first)
+                rows = slice(first, min(first + count, height))
                 strip = {**uniforms, "first_row": camera.top + first}
                 self._passes.run(
-                    picture_shader(exact), _ENTRY, strip, [view], (LINEAR,),
-                    (0, 0, width, count), light=number,
+                    picture_shader(exact), strip, [view], (LINEAR,),
+                    (0, 0, width, rows.stop - first), light=number,
                 )  # fmt: skip
-                rgb[first : first + count] = read_texture(self.device, target)[:count, :, :3]
-                release(rgb[first : first + count])
-                if progress is not None:
-                    progress(first + count, height, "rendering")
+                yield rows, read_texture(self.device, target)[: rows.stop - first, :, :3]
         finally:
             target.destroy()
-        return Frame(
-            rgb=rgb,
-            metadata={
-                "solver": solution.report.provenance,
-                "wavelengths": ", ".join(f"{nm:g}" for nm in solution.wavelengths) + " nm",
-                "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
-                "device": self.device.name,
-            },
-            pixel_angle=scene.camera.glare_angle,
-            circle=scene.camera.circle,
-            scene=scene,
-            star_radius=solution.lights[0].angular_radius,
-            origin=(camera.left, camera.top),
-        )
 
     def display(
         self,
@@ -384,15 +272,15 @@ class GpuRenderer:
             partial(self._render_light, *one, exact)
             for one in zip(range(len(lights)), lights, by_light, strict=True)
         ]
-        if exposure is None:
-            self._sum.render(parts, view, (width, height), target_format)
-            return
         display = self._display
+        if exposure is None:
+            display.add_lights(parts, view, (width, height), target_format)
+            return
         picture = display.picture(width, height)
         rendered = exact, tuple(self._passes.packed(one).tobytes() for one in by_light)
         if display.rendered != rendered:
             display.rendered = None
-            self._sum.render(parts, picture, (width, height), LINEAR)
+            display.add_lights(parts, picture, (width, height), LINEAR)
             display.rendered = rendered
         values = {
             **display_uniforms(exposure, tone_map, encoding), "glare": checked_amount(glare),
@@ -411,7 +299,7 @@ class GpuRenderer:
     ) -> None:
         """Render linear radiance of one light into a texture."""
         width, height = int(uniforms["width"]), int(uniforms["height"])
-        self._fill_sky_view(number, light, uniforms, exact)
+        self._sky_views.fill(number, light, uniforms, exact)
         if self.device.software and not exact:
             # A software GPU evaluates both sides of every branch: each band has a shader with only
             # the branches that it needs.
@@ -424,14 +312,14 @@ class GpuRenderer:
                     "edges": uniforms["edges"] * band.edge,
                 }
                 self._passes.run(
-                    picture_shader(exact, FRAME.fixed(seen)), _ENTRY, uniforms, [view],
+                    picture_shader(exact, FRAME.fixed(seen)), uniforms, [view],
                     (target_format,), (0, band.first, width, band.rows), band.first > 0, number,
                 )  # fmt: skip
             return
         rows = self._rows_at_once(width, height, exact)
         for first in range(0, height, rows):
             self._passes.run(
-                picture_shader(exact), _ENTRY, uniforms, [view], (target_format,),
+                picture_shader(exact), uniforms, [view], (target_format,),
                 (0, first, width, min(rows, height - first)), first > 0, number,
             )  # fmt: skip
 
@@ -450,8 +338,8 @@ class GpuRenderer:
             "height": size[1],
             "orders": order_number(orders),
             "draws_disc": float(disc and orders == "all" and uniforms["disc"] > 0.0),
-            "sky_columns": self._sky_view_size[0],
-            "sky_rows": self._sky_view_size[1],
+            "sky_columns": self.sky_view_size[0],
+            "sky_rows": self.sky_view_size[1],
             "separated_phases": peaks,
             "draws_air": float(light.air),
         }
@@ -479,52 +367,6 @@ class GpuRenderer:
         star = (uniforms["seen_x"], 0.0, uniforms["seen_z"])
         reach = 2.0 * solution.lights[0].angular_radius + 3.0 * uniforms["pixel_angle"]
         return bands(scene, uniforms["horizon_mu"], star, reach + solution.geometry.max_refraction)
-
-    def _fill_sky_view(
-        self, number: int, light: SceneForLight, uniforms: Mapping[str, float], exact: bool
-    ) -> None:
-        """Fill the sky-view LUT of a light if it is out of date."""
-        sky = self._sky(number, light.solution)
-        polarised = uniforms["filter"] > 0
-        seen = (
-            observer_from(uniforms),
-            uniforms["separated_phases"],
-            uniforms["star_radius"],
-            polarised,
-        )
-        if exact or not light.air or seen == sky.seen:
-            return
-        if self._sky_view_on_cpu:
-            self._upload_sky_view(sky, uniforms)
-            sky.seen = seen
-            return
-        passes = [(sky_air_shader(), LAYERS[:2])]
-        if uniforms["separated_phases"]:
-            passes.append((sky_peaks_shader(), LAYERS[2:4]))
-        if polarised:
-            passes.append((sky_polarised_shader(), LAYERS[4:]))
-        for shader, layers in passes:
-            targets = [sky.layers[name] for name in layers]
-            self._passes.run(
-                shader, next(iter(shader.entries)), uniforms, targets, (LINEAR, LINEAR),
-                light=number,
-            )  # fmt: skip
-        sky.seen = seen
-
-    def _upload_sky_view(self, sky: _SkyView, uniforms: Mapping[str, float]) -> None:
-        """Fill the sky-view LUT on the CPU and upload it."""
-        assert self._tables is not None
-        tables = self._tables._replace(
-            rules=quadratures(FEW.points), panels=FEW.panels, star_radius=uniforms["star_radius"]
-        )
-        layers = fill_sky_view(
-            tables, observer_from(uniforms), SkyViewWindow.whole(*self._sky_view_size),
-            polarised=uniforms["filter"] > 0,
-        )  # fmt: skip
-        unread = () if uniforms["separated_phases"] else LAYERS[2:4]
-        for name, layer in zip(LAYERS, layers, strict=True):
-            if len(layer) > 1 and name not in unread:
-                update_flat(self.device, sky.layers[name], 0, pack_texels(layer, WAVELENGTHS))
 
     def _require_solution(self) -> MomentsSolution:
         if self._solution is None:

@@ -170,9 +170,9 @@ def march_workspace(emitter: Emitter) -> StructValue:
     numbers = workspace_sizes(MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS)
     arrays = {name: LocalArray(size) for name, size in numbers.items()}
     arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MAX_CONSTITUENTS).items()}
-    return StructValue({
-        name: emitter.module_array(f"work_{name}", kind) for name, kind in arrays.items()
-    })  # fmt: skip
+    return StructValue(
+        {name: emitter.module_array(f"work_{name}", kind) for name, kind in arrays.items()}
+    )
 
 
 def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -> list[str]:

@@ -10,7 +10,7 @@ from typing import Final
 from airlight.errors import AirlightError
 from airlight.plain_text import plain
 from airlight.render.picture import picture_suffix, write_picture
-from airlight.render.renderer import Renderer
+from airlight.render.render_scene import render_solution
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
 from airlight.viewer.background.error_line import one_line
@@ -97,7 +97,7 @@ class Saving:
 
     def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> None:
         try:
-            frame = Renderer().render(
+            frame = render_solution(
                 request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
                 progress=self._progress,
             )  # fmt: skip
