@@ -58,10 +58,6 @@ def aerial(
     world = place.lit(world, scene)
     scene = replace(scene, time=None, secondary_lights=())
     nm = solve.nm(world)
-    scene = Scene(
-        altitude=placed.altitude, sun_zenith=placed.sun_zenith,
-        sun_azimuth=placed.sun_azimuth, latitude=placed.latitude, longitude=placed.longitude,
-    )  # fmt: skip
     check_request(world.thickness, scene, *between)
     with shown_progress() as report:
         solution = solve_planet(world, nm, around=scene.place, progress=report, **solve.keywords())

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.image.texels import CHANNELS
 from airlight.physics.optics import water
-from airlight.physics.optics.clouds import layer_distance, under_clouds
+from airlight.physics.optics.clouds import GroundFactors, layer_distance, under_clouds
 from airlight.physics.optics.cox_munk import mirrored_cosine
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct, cos_reflected
 from airlight.scene import Scene
