@@ -230,7 +230,7 @@ _KEY = re.compile(r"\s*([^=]+?)\s*=\s*(.*?)\s*(?:\s([a-z]+(?:-[a-z]+)*))?\s*", r
 def _keys(film: str, texts: list[str] | None, changes: dict[str, Any]) -> dict[str, Any]:
     """Key frames of the options, behind those of the film's file."""
     from airlight.studies.film import load_film
-    from airlight.studies.film.laws import LAWS
+    from airlight.studies.film.key_frames import LAWS
 
     if not texts:
         return {}

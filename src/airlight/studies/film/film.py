@@ -138,8 +138,7 @@ class Film:
         if view is not None and planet is not None:
             start, end = self._span
         else:
-            start, end = (_instant(text, name) for text, name in
-                          ((plan.start, "start"), (plan.end, "end")))  # fmt: skip
+            start, end = _instant(plan.start, "start"), _instant(plan.end, "end")
         return start + plan.normalised_time(number) * (end - start)
 
     @cached_property
@@ -151,10 +150,9 @@ class Film:
         plan, found = self.plan, []
         for name, number in (("start", 0), ("end", plan.count - 1)):
             view, planet = self._planet_at(plan.changes(number))
-            place = Place(
-                body=planet.world.name, latitude=view.latitude, longitude=view.longitude,
-                altitude=view.altitude,
-            )  # fmt: skip
+            names = ("latitude", "longitude", "altitude")
+            at = {name: getattr(view, name) for name in names}
+            place = Place(body=planet.world.name, **at)
             text = getattr(plan, name)
             found.append(read_time(text, place, zone=plan.zone, field=f"film.{name}"))
         return found[0], found[1]

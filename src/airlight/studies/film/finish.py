@@ -54,15 +54,10 @@ def finished(
         Metadata for the header, without computation times, so that equal frames are equal files.
     """
     inherited = {name: text for name, text in frame.metadata.items() if name != "solver"}
-    plain = Frame(
-        rgb=frame.rgb, **frame.lens, scene=frame.scene,
-        star_radius=frame.star_radius,
-    )  # fmt: skip
+    star, scene = frame.star_radius, frame.scene
+    plain = Frame(rgb=frame.rgb, **frame.lens, scene=scene, star_radius=star)
     with tempfile.TemporaryDirectory(prefix="airlight-") as folder:
         path = Path(folder) / f"frame{finish.suffix}"
-        write_picture(
-            path, plain, {**inherited, **metadata}, exposure=exposure, tone_map=finish.tone_map,
-            encoding=finish.encoding, primaries=finish.primaries, eye=eye, bits=finish.bits,
-            glare=finish.glare,
-        )  # fmt: skip
+        looks = {name: value for name, value in vars(finish).items() if name != "suffix"}
+        write_picture(path, plain, {**inherited, **metadata}, exposure=exposure, eye=eye, **looks)
         return path.read_bytes()
