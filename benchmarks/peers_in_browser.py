@@ -223,7 +223,7 @@ def in_page(browser: Any, clock: Callable[[], float], folder: Path) -> tuple[flo
     from airlight.planets.medium import Medium
     from airlight.solver.moments.solve import solve
     from airlight.viewer.browser import page as pages
-    from airlight.viewer.browser.page_text import page_text
+    from airlight.viewer.browser.page import page_text
     from airlight.viewer.session.session import Session
 
     planet = world()

@@ -10,8 +10,8 @@ from numpy.testing import assert_allclose
 
 from airlight import load_planet
 from airlight.solver.moments.solution import MomentsSolution
+from airlight.validation.published.other_planets import ALBEDOS, titan_with_methane
 from airlight.validation.published.rayleigh_sphere import geometric_albedo
-from airlight.validation.published.titan import ALBEDOS, titan_with_methane
 
 
 @pytest.mark.filterwarnings("ignore::airlight.AirlightWarning")  # of Titan's methane

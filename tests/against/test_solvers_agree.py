@@ -14,6 +14,7 @@ from airlight.solver.montecarlo.settings import MonteCarloSettings
 from airlight.validation.agreement import Result, agreements, results
 from airlight.validation.cases import CASES, WAVELENGTHS
 from airlight.validation.metrics import summarise
+from airlight.validation.suite import SuiteRun
 
 SOLVERS = (
     ("moments", "fine"),
@@ -46,7 +47,7 @@ def answered(once: Callable[[str, Callable[[], Any]], Any]) -> Answered:
     """Direct and Monte Carlo at a wavelength, which is solved by one worker of a run."""
     return lambda planet, nm, every, judges=SOLVERS[1:]: once(
         f"{planet} at {nm:g} nm, every {every}, {len(judges)}",
-        lambda: results(planet, judges, cases=CASES[::every], wavelengths=(nm,)),
+        lambda: results(SuiteRun(), planet, judges, cases=CASES[::every], wavelengths=(nm,)),
     )
 
 
@@ -94,7 +95,7 @@ def test_three_solvers_agree_from_ground_to_space(
 ) -> None:
     # Three independent methods; two values agree within 1 % or within three standard errors.
     cases = CASES[::every]
-    given = results(planet, (("moments", quality),), cases=cases, wavelengths=wavelengths)
+    given = results(SuiteRun(), planet, (("moments", quality),), cases, wavelengths)
     apart = (answered(planet, nm, every, judges) for nm in wavelengths)
     given += [joined(parts) for parts in zip(*apart, strict=True)]
     pairs = agreements(given)

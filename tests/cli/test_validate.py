@@ -12,7 +12,6 @@ from xml.etree import ElementTree
 import pytest
 
 from airlight.cli import main
-from airlight.validation import golden as golden_suite
 from airlight.validation import run as suites
 from airlight.validation.suite import ReportPicture, ReportTable, Suite, Threshold
 
@@ -54,13 +53,10 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> Suite:
         name="golden", title="Golden numbers", summary="Numbers.", parts=[table, picture],
         thresholds=[Threshold(name="numbers missed", got=1, allowed=0)],
     )  # fmt: skip
-    kept = {
-        name: replace(entry, compute=lambda *_, name=name, **__: replace(made, name=name, parts=[]))
-        for name, entry in suites.SUITES.items()
-    }
-    monkeypatch.setattr(suites, "SUITES", kept)
-    monkeypatch.setattr(golden_suite, "golden", lambda **_: made)
-    kept["golden"] = replace(kept["golden"], compute=lambda *_, **__: made)
+    plain = replace(made, parts=[])
+    monkeypatch.setattr(
+        suites, "resolve_name", lambda path: lambda _: made if path.endswith("golden") else plain
+    )
     return made
 
 
@@ -141,12 +137,11 @@ def test_an_interrupted_validation_leaves_no_file(tmp_path: Path) -> None:
     # The suite tells that it has begun and then works for longer than the test waits.
     script = (
         "import sys, time\n"
-        "from dataclasses import replace\n"
         "from airlight.validation import run\n"
-        "def long(data, *, progress, cancel):\n"
+        "def long(work):\n"
         "    print('begun', flush=True)\n"
         "    time.sleep(3600)\n"
-        "run.SUITES['golden'] = replace(run.SUITES['golden'], compute=long)\n"
+        "run.resolve_name = lambda _: long\n"
         "from airlight.cli import main\n"
         "sys.exit(main(sys.argv[1:]))\n"
     )

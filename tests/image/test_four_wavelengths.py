@@ -15,9 +15,9 @@ from airlight.image.four_wavelengths import (
     few_wavelengths,
     fitted_weights,
     four_wavelengths,
+    typical_light,
 )
 from airlight.image.spectral import default_wavelengths, rgb_weights, sun_color
-from airlight.image.typical_light import typical_light
 from airlight.image.xyz import XYZ_TO_RGB, luminance, rgb_to_xyz
 from airlight.physics.constants import DOBSON_UNIT
 from airlight.physics.spectra.color_matching import cie_1931

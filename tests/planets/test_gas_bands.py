@@ -15,7 +15,7 @@ from airlight.planets import replace
 from airlight.planets.gas_bands import AIRMASS, PAIR_DENSITY, omitted_bands
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
-from airlight.validation.published.titan import titan_with_methane
+from airlight.validation.published.other_planets import titan_with_methane
 
 DOCS = Path(__file__).parents[2] / "docs"
 PRESET = Path(str(__import__("airlight").__file__)).parent / "planets" / "presets" / "earth.toml"

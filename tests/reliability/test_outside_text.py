@@ -86,7 +86,7 @@ def test_figures_draw_every_name(kind: str) -> None:
 
 @pytest.mark.parametrize("name", ALLOWED)
 def test_the_page_escapes_every_name(name: str) -> None:
-    from airlight.viewer.browser.page_text import page_text
+    from airlight.viewer.browser.page import page_text
 
     data: dict[str, Any] = {"title": name, "planet": name, "parameters": [{"group": name}]}
     text = page_text(f"{name} – airlight", data, None)

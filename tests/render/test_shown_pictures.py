@@ -13,10 +13,10 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet, render
 from airlight.image.display import to_display
 from airlight.image.encoding import srgb_decode
+from airlight.image.four_wavelengths import typical_light
 from airlight.image.natural import natural
 from airlight.image.oklab import rgb_to_oklab
 from airlight.image.spectral import EYE, rgb_weights
-from airlight.image.typical_light import typical_light
 from airlight.image.xyz import luminance
 from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets.picture_wavelengths import picture_wavelengths

@@ -10,12 +10,18 @@ from airlight.planets import Medium, load_planet
 from airlight.solver import Solution
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.solution import Report
-from airlight.validation.cie_clear_sky import gradation, indicatrix
-from airlight.validation.energy_planets import round_earth
+from airlight.validation.planets import round_earth
 
 pytest.importorskip("matplotlib")
 
-from airlight.validation.cie import PLANE, dome_difference, plane_luminance, with_aerosol
+from airlight.validation.cie import (
+    PLANE,
+    dome_difference,
+    gradation,
+    indicatrix,
+    plane_luminance,
+    with_aerosol,
+)
 
 NM = (680.0, 550.0, 440.0)
 

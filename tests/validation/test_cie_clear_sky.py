@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.validation.cie_clear_sky import (
+from airlight.validation.cie import (
     angle_to_sun,
     gradation,
     indicatrix,

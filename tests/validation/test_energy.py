@@ -10,13 +10,13 @@ from airlight.planets import Medium
 from airlight.solver import Solution, solve
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.solution import Report
-from airlight.validation.energy_planets import flat_earth, furnace, round_earth
-from airlight.validation.fluxes import level_fluxes, pieces
+from airlight.validation.planets import flat_earth, furnace, round_earth
 from airlight.validation.reference_earth import WAVELENGTHS
+from airlight.validation.suite import SuiteRun
 
 pytest.importorskip("matplotlib")
 
-from airlight.validation.energy import energy, flat_balance, net_gain
+from airlight.validation.energy import energy, flat_balance, level_fluxes, net_gain, pieces
 from airlight.validation.order_convergence import order_shares
 
 
@@ -82,7 +82,7 @@ def test_shares_of_the_orders_are_those_of_a_known_series() -> None:
 @pytest.mark.slow
 def test_a_flat_earth_balances_at_default_quality() -> None:
     # Conservation of energy where air and ground absorb, and reciprocity; the report's thresholds.
-    thresholds, parts = flat_balance("default", None)
+    thresholds, parts = flat_balance(SuiteRun())
     assert [threshold.name for threshold in thresholds if not threshold.passed] == []
     assert (len(thresholds), len(parts)) == (2, 3)
 
@@ -90,6 +90,6 @@ def test_a_flat_earth_balances_at_default_quality() -> None:
 @pytest.mark.validation
 def test_all_balances_hold_at_default_quality() -> None:
     # As above, of furnaces and of a round Earth too.
-    suite = energy(order_solvers=())
+    suite = energy(SuiteRun(), order_solvers=())
     assert [threshold.name for threshold in suite.thresholds if not threshold.passed] == []
     assert len(suite.thresholds) == 5

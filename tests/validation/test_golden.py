@@ -16,6 +16,7 @@ from airlight.validation.golden_numbers import (
     golden_groups,
     last_digit,
 )
+from airlight.validation.suite import SuiteRun
 
 #: Groups that take no solution: quick enough to be perturbed one by one.
 QUICK = [
@@ -35,7 +36,7 @@ def changed(group: Group, row: int, column: int, printed: str) -> Group:
 
 def test_every_golden_number_is_met():
     # Authorities, named in the file; the suite is one of the project's own checks.
-    suite = golden()
+    suite = golden(SuiteRun())
     missed = [threshold.name for threshold in suite.thresholds if not threshold.passed]
     assert not missed
     assert suite.passed
@@ -48,7 +49,7 @@ def test_a_number_that_is_off_by_ten_times_what_is_allowed_is_missed(group):
     row = len(group.rows) - 1
     allowed = max(float(group.rows[row].allowed[0]), 1e-6)
     wrong = f"{group.rows[row].expected[0] + 10.0 * allowed:.12e}"
-    suite = golden(groups=[changed(group, row, 0, wrong)])
+    suite = golden(SuiteRun(), groups=[changed(group, row, 0, wrong)])
     assert not suite.passed
     assert "missed" in str(suite.parts[0].rows)
     assert "fail" in suite.parts[0].marks
@@ -58,7 +59,7 @@ def test_the_suns_colour_is_compared_as_float32_bit_for_bit():
     # One unit in the last place of float32 must be seen.
     group = next(group for group in golden_groups() if group.name == "sun-color-float32")
     next_float = np.nextafter(np.float32(213.865952), np.float32(np.inf))
-    suite = golden(groups=[changed(group, 0, 0, f"{float(next_float):.9f}")])
+    suite = golden(SuiteRun(), groups=[changed(group, 0, 0, f"{float(next_float):.9f}")])
     assert [threshold.got for threshold in suite.thresholds] == [1]
 
 
@@ -90,4 +91,4 @@ def test_sums_of_single_scattering_follow_from_their_parts():
 
 def test_golden_stops_when_asked():
     with pytest.raises(Cancelled):
-        golden(cancel=lambda: True)
+        golden(SuiteRun(cancel=lambda: True))

@@ -30,7 +30,6 @@ from airlight.validation.kider.planets import (
     read_aeronet_phase,
     steps,
 )
-from airlight.validation.kider.rows import compute
 from airlight.validation.kider.scans import (
     best_factor,
     read_scans,
@@ -38,8 +37,9 @@ from airlight.validation.kider.scans import (
     symmetric_part,
     total_rmse,
 )
-from airlight.validation.measured import PUBLISHED, suite_of
+from airlight.validation.measured import PUBLISHED, compute, suite_of
 from airlight.validation.measured_days import measured_days
+from airlight.validation.suite import SuiteRun
 
 
 def made_up(sky: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Scans:
@@ -136,9 +136,12 @@ def test_load_is_found_again_and_predicts_the_scan_left_out() -> None:
     truth = AngstromLaw(beta=0.05, alpha=1.4)
     scans = day(truth)
     model = AerosolModel(
+        SuiteRun(quality="preview"),
         lambda load: planet(replace(BEST, load=load, aeronet_phase=False), scans, Path()),
-        scans, AERONET_AEROSOL, quality="preview", with_scale=True,
-    )  # fmt: skip
+        scans,
+        AERONET_AEROSOL,
+        with_scale=True,
+    )
     found = model.fitted()
     errors = found.fitted.errors.standard
     depth = float(truth.optical_depth(550.0))
@@ -168,7 +171,7 @@ def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None
         )  # fmt: skip
     phase = "scattering_angle_deg,p_442nm,p_674nm\n0,1,1\n90,1,1\n180,1,1\n"
     (tmp_path / kider_planets.FILE).write_text(phase)
-    suite = measured_days(tmp_path, quality="preview")
+    suite = measured_days(SuiteRun(data=tmp_path, quality="preview"))
     assert [threshold.name[:10] for threshold in suite.thresholds] == ["2013-05-27", "2013-06-01"]
     titles = [part.title for part in suite.parts]  # type: ignore[union-attr]
     for date in ("2013-05-27", "2013-06-01"):
@@ -321,10 +324,11 @@ def test_damaged_phase_functions_are_refused_in_one_line(tmp_path: Path) -> None
 def test_asking_to_stop_stops(reference_data: Path) -> None:
     # Before the first solution: nothing is computed after a cancellation.
     with pytest.raises(Cancelled):
-        compute(reference_data, cancel=lambda: True)
+        compute(SuiteRun(data=reference_data, cancel=lambda: True))
 
 
 @pytest.mark.validation
+@pytest.mark.filterwarnings("ignore:.*absorption bands of O2 are omitted")  # the report says so
 def test_measured_skies_are_met_as_the_league_table_says(
     reference_data: Path, tell: Callable[[str], None]
 ) -> None:
@@ -335,7 +339,11 @@ def test_measured_skies_are_met_as_the_league_table_says(
     pytest.importorskip("matplotlib")
     seen: list[tuple[int, int]] = []
     rows = compute(
-        reference_data, quality="preview", progress=lambda done, of, _: seen.append((done, of))
+        SuiteRun(
+            data=reference_data,
+            quality="preview",
+            progress=lambda done, of, _: seen.append((done, of)),
+        )
     )
     scores = {
         "same inputs": rows.score(rows.same),

@@ -12,10 +12,18 @@ from airlight.planets import load_planet
 from airlight.solver import solve
 from airlight.validation.cases import CASES
 from airlight.validation.polarised.flat_air import coulson_values, differences, flat_rayleigh
-from airlight.validation.polarised.histories import PLANETS, Beside, beside, line_table, summary
-from airlight.validation.polarised.neutral_points import neutral_distances
+from airlight.validation.polarised.histories import (
+    PLANETS,
+    Beside,
+    PolarisedPlanet,
+    beside,
+    line_table,
+    summary,
+)
+from airlight.validation.polarised.light import neutral_distances
 from airlight.validation.polarised.round_air import reference_sky, round_rayleigh
 from airlight.validation.run import SUITES
+from airlight.validation.suite import SuiteRun
 
 
 def test_the_suite_is_registered_and_needs_no_data() -> None:
@@ -93,5 +101,6 @@ def test_the_table_of_a_planet_counts_what_is_left_out() -> None:
 @pytest.mark.parametrize("name", ["earth", "mars-standard"])
 def test_moments_are_histories_within_their_noise(name: str) -> None:
     # Two methods, one wavelength, every fourth line of sight of the grid.
-    found = beside(load_planet(name), (440.0,), cases=CASES[::4])
+    air, planet = PolarisedPlanet(planet=name), load_planet(name)
+    found = beside(SuiteRun(), planet, air, CASES[::4], (440.0,))
     assert found.disagree.sum() <= 1

@@ -13,16 +13,22 @@ from airlight.physics.spectra.blackbody import planck_radiance
 from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets import load_planet, replace
 from airlight.solver import Solution, solve
-from airlight.validation.energy_planets import round_earth
+from airlight.validation.planets import round_earth
 from airlight.validation.published import rayleigh_sphere as sphere
 from airlight.validation.published.earth import ALTITUDES, SUNSET, illuminances
 from airlight.validation.published.light import published, suite_of
-from airlight.validation.published.row import COLUMNS, PublishedRow, PublishedSection, solver
+from airlight.validation.published.other_planets import (
+    EDGES,
+    TOTAL,
+    band_flux,
+    global_mean,
+    ground_flux,
+)
+from airlight.validation.published.row import COLUMNS, PublishedRow, PublishedSection
 from airlight.validation.published.sunset import flattening, geometry_of, refraction, sunset
 from airlight.validation.published.twilight import average_aerosol
-from airlight.validation.published.venus import EDGES, TOTAL, band_flux, global_mean, ground_flux
 from airlight.validation.run import SUITES, chosen
-from airlight.validation.suite import Threshold
+from airlight.validation.suite import SuiteRun, Threshold
 
 
 def row(**changes: object) -> PublishedRow:
@@ -188,7 +194,8 @@ def test_sunset_by_the_suite_is_within_the_published_range() -> None:
     # One section from the planet to the threshold, cheap: three wavelengths, preview. The range of
     # clear evenings is the source's; of sunlight at noon less than 15 % may be missing or too much.
     average = load_planet("earth", average_aerosol())
-    section = illuminances(solver(None, None)(average, (450.0, 550.0, 650.0), "preview"), (40.0,))
+    solution = SuiteRun(quality="preview").solve(average, (450.0, 550.0, 650.0))
+    section = illuminances(solution, (40.0,))
     by_name = {one.what: one for one in section.rows}
     noon = by_name["illuminance, sun 40°"]
     assert_allclose(noon.ours, noon.published, rtol=0.15)
@@ -202,9 +209,8 @@ def test_sunset_by_the_suite_is_within_the_published_range() -> None:
 
 def test_progress_names_the_planet() -> None:
     said: list[str] = []
-    solver(lambda done, total, message: said.append(message), None)(
-        round_earth(), (550.0,), "preview"
-    )
+    run = SuiteRun(quality="preview", progress=lambda done, total, message: said.append(message))
+    run.solve(round_earth(), (550.0,))
     assert said
     assert all(one.startswith(round_earth().name) for one in said)
 
@@ -214,7 +220,7 @@ def test_the_whole_suite_runs_and_meets_all_but_what_is_known(
     tell: Callable[[str], None],
 ) -> None:
     # docs/planets.md and the changelog name the thresholds that are missed.
-    suite = published()
+    suite = published(SuiteRun())
     for threshold in suite.thresholds:
         tell(f"{threshold.name}: {threshold.got:.4g}, allowed {threshold.allowed:.4g}")
     known = ("Pioneer Venus", "daylight on Mars, dust 0.5, chromaticity x", "Titan's full disc")

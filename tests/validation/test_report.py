@@ -13,8 +13,7 @@ import pytest
 from PIL import Image
 
 from airlight.validation.markdown import markdown, picture_files
-from airlight.validation.provenance import provenance
-from airlight.validation.report import ValidationReport, html
+from airlight.validation.report import ValidationReport, html, provenance
 from airlight.validation.suite import ReportPicture, ReportTable, Suite, Text, Threshold
 
 

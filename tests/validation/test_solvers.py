@@ -11,8 +11,9 @@ from airlight.planets import Medium, load_planet
 from airlight.validation import solvers as module
 from airlight.validation.agreement import Agreement, Result, agreements
 from airlight.validation.cases import Case
-from airlight.validation.finite_disc import finite_disc, with_point_star
-from airlight.validation.solvers import solvers
+from airlight.validation.planets import with_point_star
+from airlight.validation.solvers import finite_disc, solvers
+from airlight.validation.suite import SuiteRun
 
 pytest.importorskip("matplotlib")
 
@@ -63,7 +64,7 @@ def test_a_wrong_answer_fails_the_suite_and_stands_in_the_table(
         return [answer("moments", [1.0, 1.03, 1.0, 1.0]), answer("montecarlo", [1.0] * 4, 1e-3)]
 
     monkeypatch.setattr(module, "results", made)
-    suite = solvers(planets=["earth-atmosphere-plus"], cases=FOUR)
+    suite = solvers(SuiteRun(), planets=["earth-atmosphere-plus"], cases=FOUR)
     assert [threshold.got for threshold in suite.thresholds] == [1]
     assert not suite.passed
     worst = next(part for part in suite.parts if "worst" in part.title)
@@ -80,6 +81,7 @@ def test_two_real_solvers_agree_on_a_few_lines_of_sight() -> None:
 
     monte_carlo = MonteCarloSettings(relative_error=0.005, most_histories=400_000)
     suite = solvers(
+        SuiteRun(),
         solvers=(("moments", "default"), ("montecarlo", monte_carlo)),
         planets=["earth-atmosphere-plus"],
         cases=FOUR,
@@ -93,7 +95,7 @@ def test_too_few_bright_cases_fail_the_suite(monkeypatch: pytest.MonkeyPatch) ->
         return [answer("moments", [1e-9] * 4), answer("montecarlo", [1e-9] * 4, 1e-3)]
 
     monkeypatch.setattr(module, "results", dark)
-    assert not solvers(planets=["earth-atmosphere-plus"], cases=FOUR).passed
+    assert not solvers(SuiteRun(), planets=["earth-atmosphere-plus"], cases=FOUR).passed
 
 
 def test_a_point_has_no_disc_and_a_high_sun_needs_none() -> None:
@@ -103,11 +105,11 @@ def test_a_point_has_no_disc_and_a_high_sun_needs_none() -> None:
     disc = Medium.from_planet(planet, [550.0])
     assert point.star_angular_radius == 0.0 < disc.star_angular_radius
     assert_allclose(point.solar_irradiance, disc.solar_irradiance, rtol=1e-12)
-    table = finite_disc("earth-atmosphere-plus", cases=FOUR)
+    table = finite_disc(SuiteRun(), "earth-atmosphere-plus", FOUR)
     differences = [float(cell) for row in table.rows for cell in row[1:]]
     assert_allclose(differences, 0.0, atol=0.1)  # in per cent
 
 
 def test_solvers_stop_when_asked() -> None:
     with pytest.raises(Cancelled):
-        solvers(cases=FOUR, cancel=lambda: True)
+        solvers(SuiteRun(cancel=lambda: True), cases=FOUR)

@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight.errors import FileError
 from airlight.validation.spherical.data import ReferenceScene, read_bruneton, read_scenes
 from airlight.validation.spherical.radiances import compare, spherical
+from airlight.validation.suite import SuiteRun
 
 HEADER = (
     "scene,ground_albedo,altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg,radiance_680nm,"
@@ -64,7 +65,7 @@ def test_a_wrong_reference_misses_the_bar_and_is_the_worst_case_in_the_table(
         for k in range(3)
     ]
     write(tmp_path, rows)
-    suite = spherical(tmp_path, qualities=("default",))
+    suite = spherical(SuiteRun(data=tmp_path), qualities=("default",))
     assert not suite.passed
     worst = next(part for part in suite.parts if part.title.startswith("The ten worst"))
     assert worst.rows[0][:7] == ("rayleigh-only", "0", "0", "85.000", "80.000", "0", "550")
@@ -125,4 +126,4 @@ def test_a_damaged_table_of_brunetons_is_refused(tmp_path: Path, text: str) -> N
 
 def test_an_empty_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="neither"):
-        spherical(tmp_path)
+        spherical(SuiteRun(data=tmp_path))

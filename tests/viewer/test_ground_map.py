@@ -11,7 +11,7 @@ from PIL import Image
 
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.map_levels import reduced
-from airlight.viewer.browser.ground_map import ground_map
+from airlight.viewer.browser.package import ground_map
 
 
 def test_lamps_of_a_page_light_no_dark_sea() -> None:

@@ -13,9 +13,7 @@ import pytest
 from PIL import Image
 
 from airlight import load_planet, solve
-from airlight.viewer.browser.first_view import LARGEST, first_view
-from airlight.viewer.browser.page import page_data
-from airlight.viewer.browser.page_text import page_text
+from airlight.viewer.browser.page import LARGEST_PICTURE, first_picture, page_data, page_text
 from airlight.viewer.session.session import Session
 
 #: Script before all others: whether the first picture has stood in the viewer, however short.
@@ -33,12 +31,12 @@ def text() -> str:
     session = Session("mars-rayleigh")
     session.move({"view.altitude": 4e5, "view.look_zenith": 105.0, "view.sun_zenith": 60.0})
     data = page_data(solution, "mars-rayleigh", "Mars", session.values, "three")
-    return page_text("Mars", data, first_view(solution, session.values))
+    return page_text("Mars", data, first_picture(solution, session.values))
 
 
 def test_the_picture_is_small_and_of_the_view(text: str) -> None:
     address = text.partition('src="data:image/webp;base64,')[2].partition('"')[0]
-    assert 0 < len(address) <= LARGEST
+    assert 0 < len(address) <= LARGEST_PICTURE
     pixels = np.asarray(Image.open(io.BytesIO(base64.b64decode(address))).convert("L"), float)
     high = pixels.shape[0] // 4
     assert pixels.shape[0] == pixels.shape[1]

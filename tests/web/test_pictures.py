@@ -21,9 +21,8 @@ from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture import solution_textures
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.scene.surface_map import SurfaceMap, from_pixels, surface_map
-from airlight.viewer.browser.ground_map import ground_map
-from airlight.viewer.browser.page import page_data
-from airlight.viewer.browser.page_text import page_text
+from airlight.viewer.browser.package import ground_map
+from airlight.viewer.browser.page import page_data, page_text
 from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, uniforms_of
 
 WIDTH, HEIGHT = 240, 135

@@ -18,7 +18,7 @@ from PIL import Image
 from waiting import PATIENCE, until
 
 from airlight.scene.directions import camera_axes
-from airlight.viewer.browser.page_text import page_text
+from airlight.viewer.browser.page import page_text
 
 WIDTH, HEIGHT = 160, 90
 VIEW = {

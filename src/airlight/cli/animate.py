@@ -198,7 +198,7 @@ _KEY = re.compile(r"\s*([^=]+?)\s*=\s*(.*?)\s*(?:\s([a-z]+(?:-[a-z]+)*))?\s*", r
 def _keys(film: str, texts: list[str] | None, changes: dict[str, Any]) -> dict[str, Any]:
     """Key frames of the film's file, then of the options."""
     from airlight.studies.film import load_film
-    from airlight.studies.film.laws import LAWS
+    from airlight.studies.film.key_frames import LAWS
 
     if not texts:
         return {}

@@ -181,8 +181,7 @@ def fit(
             sky = _photograph(planet.planet, photograph, chosen, progress)
         else:
             sky = _radiances(planet.planet, data, photograph.exclude_sun, chosen, progress)
-    from airlight.studies.fit.fitted_file import fitted_file
-    from airlight.studies.fit.report import result_lines, warnings_of
+    from airlight.studies.fit.report import fitted_file, result_lines, warnings_of
 
     with atomic_file(output) as part:
         part.write_text(fitted_file(sky), encoding="utf-8")

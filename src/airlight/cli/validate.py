@@ -75,12 +75,12 @@ def validate(
         chosen(names, data)
     _check_matplotlib()
 
-    from airlight.validation.provenance import provenance
-    from airlight.validation.report import ValidationReport, result_word
+    from airlight.validation.report import ValidationReport, provenance, result_word
+    from airlight.validation.suite import SuiteRun
 
     suites = []
     with shown_progress() as report:
-        for one in run(names, data, progress=report):
+        for one in run(names, SuiteRun(data=data, progress=report)):
             suites.append(one)
             met = sum(threshold.passed for threshold in one.thresholds)
             say(

@@ -281,10 +281,8 @@ def into_gamut(primaries, bounded, soft, red, green, blue):
 def gamut_pixels(colors, out, primaries, bounded, soft):
     """``into_gamut`` of all colours."""
     for i in range(colors.shape[0]):
-        out[i, 0], out[i, 1], out[i, 2] = into_gamut(
-            primaries, bounded, soft,
-            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
-        )  # fmt: skip
+        r, g, b = np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
+        out[i, 0], out[i, 1], out[i, 2] = into_gamut(primaries, bounded, soft, r, g, b)
 
 
 def in_gamut(

@@ -86,10 +86,8 @@ def glare_share(level, pixel_angle, shorter):
     square, inner = angle * angle, FINEST * FINEST
     end = _LARGEST * shorter * pixel_angle
     outer = 1.0 / (1.0 / (COARSEST * COARSEST) + 1.0 / (end * end))
-    return (
-        TOTAL * log(2.0) / log(COARSEST / FINEST)
-        * square / (square + inner) * outer / (square + outer)
-    )  # fmt: skip
+    share = TOTAL * log(2.0) / log(COARSEST / FINEST) * square / (square + inner)
+    return share * outer / (square + outer)
 
 
 @kernel

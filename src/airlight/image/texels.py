@@ -21,8 +21,9 @@ DECODED: Final = np.array([_COLOR, _COLOR, _COLOR, [v / 255.0 for v in range(256
 #: Number of steps by which linear values are looked up for encoding: less than a sixth of the
 #: finest difference between two values of sRGB, which is 1/3295.
 _STEPS: Final = 20_000
-_CODES: Final = np.array([round(255.0 * srgb_curve.py_func(i / _STEPS)) for i in range(_STEPS + 1)],
-                         np.uint8)  # fmt: skip
+_CODES: Final = np.array(
+    [round(255.0 * srgb_curve.py_func(i / _STEPS)) for i in range(_STEPS + 1)], np.uint8
+)
 
 
 @inlined

@@ -11,15 +11,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled
 from airlight.planets import load_planet
-from airlight.solver import solve
 from airlight.solver.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
 from airlight.solver.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
-from airlight.validation.finite_disc import with_point_star
 from airlight.validation.metrics import in_standard_errors, relative_errors
-from airlight.validation.suite import Cancel, Progress
+from airlight.validation.planets import with_point_star
+from airlight.validation.suite import SuiteRun
 
 FloatArray = NDArray[np.float64]
 
@@ -100,16 +98,19 @@ class Agreement:
 
 
 def results(
-    planet_name: str, solvers: Sequence[tuple[str, Any]] = SOLVERS, *,
-    cases: Sequence[Case] = CASES, wavelengths: Sequence[float] = WAVELENGTHS,
-    progress: Progress | None = None, cancel: Cancel | None = None,
-) -> list[Result]:  # fmt: skip
+    run: SuiteRun,
+    planet_name: str,
+    solvers: Sequence[tuple[str, Any]] = SOLVERS,
+    cases: Sequence[Case] = CASES,
+    wavelengths: Sequence[float] = WAVELENGTHS,
+) -> list[Result]:
     """Radiances of all cases by each solver, under a point star.
 
     Without polarisation, which the direct solver does not support.
 
     Parameters
     ----------
+    run : SuiteRun
     planet_name : str
         Name of a preset, or path of a file.
     solvers : sequence of (str, object)
@@ -119,20 +120,10 @@ def results(
     """
     planet = with_point_star(load_planet(planet_name))
     out = []
-    for name, quality in solvers:
-        if cancel is not None and cancel():
-            raise Cancelled("cancelled")
-        tell: Progress | None = None
-        if progress is not None:
-
-            def tell(done: int, total: int, message: str, name: str = name) -> None:
-                progress(done, total, f"{planet_name}, {name}: {message}")
-
+    for done, (name, quality) in enumerate(solvers):
+        run.step(done, len(solvers), f"{planet_name}, {name}")
         started = perf_counter()
-        solution = solve(
-            planet, wavelengths, quality, solver=name, polarisation=False, cache=False,
-            progress=tell, cancel=cancel,
-        )  # fmt: skip
+        solution = run.solve(planet, wavelengths, quality, solver=name, polarisation=False)
         lines, _ = solution.lines_of_sight(**geometry(planet, cases))
         if isinstance(solution, MonteCarloSolution):
             traced = solution.trace(lines)

@@ -1,25 +1,40 @@
-"""Suite ``cie``: luminance of the Earth's clear sky against the CIE standard clear sky."""
+r"""The suite ``cie``: luminance of a clear Earth's sky against the CIE standard clear sky, type 12.
+
+.. math:: \frac{L(Z, \chi)}{L_z} = \frac{f(\chi)\, \varphi(Z)}{f(Z_s)\, \varphi(0)}, \quad
+          \varphi(Z) = 1 + a\, e^{b/\cos Z}, \quad
+          f(\chi) = 1 + c\,(e^{d\chi} - e^{d\pi/2}) + e \cos^2\chi
+
+with a = -1, b = -0.32, c = 10, d = -3, e = 0.45. A statistical fit to many skies of many days, not
+a solution of any equation: no clear sky need follow it.
+
+Source: CIE S 011/ISO 15469:2004, Spatial distribution of daylight: CIE standard general sky;
+Darula & Kittler (2002), CIE general sky standard defining luminance distributions, eSim.
+"""
 
 from __future__ import annotations
 
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from airlight.errors import Cancelled
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.image.spectral import default_wavelengths, rgb_weights
 from airlight.image.xyz import luminance
 from airlight.planets import Constituent, Planet, load_planet, replace
-from airlight.solver import Solution, solve
+from airlight.solver import Solution
 from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure
-from airlight.validation.cie_clear_sky import angle_to_sun, relative_luminance
 from airlight.validation.metrics import log_ratio_rms
-from airlight.validation.suite import Cancel, Progress, ReportPicture, ReportTable, Suite
+from airlight.validation.suite import ReportPicture, ReportTable, Suite, SuiteRun, cells
 
 FloatArray = NDArray[np.float64]
 
+#: Coefficients of type 12, "CIE standard clear sky, low luminance turbidity". [1], d per radian
+A: Final = -1.0
+B: Final = -0.32
+C: Final = 10.0
+D: Final = -3.0
+E: Final = 0.45
 #: Zenith angles of the sun. [deg]
 SUNS: Final = (10.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 85.0)
 #: Zenith angles of views in the principal plane; negative is away from the sun. [deg]
@@ -38,27 +53,98 @@ _FIT: Final = (
 )
 
 
-def cie(
-    *, planet: str = "earth", quality: str = "default", progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> Suite:  # fmt: skip
+def gradation(cosine: ArrayLike) -> FloatArray:
+    """Gradation φ from zenith to horizon; 1 at the horizon. [1]
+
+    Parameters
+    ----------
+    cosine : array, shape (...)
+        Cosine of the view's zenith angle, 0 to 1. [1]
+    """
+    mu = np.asarray(cosine, dtype=float)
+    return np.asarray(1.0 + A * np.exp(B / np.maximum(mu, 1e-300)))
+
+
+def indicatrix(angle: ArrayLike) -> FloatArray:
+    """Indicatrix f, which brightens towards the sun; 1 at a right angle. [1]
+
+    Parameters
+    ----------
+    angle : array, shape (...)
+        Angle χ between view and sun. [rad]
+    """
+    chi = np.asarray(angle, dtype=float)
+    bright = C * (np.exp(D * chi) - np.exp(0.5 * D * np.pi))
+    return np.asarray(1.0 + bright + E * np.square(np.cos(chi)))
+
+
+def angle_to_sun(sun_zenith: ArrayLike, view_zenith: ArrayLike, azimuth: ArrayLike) -> FloatArray:
+    """Angle χ between view and sun.
+
+    Parameters
+    ----------
+    sun_zenith, view_zenith, azimuth : array, shapes that broadcast to (...)
+        [deg]
+
+    Returns
+    -------
+    array, shape (...)
+        [rad]
+
+    Examples
+    --------
+    >>> float(np.degrees(angle_to_sun(60.0, 30.0, 180.0)).round(9))
+    90.0
+    """
+    sun, view, around = (np.radians(x) for x in (sun_zenith, view_zenith, azimuth))
+    cosine = np.cos(sun) * np.cos(view) + np.sin(sun) * np.sin(view) * np.cos(around)
+    return np.asarray(np.arccos(np.clip(cosine, -1.0, 1.0)))
+
+
+def relative_luminance(
+    sun_zenith: ArrayLike, view_zenith: ArrayLike, azimuth: ArrayLike
+) -> FloatArray:
+    """Luminance of the sky over that of its zenith.
+
+    Parameters
+    ----------
+    sun_zenith, view_zenith : array, shapes that broadcast to (...)
+        0 to 90. [deg]
+    azimuth : array
+        Azimuth between view and sun. [deg]
+
+    Returns
+    -------
+    array, shape (...)
+        [1]
+
+    Examples
+    --------
+    >>> relative_luminance(60.0, [60.0, 0.0, 60.0], [180.0, 0.0, 0.0]).round(3).tolist()
+    [1.236, 1.0, 13.479]
+    """
+    chi = angle_to_sun(sun_zenith, view_zenith, azimuth)
+    here = indicatrix(chi) * gradation(np.cos(np.radians(view_zenith)))
+    zenith = indicatrix(np.radians(sun_zenith)) * gradation(1.0)
+    return np.asarray(here / zenith)
+
+
+def cie(run: SuiteRun, planet: str = "earth") -> Suite:
     """Comparison of the Earth's clear sky with the CIE standard.
 
     Parameters
     ----------
+    run : SuiteRun
     planet : str
         Name of a preset, or path of a file.
-    quality : str
-        Quality of the moments solver.
     """
     earth = load_planet(planet)
     nm = default_wavelengths(16, *earth.wavelength_limits)
-    solution = solve(earth, nm, quality, cache=False, progress=progress, cancel=cancel)
+    solution = run.solve(earth, nm)
     weights = rgb_weights(nm)
     rows, plane = [], []
-    for sun in SUNS:
-        if cancel is not None and cancel():
-            raise Cancelled("cancelled")
+    for done, sun in enumerate(SUNS):
+        run.step(done, len(SUNS), f"sun {sun:g}°")
         ours = plane_luminance(solution, weights, sun)
         fit = relative_luminance(sun, np.abs(PLANE), np.where(PLANE < 0.0, 180.0, 0.0))
         counted = np.abs(PLANE - sun) >= NEAR_SUN
@@ -66,38 +152,31 @@ def cie(
         over_dome, bias, worst = dome_difference(solution, weights, sun)
         plane.append((sun, ours, fit))
         rows.append(
-            (
-                f"{sun:g}",
-                f"{in_plane:.3f}",
-                f"{100 * np.expm1(in_plane):.0f}",
-                f"{over_dome:.3f}",
-                f"{100 * np.expm1(over_dome):.0f}",
-                f"{100 * np.expm1(bias):+.0f}",
-                worst,
+            cells(
+                f"{sun:g} | {in_plane:.3f} | {100 * np.expm1(in_plane):.0f} | {over_dome:.3f} | "
+                f"{100 * np.expm1(over_dome):.0f} | {100 * np.expm1(bias):+.0f} | {worst}"
             )
         )
     table = ReportTable(
         title="Logarithm of ours over the fit, root mean square",
-        columns=[
-            "sun zenith [°]", "principal plane [ln]", "as a factor [%]", "whole dome [ln]",
-            "as a factor [%]", "mean over the dome [%]", "where the dome differs most",
-        ],
+        columns=cells(
+            "sun zenith [°] | principal plane [ln] | as a factor [%] | whole dome [ln] | "
+            "as a factor [%] | mean over the dome [%] | where the dome differs most"
+        ),
         rows=rows,
         note=f"Luminance over that of the zenith; within {NEAR_SUN:g}° of the sun left out. The "
         "principal plane has one view a degree, the dome is weighted by solid angle.",
-    )  # fmt: skip
+    )
     return Suite(
-        name="cie",
-        title="CIE clear sky, type 12",
         summary=(
             "Luminance of the sky over that of the zenith, of the solved Earth and of the CIE "
             "standard clear sky with low turbidity. " + _FIT
         ),
-        parts=[table, _curves(earth, plane), _by_aerosol(earth, nm, quality, progress, cancel)],
+        parts=[table, _curves(earth, plane), _by_aerosol(run, earth, nm)],
         settings=[
             f"planet {earth.name}, ground observer",
             f"{nm.size} wavelengths, {nm[0]:g} to {nm[-1]:g} nm, CIE 1931 luminosity",
-            f"moments, {quality} quality",
+            f"moments, {run.quality} quality",
         ],
     )
 
@@ -113,35 +192,26 @@ def with_aerosol(planet: Planet, factor: float) -> Planet:
     return replace(planet, constituents=tuple(thicker(one) for one in planet.constituents))
 
 
-def _by_aerosol(
-    earth: Planet, nm: FloatArray, quality: str, progress: Progress | None, cancel: Cancel | None
-) -> ReportTable:
+def _by_aerosol(run: SuiteRun, earth: Planet, nm: FloatArray) -> ReportTable:
     """Comparison under more and less aerosol, the main cause of differences."""
     weights = rgb_weights(nm)
     rows = []
     for done, factor in enumerate(AEROSOL):
-        if progress is not None:
-            progress(done, len(AEROSOL), f"{factor:g} times the aerosol")
-        hazy = with_aerosol(earth, factor)
-        solution = solve(hazy, nm, quality, cache=False, cancel=cancel)
-        differences = [dome_difference(solution, weights, sun) for sun in (30.0, 60.0, 80.0)]
-        rows.append(
-            (
-                f"{factor:g}",
-                *(f"{rms:.3f}" for rms, _, _ in differences),
-                *(f"{100 * np.expm1(bias):+.0f}" for _, bias, _ in differences),
-            )
-        )
+        run.step(done, len(AEROSOL), f"{factor:g} times the aerosol")
+        solution = run.solve(with_aerosol(earth, factor), nm)
+        found = [dome_difference(solution, weights, sun) for sun in (30.0, 60.0, 80.0)]
+        means = [f"{100 * np.expm1(bias):+.0f}" for _, bias, _ in found]
+        rows.append([f"{factor:g}", *(f"{rms:.3f}" for rms, _, _ in found), *means])
     return ReportTable(
         title="How much hangs on the aerosol",
-        columns=[
-            "times the aerosol", "dome, sun 30° [ln]", "sun 60°", "sun 80°",
-            "mean, sun 30° [%]", "sun 60°", "sun 80°",
-        ],
+        columns=cells(
+            "times the aerosol | dome, sun 30° [ln] | sun 60° | sun 80° | mean, sun 30° [%] | "
+            "sun 60° | sun 80°"
+        ),
         rows=rows,
         note="Root mean square over the dome, and the mean, with all of the aerosol's coefficients "
         "multiplied. The fit knows no aerosol: how clear its sky is meant to be shows here.",
-    )  # fmt: skip
+    )
 
 
 def sky_luminance(

@@ -3,28 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from itertools import pairwise
+from math import pi
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled
-from airlight.planets import Planet
-from airlight.solver import Solution, solve
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.solver import Solution
 from airlight.studies.plots.figure import PALETTE, grid, new_figure
-from airlight.validation.energy_planets import VAST, flat_earth, furnace, round_earth
-from airlight.validation.fluxes import absorbed_by_air, level_fluxes, pieces, star_through
 from airlight.validation.order_convergence import ORDER_SOLVERS, order_convergence
+from airlight.validation.planets import VAST, flat_earth, furnace, round_earth
 from airlight.validation.reference_earth import WAVELENGTHS
 from airlight.validation.suite import (
-    Cancel,
     Mark,
     Part,
-    Progress,
     ReportPicture,
     ReportTable,
     Suite,
+    SuiteRun,
     Threshold,
+    cells,
 )
 
 FloatArray = NDArray[np.float64]
@@ -42,22 +42,20 @@ _HEIGHT_EDGES: Final = (0.0, 1.5e3, 4e3, 10e3, 25e3, 40e3, 100e3)
 #: Sun zenith angles over the flat Earth, and those of suns and views for reversed paths. [deg]
 SUNS: Final = (0.0, 30.0, 60.0, 75.0, 85.0)
 REVERSED: Final = (0.0, 20.0, 40.0, 60.0, 75.0, 85.0)
+#: Quadrature points per piece, in view and in azimuth.
+_VIEWS, _AZIMUTHS = 8, 6
 #: Levels of the furnace. [m]
 LEVELS: Final = (0.0, 2e3, 20e3, 100e3)
 
 
-def energy(
-    *, quality: str = "default", order_solvers: Sequence[tuple[str, object]] = ORDER_SOLVERS,
-    progress: Progress | None = None, cancel: Cancel | None = None,
-) -> Suite:  # fmt: skip
+def energy(run: SuiteRun, order_solvers: Sequence[tuple[str, Any]] = ORDER_SOLVERS) -> Suite:
     """Energy balances of furnaces and Earths, and convergence of the orders.
 
     Parameters
     ----------
-    quality : str
-        Quality of the moments solver.
+    run : SuiteRun
     order_solvers : sequence of (str, object)
-        Solvers with separate orders, and their qualities.
+        Solvers that keep their orders apart, with their qualities.
     """
     thresholds: list[Threshold] = []
     parts: list[Part] = []
@@ -68,17 +66,12 @@ def energy(
         ("flat Earth", flat_balance),
     )
     for done, (name, step) in enumerate(steps):
-        if cancel is not None and cancel():
-            raise Cancelled("cancelled")
-        if progress is not None:
-            progress(done, len(steps) + 1, name)
-        more, shown = step(quality, cancel)
+        run.step(done, len(steps) + 1, name)
+        more, shown = step(run)
         thresholds += more
         parts += shown
-    parts += order_convergence(order_solvers, progress=progress, cancel=cancel)
+    parts += order_convergence(run, order_solvers)
     return Suite(
-        name="energy",
-        title="Energy, reversed paths and orders",
         summary=(
             "Light is neither made nor lost. In the white furnace nothing absorbs and the ground "
             "returns everything: through every sphere as much leaves as enters. On an Earth that "
@@ -89,19 +82,117 @@ def energy(
         ),
         thresholds=thresholds,
         parts=parts,
-        settings=[f"moments, {quality} quality, 680, 550, 440 nm, point star"],
+        settings=[f"moments, {run.quality} quality, 680, 550, 440 nm, point star"],
     )
 
 
-def _solved(planet: Planet, quality: str, cancel: Cancel | None) -> Solution:
-    return solve(planet, WAVELENGTHS, quality, cache=False, cancel=cancel)
+class Fluxes(NamedTuple):
+    """Light at one level per irradiance of the star, each of shape (suns, wavelengths). [1]
+
+    ``down`` and ``up`` are the diffuse irradiances of a level surface, ``scalar`` is the diffuse
+    radiance integrated over all directions; all exclude the star's direct light.
+    """
+
+    down: FloatArray
+    up: FloatArray
+    scalar: FloatArray
+
+
+def pieces(edges: Sequence[float], count: int) -> tuple[FloatArray, FloatArray]:
+    """Gauss-Legendre points and weights on each piece between edges.
+
+    Parameters
+    ----------
+    edges : sequence of float
+        Edges, ascending.
+    count : int
+        Points per piece.
+
+    Examples
+    --------
+    >>> x, w = pieces([0.0, 1.0, 3.0], 2)
+    >>> f"{w @ x**3:.10f}"  # 81/4
+    '20.2500000000'
+    """
+    rule = gauss_legendre(count)
+    points = [a + (b - a) * rule.nodes for a, b in pairwise(edges)]
+    weights = [(b - a) * rule.weights for a, b in pairwise(edges)]
+    return np.concatenate(points), np.concatenate(weights)
+
+
+def level_fluxes(solution: Solution, altitude: float, mu_s: FloatArray) -> Fluxes:
+    """Diffuse fluxes at a level.
+
+    The quadrature is Gauss-Legendre in pieces: in view split at the horizon and at the horizontal,
+    in azimuth with short pieces next to the star.
+
+    Parameters
+    ----------
+    solution : Solution
+        Solution under a star of any irradiance; the result is relative to it.
+    altitude : float
+        [m]
+    mu_s : array, shape (n,)
+        Cosines of the star's zenith angle at that altitude. [1]
+    """
+    bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
+    r = min(bottom + altitude, top)
+    horizon = -float(np.sqrt(max((r - bottom) * (r + bottom), 0.0))) / r
+    mu, w_mu = pieces(sorted({-1.0, horizon, 0.0, 0.05, 0.2, 1.0}), _VIEWS)
+    phi, w_phi = pieces([0.0, 0.15 * pi, 0.5 * pi, pi], _AZIMUTHS)
+    sun, view, around = np.meshgrid(mu_s, mu, phi, indexing="ij")
+    radiance = solution.radiance(
+        altitude=altitude,
+        sun_zenith=np.degrees(np.arccos(sun)),
+        view_zenith=np.degrees(np.arccos(view)),
+        azimuth=np.degrees(around),
+    ).values
+    relative = radiance / solution.medium.solar_irradiance
+    over_phi = 2.0 * np.einsum("smpw,p->smw", relative, w_phi)
+    return Fluxes(
+        down=np.einsum("smw,m->sw", over_phi, w_mu * np.maximum(mu, 0.0)),
+        up=np.einsum("smw,m->sw", over_phi, w_mu * np.maximum(-mu, 0.0)),
+        scalar=np.einsum("smw,m->sw", over_phi, w_mu),
+    )
+
+
+def star_through(solution: Solution, altitude: float, mu_s: FloatArray) -> FloatArray:
+    """Transmittance to the star, 0 behind the planet, shape (suns, wavelengths). [1]"""
+    zenith = np.degrees(np.arccos(mu_s))
+    return np.asarray(solution.transmittance(altitude=altitude, view_zenith=zenith).values)
+
+
+def absorbed_by_air(
+    solution: Solution, altitudes: FloatArray, mu_s: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Light absorbed by the air at some levels, per volume and irradiance of the star.
+
+    Parameters
+    ----------
+    solution : Solution
+    altitudes : array, shape (n,)
+        [m]
+    mu_s : array, shape (m,)
+        Cosines of the star's zenith angle. [1]
+
+    Returns
+    -------
+    absorbed, coefficient : array, shapes (n, m, nl), (n, nl)
+        Absorption coefficient times the light from all directions, and that coefficient. [m⁻¹]
+    """
+    medium = solution.medium
+    coefficient = medium.density.at(altitudes).T @ medium.absorption
+    light = np.stack(
+        [
+            level_fluxes(solution, float(h), mu_s).scalar + star_through(solution, float(h), mu_s)
+            for h in altitudes
+        ]
+    )
+    return coefficient[:, None, :] * light, coefficient
 
 
 def _largest(name: str, errors: FloatArray, threshold: float, source: str) -> Threshold:
-    return Threshold(
-        name=name, got=100.0 * float(np.abs(errors).max()), allowed=100.0 * threshold, unit="%",
-        source=source,
-    )  # fmt: skip
+    return Threshold(name, 100.0 * float(np.abs(errors).max()), 100.0 * threshold, "%", source)
 
 
 def _percent(errors: FloatArray) -> list[str]:
@@ -121,9 +212,9 @@ def net_gain(solution: Solution, altitude: float) -> FloatArray:
     return np.asarray(2.0 * weight @ (flux.up - flux.down - direct))
 
 
-def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
+def white_furnace(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
     """White furnace test: conservative atmosphere over ground of albedo 1."""
-    solution = _solved(furnace(1.0), quality, cancel)
+    solution = run.solve(furnace(1.0), WAVELENGTHS)
     gain = np.stack([net_gain(solution, level) for level in LEVELS])
     table = ReportTable(
         title="White furnace: light gained by spheres about the centre",
@@ -135,11 +226,11 @@ def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
         note="(leaving - entering) over the starlight on the sphere's disc; 0 is right. Gas and "
         "haze of albedo 1 over a ground of albedo 1, by quadrature of the radiance at every level.",
     )
-    threshold = _largest(
-        "white furnace: largest gain or loss of a sphere", gain, FURNACE_THRESHOLD,
+    name, source = (
+        "white furnace: largest gain or loss of a sphere",
         "accuracy that counts as done, energy",
-    )  # fmt: skip
-    return [threshold], [table]
+    )
+    return [_largest(name, gain, FURNACE_THRESHOLD, source)], [table]
 
 
 def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
@@ -153,12 +244,12 @@ def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
     return entered, (1.0 - medium.ground_albedo) * 2.0 * (weight @ received) * share
 
 
-def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
+def grey_furnaces(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
     """Grey furnace test: conservative atmosphere over absorbing ground."""
     albedos = (0.0, 0.3, 0.8)
     rows, errors = [], []
     for albedo in albedos:
-        entered, kept = _entered_and_kept(_solved(furnace(albedo), quality, cancel))
+        entered, kept = _entered_and_kept(run.solve(furnace(albedo), WAVELENGTHS))
         errors.append(entered - kept)
         words = [f"{100 * a:.3f} - {100 * b:.3f}" for a, b in zip(entered, kept, strict=True)]
         rows.append((f"{albedo:g}", *words, *_percent(entered - kept)))
@@ -166,21 +257,25 @@ def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
     table = ReportTable(
         title="Furnaces with a grey ground: what enters is what the ground keeps",
         columns=[
-            "ground albedo", *(f"entered - kept, {nm:g} nm [%]" for nm in WAVELENGTHS),
-            *(f"difference, {nm:g} nm [%]" for nm in WAVELENGTHS),
+            "ground albedo",
+            *(
+                f"{what}, {nm:g} nm [%]"
+                for what in ("entered - kept", "difference")
+                for nm in WAVELENGTHS
+            ),
         ],
         rows=rows,
         marks=_marks(gain, BALANCE_THRESHOLD),
         note="Over the starlight on the shell's disc. What enters comes from radiances at the top, "
         "what the ground keeps from the irradiance.",
-    )  # fmt: skip
+    )
     name = "grey furnaces: largest difference of entering and kept"
     return [_largest(name, gain, BALANCE_THRESHOLD, "conservation of energy")], [table]
 
 
-def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
+def round_balance(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
     """Global energy balance of an Earth with absorbing atmosphere."""
-    solution = _solved(round_earth(), quality, cancel)
+    solution = run.solve(round_earth(), WAVELENGTHS)
     medium = solution.medium
     entered, kept = _entered_and_kept(solution)
     heights, height_weight = pieces(_HEIGHT_EDGES, 3)
@@ -205,9 +300,9 @@ def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
     return [_largest(name, error, BALANCE_THRESHOLD, "conservation of energy")], [table]
 
 
-def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
+def flat_balance(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
     """Energy balance of a plane-parallel Earth at each sun elevation, and reciprocity."""
-    solution = _solved(flat_earth(), quality, cancel)
+    solution = run.solve(flat_earth(), WAVELENGTHS)
     medium = solution.medium
     mu_s = np.cos(np.radians(SUNS))
     heights, height_weight = pieces(_HEIGHT_EDGES, 3)
@@ -228,19 +323,18 @@ def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], 
     ]
     table = ReportTable(
         title="Flat Earth: outgoing + absorbed against incoming, by sun height",
-        columns=[
-            "sun zenith [°]", "out, 680 550 440 nm [%]", "absorbed by the air [%]",
-            "kept by the ground [%]", "sum less incoming [%]",
-        ],
+        columns=cells(
+            "sun zenith [°] | out, 680 550 440 nm [%] | absorbed by the air [%] | "
+            "kept by the ground [%] | sum less incoming [%]"
+        ),
         rows=rows,
         marks=_marks(error, BALANCE_THRESHOLD),
         note=f"The Earth above with {VAST:g} times its radius, so that no light moves sideways.",
-    )  # fmt: skip
+    )
     off, reversed_paths = _reversed(solution)
+    conservation = "conservation of energy"
     thresholds = [
-        _largest(
-            "flat Earth: largest difference", error, BALANCE_THRESHOLD, "conservation of energy"
-        ),
+        _largest("flat Earth: largest difference", error, BALANCE_THRESHOLD, conservation),
         _largest("reversed paths: largest difference", off, RECIPROCITY_THRESHOLD, "reciprocity"),
     ]
     return thresholds, [table, _shares(mu_s, out, air, kept), reversed_paths]
@@ -256,9 +350,10 @@ def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray
     for k, axes in enumerate(figure.subplots(1, 3, sharey=True)):
         at, below = np.arange(mu_s.size), np.zeros(mu_s.size)
         for part, name, colour in (
-            (kept, "kept by the ground", PALETTE[2]), (air, "absorbed by the air", PALETTE[1]),
+            (kept, "kept by the ground", PALETTE[2]),
+            (air, "absorbed by the air", PALETTE[1]),
             (out, "out to space", PALETTE[5]),
-        ):  # fmt: skip
+        ):
             share = 100.0 * part[:, k] / mu_s
             axes.bar(at, share, bottom=below, color=colour, width=0.7, label=name)
             below = below + share
@@ -297,13 +392,13 @@ def _reversed(solution: Solution) -> tuple[FloatArray, ReportTable]:
             )
     table = ReportTable(
         title="Reversed paths: light reflected to space, sun and observer exchanged",
-        columns=[
-            "zenith angle [°]", "the other [°]", "azimuth 0°: 680 550 440 nm [%]",
-            "azimuth 90° [%]", "azimuth 180° [%]",
-        ],
+        columns=cells(
+            "zenith angle [°] | the other [°] | azimuth 0°: 680 550 440 nm [%] | azimuth 90° [%] | "
+            "azimuth 180° [%]"
+        ),
         rows=rows,
         note="R(view, sun)/R(sun, view) - 1 of the flat Earth, R the radiance over the cosine of "
         "the sun's zenith angle; 0 is right.",
         folded=True,
-    )  # fmt: skip
+    )
     return off, table

@@ -5,17 +5,27 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cache
 from math import acos, degrees, sqrt
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled
+from airlight.geometry.mappings import power, weighted_power
+from airlight.image.spectral import sky_factors, sun_color
+from airlight.image.tone_maps import hable
+from airlight.image.xyz import luminance, rgb_to_xyz
 from airlight.kernel import vectorized
+from airlight.physics.constants import LUMINOUS_EFFICACY
+from airlight.physics.optics import phase_functions, rayleigh, refractive_index
+from airlight.physics.optics.gas_absorption import column_from_dobson
+from airlight.physics.optics.king_factor import king_factor_air_bates1984
+from airlight.physics.spectra.ozone import ozone_cross_section
 from airlight.planets import Medium, load_planet
 from airlight.solver import Solution, solve
+from airlight.solver.single_scattering import single_scattering
+from airlight.solver.tables.columns import columns
 from airlight.validation.cases import CaseLines
-from airlight.validation.cie_clear_sky import relative_luminance
+from airlight.validation.cie import relative_luminance
 from airlight.validation.golden_numbers import (
     GoldenComparison,
     GoldenRow,
@@ -23,12 +33,13 @@ from airlight.validation.golden_numbers import (
     compare,
     golden_groups,
 )
+from airlight.validation.kider.planets import air_refractivity_edlen1953
 from airlight.validation.reference_earth import (
     CORRECTED_ABSORPTION,
     WAVELENGTHS,
     reference_earth,
 )
-from airlight.validation.suite import Cancel, Mark, Progress, ReportTable, Suite, Threshold
+from airlight.validation.suite import Mark, ReportTable, Suite, SuiteRun, Threshold, cells
 
 FloatArray = NDArray[np.float64]
 
@@ -36,48 +47,28 @@ FloatArray = NDArray[np.float64]
 _LOSCHMIDT, _AT_15_DEGREES = 2.68731e25, 2.54743e25
 
 
-def golden(
-    *,
-    groups: Sequence[Group] | None = None,
-    progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> Suite:
-    """Comparison of all golden numbers.
+def golden(run: SuiteRun, groups: Sequence[Group] | None = None) -> Suite:
+    """Compute every golden number and compare: one table and one threshold per group.
 
     Parameters
     ----------
+    run : SuiteRun
     groups : sequence of Group, optional
-        Groups instead of those of the package.
-
-    Returns
-    -------
-    Suite
-        One table and one threshold per group.
+        Groups to compute instead of those that ship with the package.
     """
     groups = golden_groups() if groups is None else groups
     thresholds, parts = [], []
     for done, group in enumerate(groups):
-        if cancel is not None and cancel():
-            raise Cancelled("cancelled")
-        if progress is not None:
-            progress(done, len(groups), f"golden numbers: {group.title}")
+        run.step(done, len(groups), f"golden numbers: {group.title}")
         got = [np.atleast_1d(np.asarray(x, float)) for x in QUANTITIES[group.name](group.rows)]
         compared = compare(group, got, single=group.name == "sun-color-float32")
         missed = sum(not one.passed for one in compared)
-        thresholds.append(
-            Threshold(
-                name=f"{group.title}: numbers missed, of {len(compared)}",
-                got=missed,
-                allowed=0,
-                source=group.source,
-            )
-        )
+        name = f"{group.title}: numbers missed, of {len(compared)}"
+        thresholds.append(Threshold(name, missed, 0, source=group.source))
         parts.append(_table(group, compared))
     count = sum(len(part.rows) for part in parts)
     missed = int(sum(threshold.got for threshold in thresholds))
     return Suite(
-        name="golden",
-        title="Golden numbers",
         summary=(
             f"{count} numbers that are printed by an authority, or converged by a second method, "
             f"against what airlight computes: {missed} missed. Each table names its source and "
@@ -92,16 +83,11 @@ def _table(group: Group, compared: Sequence[GoldenComparison]) -> ReportTable:
     marks: list[Mark] = ["pass" if one.passed else "fail" for one in compared]
     return ReportTable(
         title=group.title,
-        columns=["", "", f"expected [{group.unit}]", "got", "difference", "allowed", ""],
+        columns=cells(f" |  | expected [{group.unit}] | got | difference | allowed | "),
         rows=[
-            (
-                one.label,
-                one.column,
-                one.printed,
-                f"{one.got:.10g}",
-                f"{one.difference:+.2e}",
-                f"{one.allowed:.2e}",
-                "met" if one.passed else "missed",
+            cells(
+                f"{one.label} | {one.column} | {one.printed} | {one.got:.10g} | "
+                f"{one.difference:+.2e} | {one.allowed:.2e} | {'met' if one.passed else 'missed'}"
             )
             for one in compared
         ],
@@ -111,66 +97,8 @@ def _table(group: Group, compared: Sequence[GoldenComparison]) -> ReportTable:
     )
 
 
-def _sun_color(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.image.spectral import sun_color
-
-    return [sun_color() for _ in rows]
-
-
-def _sun_xyz(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.image.spectral import sun_color
-    from airlight.image.xyz import rgb_to_xyz
-
-    return [rgb_to_xyz(sun_color()) for _ in rows]
-
-
-def _sun_lux(rows: Sequence[GoldenRow]) -> list[Any]:
-    from airlight.image.spectral import sun_color
-    from airlight.image.xyz import luminance
-    from airlight.physics.constants import LUMINOUS_EFFICACY
-
-    return [LUMINOUS_EFFICACY * luminance(sun_color()) for _ in rows]
-
-
-def _sky_factors(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.image.spectral import sky_factors
-
-    return [sky_factors(WAVELENGTHS) for _ in rows]
-
-
-def _hable(rows: Sequence[GoldenRow]) -> list[Any]:
-    from airlight.image.tone_maps import hable
-
-    return [hable(np.ones(3))[0] for _ in rows]
-
-
-def _air_refractivity(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.physics.optics.refractive_index import air_refractivity_peck1972
-
-    return [1e8 * air_refractivity_peck1972(row.at["nm"]) for row in rows]
-
-
-def _co2_refractivity(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.physics.optics.refractive_index import co2_refractivity_bideau_mehu1973
-
-    return [1e8 * co2_refractivity_bideau_mehu1973(row.at["nm"]) for row in rows]
-
-
-def _king_factor(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.physics.optics.king_factor import king_factor_air_bates1984
-
-    return [king_factor_air_bates1984(row.at["nm"]) for row in rows]
-
-
-def _rayleigh(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    return [1e6 * _rayleigh_set(row.at) for row in rows]
-
-
 def _rayleigh_set(at: Any) -> FloatArray:
     """Scattering coefficients from the inputs stated by a source. [m⁻¹]"""
-    from airlight.physics.optics import rayleigh, refractive_index
-    from airlight.physics.optics.king_factor import king_factor_air_bates1984
-
     nm = np.array(at["nm"])
     if at["set"] == "reference":
         density = rayleigh.number_density(288.15, 101_325.0)
@@ -179,9 +107,7 @@ def _rayleigh_set(at: Any) -> FloatArray:
         return density * rayleigh.cross_section(nm, refractivity, density, king)
     if at["set"] == "openspace":
         # Edlén (1953), JOSA 43, 339, as Penndorf (1957) uses it, brought from 15 °C to 0 °C.
-        s2 = np.square(1e3 / nm)
-        edlen = 1e-8 * (6432.8 + 2_949_810.0 / (146.0 - s2) + 25_540.0 / (41.0 - s2))
-        refractivity = edlen * _LOSCHMIDT / _AT_15_DEGREES
+        refractivity = air_refractivity_edlen1953(nm) * _LOSCHMIDT / _AT_15_DEGREES
         king = rayleigh.king_factor_from_depolarisation(0.035)
         full = rayleigh.cross_section(nm, refractivity, _LOSCHMIDT, king)
         # OS Eq 11 is the limit n → 1 of the Lorentz-Lorenz formula.
@@ -198,33 +124,17 @@ def _rayleigh_set(at: Any) -> FloatArray:
     return np.asarray(at["density"] * rayleigh.cross_section(nm, refractivity, measured, king))
 
 
-def _scale_height(rows: Sequence[GoldenRow]) -> list[Any]:
-    from airlight.physics.optics.rayleigh import scale_height
-
-    return [scale_height(**row.at) for row in rows]
-
-
-def _ozone(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.physics.optics.gas_absorption import column_from_dobson
-    from airlight.physics.spectra.ozone import ozone_cross_section
-
+def _ozone(at: Any) -> FloatArray:
     section = ozone_cross_section(WAVELENGTHS)
-    both = {"cross-section": 1e26 * section, "depth": section * column_from_dobson(345.0)}
-    return [both[row.at["kind"]] for row in rows]
+    return 1e26 * section if at["kind"] == "cross-section" else section * column_from_dobson(345.0)
 
 
-def _phase_functions(rows: Sequence[GoldenRow]) -> list[Any]:
-    from airlight.physics.optics.phase_functions import cornette_shanks
-    from airlight.physics.optics.phase_functions import rayleigh as gas
-
-    def mean_cosine() -> float:
-        nodes, weights = np.polynomial.legendre.leggauss(200)
-        return float(2.0 * np.pi * weights @ (nodes * vectorized(cornette_shanks)(nodes, 0.8)))
-
-    return [
-        mean_cosine() if row.at["kind"] == "mean-cosine" else vectorized(gas)(row.at["nu"], 0.035)
-        for row in rows
-    ]
+def _phase_function(at: Any) -> Any:
+    if at["kind"] != "mean-cosine":
+        return vectorized(phase_functions.rayleigh)(at["nu"], 0.035)
+    nodes, weights = np.polynomial.legendre.leggauss(200)
+    lobe = vectorized(phase_functions.cornette_shanks)(nodes, 0.8)
+    return 2.0 * np.pi * weights @ (nodes * lobe)
 
 
 def _corrected_medium() -> Medium:
@@ -241,8 +151,6 @@ def _cosine(at: Any, medium: Medium) -> float:
 
 
 def _columns(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.solver.tables.columns import columns
-
     medium = _corrected_medium()
     bottom = medium.bottom_radius
     return [
@@ -259,8 +167,8 @@ def _columns(rows: Sequence[GoldenRow]) -> list[FloatArray]:
 
 def _transmittances(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     planet = reference_earth(albedo=0.0, aerosol_absorption=CORRECTED_ABSORPTION)
-    medium = Medium.from_planet(planet, WAVELENGTHS)
     solution = solve(planet, quality="preview", polarisation=False, cache=False)
+    medium = _corrected_medium()
     return [
         solution.transmittance(
             altitude=row.at["altitude"], view_zenith=degrees(acos(_cosine(row.at, medium)))
@@ -270,15 +178,10 @@ def _transmittances(rows: Sequence[GoldenRow]) -> list[FloatArray]:
 
 
 def _geometry(rows: Sequence[GoldenRow]) -> CaseLines:
-    def column(name: str) -> FloatArray:
-        return np.array([row.at[name] for row in rows])
-
-    return CaseLines(
-        altitude=column("altitude"),
-        sun_zenith=column("sun"),
-        view_zenith=column("view"),
-        azimuth=column("azimuth"),
+    altitude, sun, view, azimuth = (
+        np.array([row.at[name] for row in rows]) for name in ("altitude", "sun", "view", "azimuth")
     )
+    return CaseLines(altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth)
 
 
 @cache
@@ -287,8 +190,6 @@ def _printed_solution() -> Solution:
 
 
 def _scattered_once(rows: Sequence[GoldenRow], constituent: int) -> list[FloatArray]:
-    from airlight.solver.single_scattering import single_scattering
-
     solution = _printed_solution()
     lines, _ = solution.lines_of_sight(**_geometry(rows))
     without_phase = single_scattering(solution.medium, lines)[:, constituent]
@@ -302,8 +203,6 @@ def _first_order(rows: Sequence[GoldenRow]) -> list[FloatArray]:
 
 def _regions(altitude: float) -> tuple[float, float, float]:
     """Weights w_L and w_S and the horizon's cosine at an altitude of AP2's Earth. [1]"""
-    from airlight.geometry.mappings import power, weighted_power
-
     medium = _corrected_medium()
     u = power.altitude_coordinate(altitude, medium.thickness, 2.0)
     lower = weighted_power.lower_weight(u, weighted_power.DEFAULT_LOWER_WEIGHT)
@@ -314,58 +213,59 @@ def _regions(altitude: float) -> tuple[float, float, float]:
     return lower, surface, -sqrt(altitude * (medium.bottom_radius + r)) / r
 
 
-def _weighted_power(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    return [np.array(_regions(row.at["altitude"])) for row in rows]
+def _weighted_power_ends(at: Any) -> FloatArray:
+    """Error of the mapping there and back at both ends of its regions; infinite on a wrong side."""
+    lower, surface, horizon = _regions(at["altitude"])
+    powers = (2.0, 2.0, 2.0, lower, surface)
+    below_level = np.nextafter(0.0, -1.0) if horizon < 0.0 else 0.0
+    errors = []
+    for mu in (-1.0, horizon - 1e-9, horizon, below_level, 0.0, 1.0):
+        to_ground = mu < horizon
+        v = weighted_power.view_coordinate(mu, to_ground, horizon, *powers)
+        back, ground = weighted_power.view_from_coordinate(v, horizon, *powers)
+        errors.append(back - mu if ground == to_ground else np.inf)
+    return np.array(errors)
 
 
-def _weighted_power_ends(rows: Sequence[GoldenRow]) -> list[FloatArray]:
-    from airlight.geometry.mappings.weighted_power import view_coordinate, view_from_coordinate
-
-    out = []
-    for row in rows:
-        lower, surface, horizon = _regions(row.at["altitude"])
-        below_level = np.nextafter(0.0, -1.0) if horizon < 0.0 else 0.0
-        ends = [
-            (-1.0, True), (horizon - 1e-9, True), (horizon, False),
-            (below_level, False), (0.0, False), (1.0, False),
-        ]  # fmt: skip
-        there_and_back = []
-        for mu, to_ground in ends:
-            v = view_coordinate(mu, to_ground, horizon, 2.0, 2.0, 2.0, lower, surface)
-            back, ground = view_from_coordinate(v, horizon, 2.0, 2.0, 2.0, lower, surface)
-            # The wrong side of the horizon counts as the largest possible error.
-            there_and_back.append(back - mu if ground == to_ground else np.inf)
-        out.append(np.array(there_and_back))
-    return out
-
-
-def _cie_clear_sky(rows: Sequence[GoldenRow]) -> list[FloatArray]:
+def _cie_clear_sky(at: Any) -> FloatArray:
     view = np.array([-85.0, -60.0, -30.0, 0.0, 30.0, 60.0, 75.0, 85.0])
     azimuth = np.where(view < 0.0, 180.0, 0.0)
-    return [relative_luminance(row.at["sun"], np.abs(view), azimuth) for row in rows]
+    return relative_luminance(at["sun"], np.abs(view), azimuth)
 
 
-#: Function that computes each group, by its name in the file.
-QUANTITIES: dict[str, Callable[[Sequence[GoldenRow]], Sequence[Any]]] = {
-    "sun-color-float32": _sun_color,
-    "sun-color": _sun_color,
-    "sun-xyz": _sun_xyz,
-    "sun-lux": _sun_lux,
-    "sky-factors": _sky_factors,
-    "hable": _hable,
-    "air-refractivity": _air_refractivity,
-    "co2-refractivity": _co2_refractivity,
-    "king-factor": _king_factor,
-    "rayleigh": _rayleigh,
-    "scale-height": _scale_height,
+#: Quantities of one row each, by the name of their group in the file.
+_BY_ROW: Final[dict[str, Callable[[Any], Any]]] = {
+    "sun-color-float32": lambda _: sun_color(),
+    "sun-color": lambda _: sun_color(),
+    "sun-xyz": lambda _: rgb_to_xyz(sun_color()),
+    "sun-lux": lambda _: LUMINOUS_EFFICACY * luminance(sun_color()),
+    "sky-factors": lambda _: sky_factors(WAVELENGTHS),
+    "hable": lambda _: hable(np.ones(3))[0],
+    "air-refractivity": lambda at: 1e8 * refractive_index.air_refractivity_peck1972(at["nm"]),
+    "co2-refractivity": (
+        lambda at: 1e8 * refractive_index.co2_refractivity_bideau_mehu1973(at["nm"])
+    ),
+    "king-factor": lambda at: king_factor_air_bates1984(at["nm"]),
+    "rayleigh": lambda at: 1e6 * _rayleigh_set(at),
+    "scale-height": lambda at: rayleigh.scale_height(**at),
     "ozone": _ozone,
-    "phase-functions": _phase_functions,
+    "phase-functions": _phase_function,
+    "weighted-power": lambda at: np.array(_regions(at["altitude"])),
+    "weighted-power-ends": _weighted_power_ends,
+    "cie-clear-sky": _cie_clear_sky,
+}
+
+
+def _each(quantity: Callable[[Any], Any]) -> Callable[[Sequence[GoldenRow]], Sequence[Any]]:
+    return lambda rows: [quantity(row.at) for row in rows]
+
+
+#: Function that computes the rows of each group, by its name in the file.
+QUANTITIES: Final[dict[str, Callable[[Sequence[GoldenRow]], Sequence[Any]]]] = {
+    **{name: _each(quantity) for name, quantity in _BY_ROW.items()},
     "columns": _columns,
     "transmittances": _transmittances,
     "single-scattering-gas": lambda rows: _scattered_once(rows, 0),
     "single-scattering-aerosol": lambda rows: _scattered_once(rows, 1),
     "first-order": _first_order,
-    "weighted-power": _weighted_power,
-    "weighted-power-ends": _weighted_power_ends,
-    "cie-clear-sky": _cie_clear_sky,
 }

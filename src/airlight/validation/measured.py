@@ -2,21 +2,36 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.solver import Solution
+from airlight.studies.fit.scans import Scans
+from airlight.validation.kider.fits import AerosolModel, fit_pointing
 from airlight.validation.kider.pictures import domes, error_curves
 from airlight.validation.kider.planets import (
     AERONET_AEROSOL,
+    BEST,
     CLEAN_ALBEDO,
     AngstromLaw,
+    Inputs,
+    planet,
+    steps,
 )
-from airlight.validation.kider.rows import Rows, compute
-from airlight.validation.kider.scans import best_factor, rmse_per_scan, symmetric_part
-from airlight.validation.suite import Cancel, Mark, Progress, ReportTable, Suite, Threshold
+from airlight.validation.kider.scans import (
+    MILLI,
+    NEAR,
+    UNIT,
+    best_factor,
+    read_scans,
+    rmse_per_scan,
+    symmetric_part,
+    total_rmse,
+)
+from airlight.validation.suite import Mark, ReportTable, Suite, SuiteRun, Threshold, cells
 
 FloatArray = NDArray[np.float64]
 
@@ -42,25 +57,121 @@ SAME, KNOWN, FITTED = (
     "airlight, best physics, load of AERONET",
     "airlight, best physics, load fitted to the skies",
 )
-#: Directions nearer to the sun than this are scored separately. [deg]
-NEAR: Final = 8.0
 #: Centre of oxygen's B band, which is left out, and its half width for the instrument. [nm]
 OXYGEN_B, _OXYGEN_WIDTH = 687.0, 6.0
-_UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 
 
-def measured(
-    data: Path, *, progress: Progress | None = None, cancel: Cancel | None = None
-) -> Suite:
-    """Comparison with measured skies by Bruneton's protocol.
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Results for the measured skies.
+
+    Attributes
+    ----------
+    scans : Scans
+    floor : float
+        Score of the measured skies made symmetric, the floor of any model. [mW m⁻² sr⁻¹ nm⁻¹]
+    ladder : list of (str, array)
+        Radiance after each ingredient, from everybody's inputs to the best. [W m⁻² sr⁻¹ nm⁻¹]
+    fitted : array, shape (ns, nd, nl)
+        Best physics with the fitted load.
+    load : AngstromLaw
+        Fitted load.
+    clean : array
+        Best physics with the single-scattering albedo of clean continental air.
+    turns : array, shape (ns, 3)
+        Best rotation of each scan. [deg]
+    turned : array
+        Best physics in the turned directions.
+    solution : Solution
+        Solution of the best physics.
+    """
+
+    scans: Scans
+    floor: float
+    ladder: list[tuple[str, FloatArray]]
+    fitted: FloatArray
+    load: AngstromLaw
+    clean: FloatArray
+    turns: FloatArray
+    turned: FloatArray
+    solution: Solution
+
+    @property
+    def same(self) -> FloatArray:
+        """Radiance by everybody's inputs."""
+        return self.ladder[0][1]
+
+    @property
+    def known(self) -> FloatArray:
+        """Radiance by the best physics, nothing fitted."""
+        return self.ladder[-1][1]
+
+    def score(self, got: FloatArray, only: NDArray[np.bool_] | None = None) -> float:
+        """RMSE of a model, optionally over some directions (ns, nd) only. [mW m⁻² sr⁻¹ nm⁻¹]"""
+        if only is None:
+            return total_rmse(got, self.scans.radiance)
+        squares = np.square(got[only] - self.scans.radiance[only])
+        return float(MILLI * np.sqrt(squares.mean()))
+
+
+def compute(run: SuiteRun) -> Rows:
+    """Solve for every ingredient and every fit.
 
     Parameters
     ----------
-    data : Path
-        Folder of ``kider2013-05-27.npz`` and of AERONET's phase function.
+    run : SuiteRun
+        With the folder that holds the skies and the aerosol's phase function.
+
+    Raises
+    ------
+    FileError
+        If either file cannot be read.
     """
-    rows = compute(data, progress=progress, cancel=cancel)
-    return suite_of(rows)
+    data = run.folder
+    scans = read_scans(data)
+    named_steps = steps()
+    silent, done = replace(run, progress=None), 0
+
+    def report(message: str) -> None:
+        nonlocal done
+        # One solution per step, the fit, one for the other albedo; then the pointing.
+        run.step(done, len(named_steps) + 3, message)
+        done += 1
+
+    def solution(inputs: Inputs, message: str) -> Solution:
+        report(message)
+        return silent.solve(planet(inputs, scans, data), scans.wavelengths)
+
+    def radiance(inputs: Inputs, message: str) -> FloatArray:
+        return scans.seen(solution(inputs, message))
+
+    ladder = [(name, radiance(inputs, name)) for name, inputs in named_steps[:-1]]
+    known = solution(BEST, named_steps[-1][0])
+    ladder.append((named_steps[-1][0], scans.seen(known)))
+    report("fit of the aerosol's load")
+    model = AerosolModel(
+        run, lambda load: planet(replace(BEST, load=load), scans, data), scans, AERONET_AEROSOL
+    )
+    found = model.fitted()
+    clean = radiance(replace(BEST, single_scattering_albedo=CLEAN_ALBEDO), "a brighter aerosol")
+    report("pointing of the scans")
+    turns, turned = fit_pointing(lambda z, a: scans.seen(known, z, a), scans)
+    return Rows(
+        scans=scans,
+        floor=total_rmse(symmetric_part(scans), scans.radiance),
+        ladder=ladder,
+        fitted=found.predicted,
+        load=found.load,
+        clean=clean,
+        turns=turns,
+        turned=turned,
+        solution=known,
+    )
+
+
+def measured(run: SuiteRun) -> Suite:
+    """Compare with measured skies by Bruneton's protocol; see ``compute``."""
+    return suite_of(compute(run))
 
 
 def suite_of(rows: Rows) -> Suite:
@@ -72,8 +183,6 @@ def suite_of(rows: Rows) -> Suite:
     first, last = scans.wavelengths[[0, -1]]
     shown = sorted({0, worst, len(scans.time) // 2})
     return Suite(
-        name="measured",
-        title="Measured skies",
         summary=_summary(rows, scores),
         thresholds=_thresholds(rows, scores),
         parts=[
@@ -94,30 +203,20 @@ def suite_of(rows: Rows) -> Suite:
 
 def _thresholds(rows: Rows, scores: dict[str, float]) -> list[Threshold]:
     aim = PUBLISHED["Bruneton 2008"]
+    verdict = "met" if scores[SAME] < aim else "missed"
+    others = f"the best published model but two; the aim, {aim:g} of those two, is {verdict}"
+    floor, digit = abs(rows.floor - FLOOR), "the last digit of the published floor"
+    best, source = BEST_THRESHOLD, "the aim for the best physics"
     return [
         Threshold(
-            name="floor of a symmetric sky: distance from the published",
-            got=abs(rows.floor - FLOOR),
-            allowed=0.05,
-            unit=_UNIT,
-            source="the last digit of the published floor",
+            "floor of a symmetric sky: distance from the published", floor, 0.05, UNIT, digit
         ),
-        Threshold(
-            name="same inputs as everybody",
-            got=scores[SAME],
-            allowed=PUBLISHED["Haber 2005"],
-            unit=_UNIT,
-            source=f"the best published model but two; the aim, {aim:g} of those two, is "
-            f"{'met' if scores[SAME] < aim else 'missed'}",
-        ),
+        Threshold("same inputs as everybody", scores[SAME], PUBLISHED["Haber 2005"], UNIT, others),
         *(
-            Threshold(
-                name=name.removeprefix("airlight, "), got=scores[name], allowed=BEST_THRESHOLD,
-                unit=_UNIT, source="the aim for the best physics",
-            )
+            Threshold(name.removeprefix("airlight, "), scores[name], best, UNIT, source)
             for name in (KNOWN, FITTED)
         ),
-    ]  # fmt: skip
+    ]
 
 
 def _league(scores: dict[str, float], floor: float) -> ReportTable:
@@ -128,7 +227,7 @@ def _league(scores: dict[str, float], floor: float) -> ReportTable:
     marks: list[Mark] = ["ours" if name in scores else "" for _, name, _ in entries]
     return ReportTable(
         title="League table of sky models on 27 May 2013",
-        columns=["model", f"RMSE [{_UNIT}]", "by"],
+        columns=["model", f"RMSE [{UNIT}]", "by"],
         rows=[(name, f"{score:.1f}", source) for score, name, source in entries],
         marks=marks,
         note="Root mean square over 81 directions and 31 wavelengths per scan, then over scans. "
@@ -147,26 +246,23 @@ def _ladder(rows: Rows) -> ReportTable:
     for name, got in rows.ladder + extra:
         factor = best_factor(got, rows.scans.radiance)
         out.append(
-            (
-                name,
-                f"{rows.score(got):.2f}",
-                f"{factor:.3f}",
-                f"{rows.score(factor * got):.2f}",
-                f"{rows.score(got, far):.2f}",
+            cells(
+                f"{name} | {rows.score(got):.2f} | {factor:.3f} | {rows.score(factor * got):.2f} | "
+                f"{rows.score(got, far):.2f}"
             )
         )
     return ReportTable(
         title="What each ingredient does",
-        columns=[
-            "ingredient, one after another", "RMSE", "best common factor", "RMSE with it",
-            f"RMSE farther than {NEAR:g}° from the sun",
-        ],
+        columns=cells(
+            "ingredient, one after another | RMSE | best common factor | RMSE with it | "
+            f"RMSE farther than {NEAR:g}° from the sun"
+        ),
         rows=out,
-        note=f"All in {_UNIT}. AERONET's load: {_load_text(AERONET_AEROSOL)}, 500 km away the same "
+        note=f"All in {UNIT}. AERONET's load: {_load_text(AERONET_AEROSOL)}, 500 km away the same "
         "morning. Everybody's load was itself chosen on these skies, for everybody's other inputs: "
         "so a step towards the truth can cost until the load is the measured one. The factor is a "
         "diagnosis and in no score.",
-    )  # fmt: skip
+    )
 
 
 def _load_text(load: AngstromLaw) -> str:
@@ -182,34 +278,26 @@ def _limits(rows: Rows) -> ReportTable:
     bias = rows.known[~near].mean(axis=0) / scans.radiance[~near].mean(axis=0) - 1.0
     worst = int(np.abs(bias).argmax())
     kept = np.arange(scans.wavelengths.size) != worst
+    nm = float(scans.wavelengths[worst])
+    band = ", oxygen's B band" if abs(nm - OXYGEN_B) <= _OXYGEN_WIDTH else ""
+    turns = np.sort(np.linalg.norm(rows.turns, axis=1))
+    share = 100 * squares[near].sum() / squares.sum()
+    entries = {
+        "score": f"{rows.score(rows.known):.2f}",
+        f"squared error from the {near.sum()} directions within {NEAR:g}° of the sun": (
+            f"{share:.0f} %"
+        ),
+        "score farther from the sun": f"{rows.score(rows.known, ~near):.2f}",
+        "score if each scan's pointing is fitted, three angles": f"{rows.score(rows.turned):.2f}",
+        "those turns, median and largest": f"{turns[len(turns) // 2]:.1f}° and {turns[-1]:.1f}°",
+        f"largest bias of a wavelength, at {nm:g} nm{band}": f"{100 * bias[worst]:+.0f} %",
+        "largest bias of the others": f"{100 * np.abs(bias[kept]).max():.0f} %",
+        "floor of a symmetric sky": f"{rows.floor:.2f}",
+    }
     return ReportTable(
         title="What limits the best physics, nothing fitted",
         columns=["what", "value"],
-        rows=[
-            ("score", f"{rows.score(rows.known):.2f}"),
-            (
-                f"squared error from the {near.sum()} directions within {NEAR:g}° of the sun",
-                f"{100 * squares[near].sum() / squares.sum():.0f} %",
-            ),
-            ("score farther from the sun", f"{rows.score(rows.known, ~near):.2f}"),
-            (
-                "score if each scan's pointing is fitted, three angles",
-                f"{rows.score(rows.turned):.2f}",
-            ),
-            (
-                "those turns, median and largest",
-                " and ".join(
-                    f"{x:.1f}°" for x in (_turn(rows).tolist()[k] for k in _middle_and_last(rows))
-                ),
-            ),
-            (
-                f"largest bias of a wavelength, at {scans.wavelengths[worst]:g} nm"
-                + _band(float(scans.wavelengths[worst])),
-                f"{100 * bias[worst]:+.0f} %",
-            ),
-            ("largest bias of the others", f"{100 * np.abs(bias[kept]).max():.0f} %"),
-            ("floor of a symmetric sky", f"{rows.floor:.2f}"),
-        ],
+        rows=list(entries.items()),
         note="The light is polarised; by scalar transfer everybody's inputs score 11.95 and the "
         "best physics 7.70. Left out, with what it would change of the score: absorption by oxygen "
         "and water, -0.1; the instrument's field of 1°, +0.005; the sun's way of about 1.3° during "
@@ -217,46 +305,29 @@ def _limits(rows: Rows) -> ReportTable:
     )
 
 
-def _turn(rows: Rows) -> FloatArray:
-    """Angles of the fitted rotations, ascending, shape (ns,). [deg]"""
-    return np.sort(np.linalg.norm(rows.turns, axis=1))
-
-
-def _middle_and_last(rows: Rows) -> tuple[int, int]:
-    return len(rows.turns) // 2, len(rows.turns) - 1
-
-
-def _band(wavelength: float) -> str:
-    return ", oxygen's B band" if abs(wavelength - OXYGEN_B) <= _OXYGEN_WIDTH else ""
-
-
 def _by_scan(rows: Rows, ours: dict[str, FloatArray]) -> ReportTable:
     scans = rows.scans
-    per = {name: rmse_per_scan(got, scans.radiance) for name, got in ours.items()}
-    turned = rmse_per_scan(rows.turned, scans.radiance)
-    floor = rmse_per_scan(symmetric_part(scans), scans.radiance)
-    signal = rmse_per_scan(np.zeros_like(scans.radiance), scans.radiance)
+    radiances = {
+        "signal": np.zeros_like(scans.radiance),
+        **{name.removeprefix("airlight, "): got for name, got in ours.items()},
+        "with fitted pointing": rows.turned,
+        "floor": symmetric_part(scans),
+    }
+    errors = [rmse_per_scan(got, scans.radiance) for got in radiances.values()]
+    suns = [scans.sun_zenith, scans.angle_from_sun.min(axis=1)]
     return ReportTable(
         title="Scan by scan",
         columns=[
-            "local time", "sun zenith [°]", "nearest direction to the sun [°]", "signal",
-            *(name.removeprefix("airlight, ") for name in ours), "with fitted pointing", "floor",
+            *("local time", "sun zenith [°]", "nearest direction to the sun [°]"),
+            *radiances,
         ],
         rows=[
-            (
-                time,
-                f"{scans.sun_zenith[k]:.1f}",
-                f"{scans.angle_from_sun[k].min():.1f}",
-                f"{signal[k]:.1f}",
-                *(f"{values[k]:.1f}" for values in per.values()),
-                f"{turned[k]:.1f}",
-                f"{floor[k]:.1f}",
-            )
+            [time, *(f"{values[k]:.1f}" for values in suns + errors)]
             for k, time in enumerate(scans.time)
         ],
-        note=f"Root mean squares in {_UNIT}. The pointing is fitted to the unfitted best physics.",
+        note=f"Root mean squares in {UNIT}. The pointing is fitted to the unfitted best physics.",
         folded=True,
-    )  # fmt: skip
+    )
 
 
 def _summary(rows: Rows, scores: dict[str, float]) -> str:

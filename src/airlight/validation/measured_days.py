@@ -2,59 +2,167 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
+from airlight.errors import FileError
+from airlight.planets.planet import Planet
 from airlight.studies.fit.pictures import dome_pictures, residual_curves
 from airlight.studies.fit.residuals import Residuals
-from airlight.validation.kider.day import Day, DayRow, compute_day, day_files
-from airlight.validation.kider.planets import PUBLISHED_INPUTS, AngstromLaw
-from airlight.validation.kider.scans import MILLI, symmetric_part, total_rmse
-from airlight.validation.suite import Cancel, Part, Progress, ReportTable, Suite, Threshold
+from airlight.studies.fit.scans import Scans, read_scan_file
+from airlight.validation.kider.fits import AerosolFit, AerosolModel
+from airlight.validation.kider.planets import (
+    PUBLISHED_INPUTS,
+    AngstromLaw,
+    Inputs,
+    best_inputs,
+    planet,
+)
+from airlight.validation.kider.scans import MILLI, NEAR, UNIT, symmetric_part, total_rmse
+from airlight.validation.suite import Part, ReportTable, Suite, SuiteRun, Threshold, cells
 
+FloatArray = NDArray[np.float64]
+
+#: Files of measured days, each with its date in the name.
+FILES: Final = "kider*.npz"
 #: Largest allowed score of the row that counts. [mW m⁻² sr⁻¹ nm⁻¹]
 BEST_THRESHOLD: Final = 8.0
-#: Directions nearer to the sun than this are scored separately. [deg]
-NEAR: Final = 8.0
 #: Zenith angles of the ring near the horizon. [deg]
 LOW: Final = (70.0, 80.0)
-_UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 
 
-def measured_days(
-    data: Path, *, quality: str = "default", progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> Suite:  # fmt: skip
+@dataclass(frozen=True, eq=False)
+class DayRow:
+    """Model of a day, by parameters that are known before its score.
+
+    Attributes
+    ----------
+    name : str
+        Description.
+    inputs : Inputs
+        Ingredients of the planet; a fitted load replaces theirs.
+    predicted : array, shape (ns, nd, nl)
+        [W m⁻² sr⁻¹ nm⁻¹]
+    fit : AerosolFit or None
+        Fit to all scans, if the load is fitted.
+    left_out : bool
+        Whether each scan was predicted by the fit to the others.
+    """
+
+    name: str
+    inputs: Inputs
+    predicted: FloatArray
+    fit: AerosolFit | None = None
+    left_out: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Day:
+    """Rows of one day.
+
+    Attributes
+    ----------
+    file : Path
+    scans : Scans
+    rows : list of DayRow
+    counted : int
+        Number of the row that counts: the load fitted, one scan left out.
+    """
+
+    file: Path
+    scans: Scans
+    rows: list[DayRow]
+    counted: int
+
+    @property
+    def row(self) -> DayRow:
+        """Row that counts."""
+        return self.rows[self.counted]
+
+
+def measured_days(run: SuiteRun) -> Suite:
     """Comparison with all measured days in a folder.
 
     Parameters
     ----------
-    data : Path
-        Folder of the files ``kider*.npz``.
-    quality : str
-        Quality of the solver.
+    run : SuiteRun
+        With the folder that holds days as ``kider*.npz``.
+
+    Raises
+    ------
+    FileError
+        If there is none, or one cannot be read.
     """
-    return suite_of(
-        [
-            compute_day(file, quality=quality, progress=progress, cancel=cancel)
-            for file in day_files(data)
-        ]
-    )
+    files = sorted(run.folder.glob(FILES))
+    if not files:
+        raise FileError(run.folder, f"contains no {FILES}")
+    return suite_of([compute_day(run, file) for file in files])
+
+
+def compute_day(run: SuiteRun, file: Path) -> Day:
+    """Compute the rows of a day.
+
+    Parameters
+    ----------
+    run : SuiteRun
+    file : Path
+        Scans of the day; a phase function of that day is looked for beside it.
+
+    Raises
+    ------
+    FileError
+        If a file cannot be read.
+    """
+    scans, data = read_scan_file(file), file.parent
+    best = best_inputs(data, scans.date)
+    silent, done = replace(run, progress=None), 0
+
+    def step(message: str) -> None:
+        nonlocal done
+        run.step(done, 4 + len(scans.time), f"{scans.date}, {message}")
+        done += 1
+
+    def known(name: str, inputs: Inputs) -> DayRow:
+        step(name)
+        solution = silent.solve(planet(inputs, scans, data), scans.wavelengths)
+        return DayRow(name, inputs, scans.seen(solution))
+
+    def planet_of(load: AngstromLaw) -> Planet:
+        return planet(replace(best, load=load), scans, data)
+
+    rows = [
+        known("inputs of all published models", PUBLISHED_INPUTS),
+        known("best known inputs, nothing fitted", best),
+    ]
+    step("load fitted")
+    model = AerosolModel(run, planet_of, scans, best.load)
+    whole = model.fitted()
+    left_out = model.left_out(whole, lambda k: step(f"load fitted, without {scans.time[k]}"))
+    step("load and instrument's scale fitted")
+    scaled = AerosolModel(run, planet_of, scans, best.load, with_scale=True).fitted()
+    rows += [
+        DayRow("load fitted to all scans", best, whole.predicted, whole),
+        DayRow("load fitted, the scored scan left out", best, left_out, whole, True),
+        DayRow("load and instrument's scale fitted to all scans", best, scaled.predicted, scaled),
+    ]
+    return Day(file=file, scans=scans, rows=rows, counted=3)
 
 
 def suite_of(days: list[Day]) -> Suite:
     """Build the section of the report."""
     return Suite(
-        name="kider",
-        title="Measured days, load fitted",
         summary=" ".join(_summary(day) for day in days),
         thresholds=[
             Threshold(
-                name=f"{day.scans.date}: load fitted, each scan by the fit to the others",
-                got=_score(day, day.row), allowed=BEST_THRESHOLD, unit=_UNIT,
-                source="the aim for the best physics",
+                f"{day.scans.date}: load fitted, each scan by the fit to the others",
+                _score(day, day.row),
+                BEST_THRESHOLD,
+                UNIT,
+                "the aim for the best physics",
             )
             for day in days
         ],
@@ -64,7 +172,7 @@ def suite_of(days: list[Day]) -> Suite:
             f"directions, {day.scans.wavelengths.size} wavelengths"
             for day in days
         ],
-    )  # fmt: skip
+    )
 
 
 def _score(day: Day, row: DayRow) -> float:
@@ -93,24 +201,27 @@ def _inputs(day: Day) -> ReportTable:
             bars = errors.standard if errors.by_scans is None else errors.by_scans
             depth, exponent = f"{depth} ± {bars[0]:.4f}", f"{exponent} ± {bars[1]:.3f}"
             scale = f"{found.scale:.3f} ± {bars[2]:.3f}" if bars.size > 2 else "1"
+        phase = "AERONET's of the day" if inputs.aeronet_phase else "Cornette-Shanks, g 0.7"
+        sun = "3 nm, distance of the day" if inputs.measured_sun else "11.75 nm, 1 au"
+        air = "Peck & Reeder, Bates" if inputs.measured_air else "Penndorf"
         rows.append(
-            (
-                row.name, depth, exponent, f"{inputs.single_scattering_albedo:g}",
-                "AERONET's of the day" if inputs.aeronet_phase else "Cornette-Shanks, g 0.7",
-                "3 nm, distance of the day" if inputs.measured_sun else "11.75 nm, 1 au",
-                "Peck & Reeder, Bates" if inputs.measured_air else "Penndorf",
-                f"{inputs.pressure / 100:.0f}", f"{inputs.ozone:g}", scale,
+            cells(
+                f"{row.name} | {depth} | {exponent} | {inputs.single_scattering_albedo:g} | "
+                f"{phase} | {sun} | {air} | {inputs.pressure / 100:.0f} | {inputs.ozone:g} | "
+                f"{scale}"
             )
-        )  # fmt: skip
+        )
     return ReportTable(
         title=f"{day.scans.date}: parameters of each row, known before its score",
-        columns=["row", "τ(550 nm)", "Ångström exponent", "single-scattering albedo",
-                 "phase function", "sun", "air", "pressure [hPa]", "ozone [DU]", "scale"],
+        columns=cells(
+            "row | τ(550 nm) | Ångström exponent | single-scattering albedo | phase function | "
+            "sun | air | pressure [hPa] | ozone [DU] | scale"
+        ),
         rows=rows,
         note="Fitted values with their error bars from scan to scan, from the fit to all scans; "
         "where a scan is left out, it is predicted by a fit that has not seen it. The ground's "
         "albedo is that of all published models.",
-    )  # fmt: skip
+    )
 
 
 def _scores(day: Day) -> ReportTable:
@@ -124,7 +235,7 @@ def _scores(day: Day) -> ReportTable:
     floor = total_rmse(symmetric_part(day.scans), day.scans.radiance)
     return ReportTable(
         title=f"{day.scans.date}: scores",
-        columns=["row", f"RMSE [{_UNIT}]", f"farther than {NEAR:g}° from the sun"],
+        columns=["row", f"RMSE [{UNIT}]", f"farther than {NEAR:g}° from the sun"],
         rows=[*rows, ("the measured sky made symmetric", f"{floor:.2f}", "")],
         marks=["ours" if k == day.counted else "" for k in range(len(rows))] + [""],
         note="The highlighted row has the load of the day, fitted to all scans except the "
@@ -138,13 +249,7 @@ def _residuals(day: Day) -> Residuals:
     values = day.scans.measurements(day.file.name)
     predicted, known = day.row.predicted.ravel(), day.rows[1].predicted.ravel()
     spread = float(np.sqrt(np.square(predicted - values.radiance).mean()))
-    return Residuals(
-        measured=values.radiance, predicted=predicted, first=known,
-        sigma=np.full(predicted.size, spread), wavelength=values.wavelength,
-        view_zenith=values.view_zenith, azimuth=values.azimuth, from_sun=values.angle_from_sun,
-        sun_zenith=values.sun_zenith, scan=values.scan, scans=values.scans,
-        unit="W m⁻² sr⁻¹ nm⁻¹",
-    )  # fmt: skip
+    return Residuals.of_measurements(values, predicted, known, np.full(predicted.size, spread))
 
 
 def _places(day: Day) -> ReportTable:
@@ -156,28 +261,21 @@ def _places(day: Day) -> ReportTable:
     by_colour = squares.sum(axis=(0, 1))
     worst = int(by_colour.argmax())
     rows = []
+
+    def add(name: str, share: float, chosen: Any, squared: float) -> None:
+        ratio = 100.0 * (predicted[chosen].sum() / scans.radiance[chosen].sum() - 1.0)
+        rows.append(cells(f"{name} | {100.0 * share:.0f} | {ratio:+.1f} | {squared:.0f}"))
+
     for name, chosen in (
         (f"within {NEAR:g}° of the sun", near),
         (f"view zenith angle {LOW[0]:g}° to {LOW[1]:g}°, not near the sun", low),
         ("the rest of the sky", ~near & ~low),
     ):
-        if not chosen.any():
-            continue
-        ratio = predicted[chosen].sum() / scans.radiance[chosen].sum() - 1.0
-        rows.append(
-            (
-                name, f"{100.0 * chosen.mean():.0f}", f"{100.0 * ratio:+.1f}",
-                f"{100.0 * squares[chosen].sum() / squares.sum():.0f}",
-            )
-        )  # fmt: skip
-    ratio = predicted[..., worst].sum() / scans.radiance[..., worst].sum() - 1.0
-    rows.append(
-        (
-            f"the worst wavelength, {scans.wavelengths[worst]:g} nm",
-            f"{100.0 / by_colour.size:.0f}", f"{100.0 * ratio:+.1f}",
-            f"{100.0 * by_colour[worst] / by_colour.sum():.0f}",
-        )
-    )  # fmt: skip
+        if chosen.any():
+            add(name, chosen.mean(), chosen, 100.0 * squares[chosen].sum() / squares.sum())
+    name = f"the worst wavelength, {scans.wavelengths[worst]:g} nm"
+    squared = 100.0 * by_colour[worst] / by_colour.sum()
+    add(name, 1.0 / by_colour.size, np.s_[..., worst], squared)
     return ReportTable(
         title=f"{day.scans.date}: where the squared error of the row that counts sits",
         columns=["where", "share of the values [%]", "bias [%]", "share of the squares [%]"],
@@ -193,7 +291,7 @@ def _summary(day: Day) -> str:
     depth, exponent = _load_text(found.load)
     first, second, counted = (_score(day, row) for row in (everybody, known, day.row))
     return (
-        f"On {day.scans.date}, with the inputs of all published models: {first:.2f} {_UNIT}; with "
+        f"On {day.scans.date}, with the inputs of all published models: {first:.2f} {UNIT}; with "
         f"the best known inputs, nothing fitted, {second:.2f}; with the aerosol's load fitted to "
         f"the other scans, the row that counts, {counted:.2f} (optical depth "
         f"{depth} at 550 nm, exponent {exponent})."

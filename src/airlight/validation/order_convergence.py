@@ -8,14 +8,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled
-from airlight.solver import Solution, solve
+from airlight.solver import Solution
 from airlight.solver.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
 from airlight.solver.montecarlo.solution import MonteCarloSolution
 from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.validation.cases import Case, CaseLines, geometry
-from airlight.validation.energy_planets import round_earth
-from airlight.validation.suite import Cancel, Part, Progress, ReportPicture, ReportTable
+from airlight.validation.planets import round_earth
+from airlight.validation.suite import Part, ReportPicture, ReportTable, SuiteRun, cells
 
 FloatArray = NDArray[np.float64]
 
@@ -40,27 +39,21 @@ CASES: Final = (
 
 
 def order_convergence(
-    solvers: Sequence[tuple[str, Any]] = ORDER_SOLVERS, *, progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> list[Part]:  # fmt: skip
+    run: SuiteRun, solvers: Sequence[tuple[str, Any]] = ORDER_SOLVERS
+) -> list[Part]:
     """Picture and table of the radiance of each order by each solver.
 
     Parameters
     ----------
+    run : SuiteRun
     solvers : sequence of (str, object)
         Names and qualities.
     """
     planet = round_earth()
     shares: dict[str, FloatArray] = {}
     for done, (name, quality) in enumerate(solvers):
-        if cancel is not None and cancel():
-            raise Cancelled("cancelled")
-        if progress is not None:
-            progress(done, len(solvers), f"orders by the {name} solver")
-        solution = solve(
-            planet, [WAVELENGTH], quality, solver=name, polarisation=False, cache=False,
-            cancel=cancel,
-        )  # fmt: skip
+        run.step(done, len(solvers), f"orders by the {name} solver")
+        solution = run.solve(planet, [WAVELENGTH], quality, solver=name, polarisation=False)
         shares[name] = order_shares(solution, geometry(planet, CASES))
     if not shares:
         return []
@@ -82,15 +75,14 @@ def _picture(shares: dict[str, FloatArray]) -> ReportPicture:
     title = f"Light by order of scattering, clear Earth, {WAVELENGTH:g} nm"
     figure = new_figure(title, size=(9.0, 5.2))
     panels = figure.subplots(2, 3, sharex=True, sharey=True).ravel()
-    styles = ("o-", "x--", "s:")
+    thin: Any = {"markersize": 4, "linewidth": 1.0}
     for k, (axes, case) in enumerate(zip(panels, CASES, strict=True)):
         for s, (name, values) in enumerate(shares.items()):
             orders = np.arange(1, len(values) + 1)
             bright = values[:, k] > 0.0
-            axes.plot(
-                orders[bright], 100.0 * values[bright, k], styles[s % 3], color=PALETTE[s],
-                markersize=4, linewidth=1.0, label=name,
-            )  # fmt: skip
+            style = ("o-", "x--", "s:")[s % 3]
+            share = 100.0 * values[bright, k]
+            axes.plot(orders[bright], share, style, color=PALETTE[s], label=name, **thin)
         axes.set_yscale("log")
         axes.set_ylim(1e-4, 200.0)
         axes.set_yticks(
@@ -115,18 +107,14 @@ def _table(shares: dict[str, FloatArray]) -> ReportTable:
             share = values[:, k]
             last = min(len(share), 6)
             usual = share[last - 1] / share[last - 2] if last > 1 and share[last - 2] > 0 else 0.0
-            rows.append(
-                (
-                    str(case), name, *(f"{100 * x:.3f}" for x in share[:4]),
-                    *[""] * (4 - len(share[:4])), f"{100 * share.sum():.3f}", f"{usual:.3f}",
-                )
-            )  # fmt: skip
+            first = [f"{100 * x:.3f}" for x in share[:4]] + [""] * (4 - len(share[:4]))
+            rows.append([str(case), name, *first, f"{100 * share.sum():.3f}", f"{usual:.3f}"])
     return ReportTable(
         title="Orders of scattering",
-        columns=[
-            "line of sight", "solver", "order 1 [%]", "2", "3", "4",
-            f"first {MOST_ORDERS} [%]", "factor, order 5 to 6",
-        ],
+        columns=cells(
+            f"line of sight | solver | order 1 [%] | 2 | 3 | 4 | first {MOST_ORDERS} [%] | "
+            "factor, order 5 to 6"
+        ),
         rows=rows,
         note="The same light by solvers that count it in different ways.",
-    )  # fmt: skip
+    )

@@ -13,19 +13,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.planets import Constituent, Ground, Medium, Planet, Star, load_planet, replace
+from airlight.planets import Medium, Planet, load_planet
 from airlight.planets.matter.phases import HenyeyGreenstein, PhaseFunction, Rayleigh
 from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.solver import Solution
-from airlight.validation.energy_planets import VAST
-from airlight.validation.finite_disc import with_point_star
-from airlight.validation.published.row import solver
-from airlight.validation.suite import Cancel, Progress, ReportTable, Suite, Threshold
+from airlight.validation.planets import flattened, one_constituent, with_point_star
+from airlight.validation.suite import ReportTable, Suite, SuiteRun, Threshold, cells
 
 FloatArray = NDArray[np.float64]
 
@@ -39,7 +37,7 @@ SAME: Final = 1e-6
 _BOTTOM, _THICKNESS, _ALBEDO = 6000e3, 100e3, 0.05
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class FlatCase:
     """Plane-parallel case at one wavelength.
 
@@ -63,8 +61,7 @@ class FlatCase:
         return Medium.from_planet(self.planet, (self.wavelength,))
 
 
-@dataclass(frozen=True, kw_only=True)
-class Reference:
+class Reference(NamedTuple):
     """Result of PythonicDISORT.
 
     Attributes
@@ -82,48 +79,29 @@ class Reference:
 
 def flat_cases() -> tuple[FlatCase, ...]:
     """Cases in the order of the report: simple gas and clouds, then Venus."""
-    gas = [
-        FlatCase(name=f"gas of depth {depth:g}, absorbs nothing", wavelength=550.0,
-                 planet=_air(Exponential(scale_height=8e3), depth / 8e3, 0.0, Rayleigh()))
+    molecules, droplets = Rayleigh(), HenyeyGreenstein(asymmetry=0.75)
+    gas, cloud = Exponential(scale_height=8e3), Tent(center=6e3, half_width=2e3)
+    planets = {
+        f"gas of depth {depth:g}, absorbs nothing": _air(gas, depth / 8e3, 0.0, molecules)
         for depth in (2.0, 8.0, 37.65)
-    ]  # fmt: skip
-    clouds = [
-        FlatCase(name=f"cloud of depth {depth:g}, single-scattering albedo 0.999", wavelength=550.0,
-                 planet=_air(Tent(center=6e3, half_width=2e3), 0.999 * depth / 2e3,
-                             0.001 * depth / 2e3, HenyeyGreenstein(asymmetry=0.75)))
-        for depth in (10.0, 30.0)
-    ]  # fmt: skip
+    }
+    for depth in (10.0, 30.0):
+        thick = _air(cloud, 0.999 * depth / 2e3, 0.001 * depth / 2e3, droplets)
+        planets[f"cloud of depth {depth:g}, single-scattering albedo 0.999"] = thick
     venus = flattened(with_point_star(load_planet("venus")))
     return (
-        *gas,
-        *clouds,
-        *(FlatCase(name=f"venus, {nm:g} nm", planet=venus, wavelength=nm) for nm in (450.0, 700.0)),
+        *(FlatCase(name, planet, 550.0) for name, planet in planets.items()),
+        *(FlatCase(f"venus, {nm:g} nm", venus, nm) for nm in (450.0, 700.0)),
     )
-
-
-def flattened(planet: Planet) -> Planet:
-    """Planet with a thousand times the ground radius, its plane-parallel limit."""
-    bottom = VAST * planet.bottom_radius
-    return replace(planet, bottom_radius=bottom, top_radius=bottom + planet.thickness)
 
 
 def _air(
     profile: Exponential | Tent, scattering: float, absorption: float, phase: PhaseFunction
 ) -> Planet:
     """Plane-parallel planet of one constituent, from its coefficients [m⁻¹]."""
-    return flattened(
-        Planet(
-            name="flat air",
-            bottom_radius=_BOTTOM,
-            top_radius=_BOTTOM + _THICKNESS,
-            ground=Ground(albedo=_ALBEDO),
-            star=Star(irradiance=1.0, angular_radius=0.0),
-            constituents=(
-                Constituent(name="matter", profile=profile, scattering=scattering,
-                            absorption=absorption, phase_function=phase),
-            ),
-        )
-    )  # fmt: skip
+    matter = {"scattering": scattering, "absorption": absorption, "phase_function": phase}
+    planet = one_constituent("flat air", _BOTTOM, _THICKNESS, _ALBEDO, profile=profile, **matter)
+    return flattened(planet)
 
 
 @cache
@@ -131,9 +109,7 @@ def references() -> dict[str, Reference]:
     """References of ``data/plane-parallel.toml`` by case."""
     text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
     return {
-        one["name"]: Reference(
-            depth=one["depth"], absorption=one["absorption"], ground=np.array(one["ground"])
-        )
+        one["name"]: Reference(one["depth"], one["absorption"], np.array(one["ground"]))
         for one in tomllib.loads(text)["case"]
     }
 
@@ -163,42 +139,28 @@ def ground_share(solution: Solution, suns: Sequence[float] = SUNS) -> FloatArray
     return out
 
 
-def disort(
-    *,
-    quality: object = "default",
-    cases: Sequence[FlatCase] | None = None,
-    progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> Suite:
+def disort(run: SuiteRun, cases: Sequence[FlatCase] | None = None) -> Suite:
     """Comparison of the ground's irradiance with discrete ordinates.
 
     Parameters
     ----------
-    quality : str or Settings
-        Quality of the moments solver.
+    run : SuiteRun
     cases : sequence of FlatCase, optional
         Cases to compare instead of all.
     """
-    solve = solver(progress, cancel)
     thresholds, rows = [], []
     for case in flat_cases() if cases is None else cases:
         known = references()[case.name]
-        solution = solve(case.planet, (case.wavelength,), quality, polarisation=False)
+        solution = run.solve(case.planet, (case.wavelength,), polarisation=False)
         off = 100.0 * (ground_share(solution) / known.ground - 1.0)
         remade = np.allclose(depths(solution.medium), (known.depth, known.absorption), rtol=SAME)
         worst = float(np.abs(off).max()) if remade else float("nan")
-        thresholds.append(
-            Threshold(name=f"{case.name}: irradiance of the ground, worst of {len(SUNS)} suns",
-                got=worst, allowed=AIM, unit="%", source="the aim")
-        )  # fmt: skip
-        rows.append(
-            (case.name, f"{known.depth:.4g}", f"{known.absorption:.3g}",
-             *(f"{share:.5f} ({d:+.2f} %)" for share, d in zip(known.ground, off, strict=True)))
-        )  # fmt: skip
+        name = f"{case.name}: irradiance of the ground, worst of {len(SUNS)} suns"
+        thresholds.append(Threshold(name, worst, AIM, "%", "the aim"))
+        shares = [f"{share:.5f} ({d:+.2f} %)" for share, d in zip(known.ground, off, strict=True)]
+        rows.append([*cells(f"{case.name} | {known.depth:.4g} | {known.absorption:.3g}"), *shares])
     met = sum(threshold.passed for threshold in thresholds)
     return Suite(
-        name="disort",
-        title="Flat air against discrete ordinates",
         summary=(
             "The light that reaches the ground through deep flat air, by the moments solver and by "
             f"PythonicDISORT: {met} of {len(thresholds)} are within {AIM:g} %. Deep in "
@@ -215,7 +177,7 @@ def disort(
             )
         ],
         settings=[
-            f"moments solver, {quality} quality, scalar transfer as the reference's",
+            f"moments solver, {run.quality} quality, scalar transfer as the reference's",
             f"grounds of albedo {_ALBEDO:g}",
         ],
     )

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import datetime
+import os
+import platform
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 
+from airlight.kernel.threads import thread_count
 from airlight.studies.reports.html import page_html, part_html, table_html
 from airlight.validation.suite import Suite, Threshold
+
+#: Packages whose versions can change a number.
+_PACKAGES = ("numpy", "numba", "scipy", "matplotlib", "miepython")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,6 +75,43 @@ class ValidationReport:
         left = [suite.name for suite in self.suites if suite.not_run]
         text = f"{len(self.thresholds) - len(missed)} of {len(self.thresholds)} thresholds are met"
         return text + (f"; not run: {', '.join(left)}" if left else "")
+
+
+def provenance() -> Mapping[str, str]:
+    """Facts needed to judge the times and to repeat the run.
+
+    Returns
+    -------
+    dict
+        Description of each fact, by its name.
+    """
+    return {
+        "airlight": _version("airlight"),
+        "date": datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d %H:%M UTC"),
+        "machine": f"{_cpu_name()}, {thread_count()} of {os.cpu_count()} cores used",
+        "system": f"{platform.system()} {platform.machine()}, Python {platform.python_version()}",
+        "packages": ", ".join(
+            f"{name} {found}" for name in _PACKAGES if (found := _version(name)) != "unknown"
+        ),
+    }
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "unknown"
+
+
+def _cpu_name() -> str:
+    """Name of the CPU, if known."""
+    try:
+        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return " ".join(line.partition(":")[2].split())
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()
 
 
 def result_word(suite: Suite) -> str:

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from pkgutil import resolve_name
 from time import perf_counter
-from typing import Final, Protocol
+from typing import Final
 
 from airlight.errors import ConflictError, FileError, ParameterError
-from airlight.validation.suite import Cancel, Progress, Suite
-
-
-class _Compute(Protocol):
-    def __call__(
-        self, data: Path | None, *, progress: Progress | None, cancel: Cancel | None
-    ) -> Suite: ...
+from airlight.kernel.threads import Progress
+from airlight.validation.suite import Suite, SuiteRun
 
 
 @dataclass(frozen=True)
@@ -26,96 +22,34 @@ class Entry:
     ----------
     title : str
         Title of its section.
-    compute : callable
-        Function with the signature ``compute(data, progress=, cancel=)``.
+    function : str
+        Module, imported only when it is needed, and name of the function that makes a ``Suite`` of
+        a ``SuiteRun``.
     files : tuple of str
         Files in the folder of reference data, or patterns, at least one of which is needed.
     """
 
     title: str
-    compute: _Compute
+    function: str
     files: tuple[str, ...] = ()
-
-
-def _golden(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.golden import golden
-
-    return golden(progress=progress, cancel=cancel)
-
-
-def _solvers(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.solvers import solvers
-
-    return solvers(progress=progress, cancel=cancel)
-
-
-def _spherical(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.spherical.radiances import spherical
-
-    assert data is not None
-    return spherical(data, progress=progress, cancel=cancel)
-
-
-def _cie(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.cie import cie
-
-    return cie(progress=progress, cancel=cancel)
-
-
-def _measured(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.measured import measured
-
-    assert data is not None
-    return measured(data, progress=progress, cancel=cancel)
-
-
-def _kider(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.measured_days import measured_days
-
-    assert data is not None
-    return measured_days(data, progress=progress, cancel=cancel)
-
-
-def _energy(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.energy import energy
-
-    return energy(progress=progress, cancel=cancel)
-
-
-def _disort(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.plane_parallel import disort
-
-    return disort(progress=progress, cancel=cancel)
-
-
-def _published(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.published.light import published
-
-    return published(progress=progress, cancel=cancel)
-
-
-def _polarisation(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.polarised.light import polarisation
-
-    return polarisation(progress=progress, cancel=cancel)
 
 
 #: All suites, in the order of the report.
 SUITES: Final[dict[str, Entry]] = {
-    "golden": Entry("Golden numbers", _golden),
-    "solvers": Entry("Three solvers", _solvers),
+    "golden": Entry("Golden numbers", "golden:golden"),
+    "solvers": Entry("Three solvers", "solvers:solvers"),
     "spherical": Entry(
         "Independent spherical radiances",
-        _spherical,
+        "spherical.radiances:spherical",
         ("spherical-monte-carlo.csv", "bruneton2017-radiances.csv"),
     ),
-    "cie": Entry("CIE clear sky, type 12", _cie),
-    "measured": Entry("Measured skies", _measured, ("kider2013-05-27.npz",)),
-    "kider": Entry("Measured days, load fitted", _kider, ("kider*.npz",)),
-    "energy": Entry("Energy", _energy),
-    "disort": Entry("Flat air against discrete ordinates", _disort),
-    "published": Entry("Published light", _published),
-    "polarisation": Entry("Polarised light", _polarisation),
+    "cie": Entry("CIE clear sky, type 12", "cie:cie"),
+    "measured": Entry("Measured skies", "measured:measured", ("kider2013-05-27.npz",)),
+    "kider": Entry("Measured days, load fitted", "measured_days:measured_days", ("kider*.npz",)),
+    "energy": Entry("Energy, reversed paths and orders", "energy:energy"),
+    "disort": Entry("Flat air against discrete ordinates", "plane_parallel:disort"),
+    "published": Entry("Published light", "published.light:published"),
+    "polarisation": Entry("Polarised light", "polarised.light:polarisation"),
 }
 
 
@@ -173,34 +107,34 @@ def _has_one(data: Path, files: tuple[str, ...]) -> bool:
     return not files or any(one.is_file() for file in files for one in data.glob(file))
 
 
-def run(
-    names: Sequence[str], data: Path | None = None, *, progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> Iterator[Suite]:  # fmt: skip
+def run(names: Sequence[str], work: SuiteRun) -> Iterator[Suite]:
     """Lazy run of suites.
 
     Parameters
     ----------
-    names, data :
+    names : sequence of str
         See ``chosen``.
+    work : SuiteRun
+        Its progress names the suite.
 
     Yields
     ------
     Suite
         Result, with its wall time.
     """
-    for name, reason in chosen(names, data).items():
+    for name, reason in chosen(names, work.data).items():
         entry = SUITES[name]
         if reason:
-            yield Suite(name=name, title=entry.title, summary="", not_run=reason)
+            yield Suite(name=name, title=entry.title, not_run=reason)
             continue
+        compute = resolve_name(f"airlight.validation.{entry.function}")
         started = perf_counter()
-        suite = entry.compute(data, progress=_named(name, progress), cancel=cancel)
-        yield replace(suite, seconds=perf_counter() - started)
+        suite: Suite = compute(replace(work, progress=_named(name, work.progress)))
+        seconds = perf_counter() - started
+        yield replace(suite, name=name, title=entry.title, seconds=seconds)
 
 
 def _named(name: str, progress: Progress | None) -> Progress | None:
     if progress is None:
         return None
-    tell: Callable[[int, int, str], None] = progress
-    return lambda done, total, message: tell(done, total, f"{name}: {message}")
+    return lambda done, total, message: progress(done, total, f"{name}: {message}")

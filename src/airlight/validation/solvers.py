@@ -7,6 +7,9 @@ from typing import Any, Final
 
 import numpy as np
 
+from airlight.planets import load_planet
+from airlight.solver.montecarlo.solution import MonteCarloSolution
+from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.validation.agreement import (
     LEAST_RADIANCE,
     NOISE,
@@ -16,26 +19,39 @@ from airlight.validation.agreement import (
     agreements,
     results,
 )
-from airlight.validation.cases import CASES, WAVELENGTHS, Case
-from airlight.validation.finite_disc import finite_disc
+from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
 from airlight.validation.metrics import relative_errors, summarise
-from airlight.validation.solvers_pictures import agreement_picture
-from airlight.validation.suite import Cancel, Mark, Part, Progress, ReportTable, Suite, Threshold
+from airlight.validation.planets import with_point_star
+from airlight.validation.suite import (
+    Mark,
+    Part,
+    ReportPicture,
+    ReportTable,
+    Suite,
+    SuiteRun,
+    Threshold,
+    cells,
+)
 
 #: A clear Earth, and a Mars with dust of optical depth 0.5.
 PLANETS: Final = ("earth-atmosphere-plus", "mars-standard")
 #: Lowest number of lines of sight of each planet that must agree.
 LEAST_CASES: Final = 40
+#: Number of largest differences between a point star and a disc that are listed.
+LISTED: Final = 6
 
 
 def solvers(
-    *, solvers: Sequence[tuple[str, Any]] = SOLVERS, planets: Sequence[str] = PLANETS,
-    cases: Sequence[Case] = CASES, progress: Progress | None = None, cancel: Cancel | None = None,
-) -> Suite:  # fmt: skip
+    run: SuiteRun,
+    solvers: Sequence[tuple[str, Any]] = SOLVERS,
+    planets: Sequence[str] = PLANETS,
+    cases: Sequence[Case] = CASES,
+) -> Suite:
     """Comparison of solvers on the grid of cases.
 
     Parameters
     ----------
+    run : SuiteRun
     solvers : sequence of (str, object)
         Two or more solvers; the last is the reference.
     planets : sequence of str
@@ -45,35 +61,28 @@ def solvers(
     """
     thresholds: list[Threshold] = []
     parts: list[Part] = []
-    summary: list[tuple[tuple[str | int, ...], Mark]] = []
+    agreement, times = [], []
+    least = min(LEAST_CASES, len(cases))
     for planet in planets:
-        given = results(planet, solvers, cases=cases, progress=progress, cancel=cancel)
+        given = results(run, planet, solvers, cases)
         pairs = agreements(given)
-        least = min(LEAST_CASES, len(cases))
         for pair in pairs:
-            thresholds.append(
-                Threshold(
-                    name=f"{planet}, {pair.name}: lines of sight that do not agree, or are too "
-                    f"dark, of {len(cases)}",
-                    got=int((pair.disagree.any(axis=1) | ~pair.judged.any(axis=1)).sum()),
-                    allowed=len(cases) - least,
-                    source=f"at least {least} agree at every wavelength",
-                )
+            name = (
+                f"{planet}, {pair.name}: lines of sight that do not agree, or are too dark, of "
+                f"{len(cases)}"
             )
-            summary.append(_summary(planet, pair))
+            missed = int((pair.disagree.any(axis=1) | ~pair.judged.any(axis=1)).sum())
+            source = f"at least {least} agree at every wavelength"
+            thresholds.append(Threshold(name, missed, len(cases) - least, source=source))
         parts += [
             agreement_picture(planet, pairs, cases),
             _worst(planet, pairs, cases),
-            finite_disc(planet, cases=cases, cancel=cancel),
+            finite_disc(run, planet, cases),
             _all(planet, given, pairs, cases),
         ]
-        for result in given:
-            summary.append(_time(planet, result))
-    agreement = [entry for entry in summary if len(entry[0]) == 10]
-    times = [entry[0] for entry in summary if len(entry[0]) == 4]
+        agreement += [_summary(planet, pair) for pair in pairs]
+        times += [_time(planet, result) for result in given]
     return Suite(
-        name="solvers",
-        title="Three solvers",
         summary=(
             f"{len(cases)} lines of sight from the ground to space, sun 0° to 96°, three "
             f"wavelengths, on each of {len(planets)} planets, by solvers that share optics and "
@@ -82,64 +91,53 @@ def solvers(
             "at most 1 % or by at most three standard errors. The star is a point."
         ),
         thresholds=thresholds,
-        parts=[_agreement_table([row for row, _ in agreement], [m for _, m in agreement]),
-               *parts, _times_table(times)],
+        parts=[
+            ReportTable(
+                title="Agreement of each pair",
+                columns=cells(
+                    "planet | pair | lines of sight | values | median [%] | 95 % [%] | "
+                    "largest [%] | RMS in standard errors | values that disagree | lines of sight"
+                ),
+                rows=agreement,
+                note="The errors of a pair with Monte Carlo hold its noise: an RMS of about 1 in "
+                "standard errors is noise alone.",
+            ),
+            *parts,
+            ReportTable(
+                title="What the solvers took",
+                columns=cells(
+                    "planet | solver | time [s] | standard error, median and largest [%]"
+                ),
+                rows=times,
+                note="To solve and to compute all cases, without what was compiled before.",
+            ),
+        ],
         settings=[
             f"{name}: {quality if isinstance(quality, str) else quality.as_text()}"
             for name, quality in solvers
         ],
-    )  # fmt: skip
+    )
 
 
-def _summary(planet: str, pair: Agreement) -> tuple[tuple[str | int, ...], Mark]:
+def _summary(planet: str, pair: Agreement) -> tuple[str, ...]:
     s = summarise(pair.relative, pair.judged)
     errors = pair.in_errors[pair.judged]
-    noisy = bool(np.isfinite(errors).all())
-    row = (
-        planet,
-        pair.name,
-        int(pair.judged.any(axis=1).sum()),
-        s.count,
-        f"{100 * s.median:.3f}",
-        f"{100 * s.high:.3f}",
-        f"{100 * s.largest:.2f}",
-        f"{np.sqrt(np.mean(np.square(errors))):.2f}" if noisy and errors.size else "",
-        int(pair.disagree.sum()),
-        int(pair.disagree.any(axis=1).sum()),
+    noisy = bool(np.isfinite(errors).all()) and errors.size
+    return cells(
+        f"{planet} | {pair.name} | {pair.judged.any(axis=1).sum()} | {s.count} | "
+        f"{100 * s.median:.3f} | {100 * s.high:.3f} | {100 * s.largest:.2f} | "
+        f"{f'{np.sqrt(np.mean(np.square(errors))):.2f}' if noisy else ''} | "
+        f"{pair.disagree.sum()} | {pair.disagree.any(axis=1).sum()}"
     )
-    return row, ""
 
 
-def _time(planet: str, result: Result) -> tuple[tuple[str | int, ...], Mark]:
+def _time(planet: str, result: Result) -> tuple[str, ...]:
     bright = result.radiance > LEAST_RADIANCE
     noise = summarise(
         relative_errors(result.radiance + result.standard_error, result.radiance), bright
     )
     shown = f"{100 * noise.median:.2f}, {100 * noise.largest:.2f}" if noise.largest > 0.0 else ""
-    return (planet, result.solver, f"{result.seconds:.1f}", shown), ""
-
-
-def _agreement_table(rows: Sequence[Sequence[str | int]], marks: Sequence[Mark]) -> ReportTable:
-    return ReportTable(
-        title="Agreement of each pair",
-        columns=[
-            "planet", "pair", "lines of sight", "values", "median [%]", "95 % [%]", "largest [%]",
-            "RMS in standard errors", "values that disagree", "lines of sight",
-        ],
-        rows=rows,
-        marks=marks,
-        note="The errors of a pair with Monte Carlo hold its noise: an RMS of about 1 in standard "
-        "errors is noise alone.",
-    )  # fmt: skip
-
-
-def _times_table(rows: Sequence[Sequence[str | int]]) -> ReportTable:
-    return ReportTable(
-        title="What the solvers took",
-        columns=["planet", "solver", "time [s]", "standard error, median and largest [%]"],
-        rows=rows,
-        note="To solve and to compute all cases, without what was compiled before.",
-    )
+    return planet, result.solver, f"{result.seconds:.1f}", shown
 
 
 def _worst(
@@ -157,27 +155,24 @@ def _worst(
             n, c = np.unravel_index(flat, order.shape)
             in_errors = pair.in_errors[n, c]
             rows.append(
-                (
-                    pair.name,
-                    str(cases[n]),
-                    f"{WAVELENGTHS[c]:g}",
-                    f"{pair.first.radiance[n, c]:.4e}",
-                    f"{pair.second.radiance[n, c]:.4e}",
-                    f"{100 * pair.relative[n, c]:+.2f}",
-                    f"{in_errors:+.1f}" if np.isfinite(in_errors) else "",
+                cells(
+                    f"{pair.name} | {cases[n]} | {WAVELENGTHS[c]:g} | "
+                    f"{pair.first.radiance[n, c]:.4e} | {pair.second.radiance[n, c]:.4e} | "
+                    f"{100 * pair.relative[n, c]:+.2f} | "
+                    f"{f'{in_errors:+.1f}' if np.isfinite(in_errors) else ''}"
                 )
             )
             marks.append("fail" if pair.disagree[n, c] else "")
     return ReportTable(
         title=f"{planet}: the worst values of each pair",
-        columns=[
-            "pair", "line of sight", "wavelength [nm]", "first [sr⁻¹]", "second [sr⁻¹]",
-            "difference [%]", "in standard errors",
-        ],
+        columns=cells(
+            "pair | line of sight | wavelength [nm] | first [sr⁻¹] | second [sr⁻¹] | "
+            "difference [%] | in standard errors"
+        ),
         rows=rows,
         marks=marks,
         note="Beyond three standard errors first, then by size.",
-    )  # fmt: skip
+    )
 
 
 def _all(
@@ -187,32 +182,114 @@ def _all(
     marks: list[Mark] = []
     for n, case in enumerate(cases):
         for c, nm in enumerate(WAVELENGTHS):
-            judged = bool(pairs[0].judged[n, c])
-            rows.append(
-                (
-                    str(case),
-                    f"{nm:g}",
-                    *(
-                        f"{result.radiance[n, c]:.4e}"
-                        + (
-                            f" ± {result.standard_error[n, c]:.0e}"
-                            if result.standard_error.any()
-                            else ""
-                        )
-                        for result in given
-                    ),
-                    *(f"{100 * pair.relative[n, c]:+.2f}" for pair in pairs),
-                    "" if judged else "too dark to judge",
-                )
-            )
+            radiances = [
+                f"{result.radiance[n, c]:.4e}"
+                + (f" ± {result.standard_error[n, c]:.0e}" if result.standard_error.any() else "")
+                for result in given
+            ]
+            differences = [f"{100 * pair.relative[n, c]:+.2f}" for pair in pairs]
+            dark = "" if pairs[0].judged[n, c] else "too dark to judge"
+            rows.append([str(case), f"{nm:g}", *radiances, *differences, dark])
             marks.append("fail" if any(pair.disagree[n, c] for pair in pairs) else "")
     return ReportTable(
         title=f"{planet}: all values",
         columns=[
-            "line of sight", "wavelength [nm]", *(f"{result.solver} [sr⁻¹]" for result in given),
-            *(f"{pair.name} [%]" for pair in pairs), "",
+            *("line of sight", "wavelength [nm]"),
+            *(f"{result.solver} [sr⁻¹]" for result in given),
+            *(f"{pair.name} [%]" for pair in pairs),
+            "",
         ],
         rows=rows,
         marks=marks,
         folded=True,
-    )  # fmt: skip
+    )
+
+
+def agreement_picture(
+    planet: str, pairs: Sequence[Agreement], cases: Sequence[Case]
+) -> ReportPicture:
+    """Plot the differences of each pair over the cases in their order, with the noise as bars.
+
+    Parameters
+    ----------
+    planet : str
+    pairs : sequence of Agreement
+    cases : sequence of Case, length n
+    """
+    title = f"How far the solvers differ: {planet}"
+    figure = new_figure(title, size=(9.5, 1.4 + 2.1 * len(pairs)))
+    panels = np.atleast_1d(figure.subplots(len(pairs), 1, sharex=True, sharey=True))
+    dots: Any = {"fmt": "o", "markersize": 2.6, "linewidth": 0.8}
+    for axes, pair in zip(panels, pairs, strict=True):
+        at = np.arange(len(cases), dtype=float)
+        for c in range(pair.relative.shape[1]):
+            seen = pair.judged[:, c]
+            noise = 3.0 * pair.noise[:, c] / np.maximum(pair.second.radiance[:, c], 1e-300)
+            ink, error = PALETTE[(1, 2, 0)[c % 3]], 100.0 * pair.relative[seen, c]
+            axes.errorbar(at[seen] + 0.22 * (c - 1), error, 100.0 * noise[seen], color=ink, **dots)
+        axes.axhspan(-1.0, 1.0, color="#eeeeee")
+        axes.set_ylim(-4.0, 4.0)
+        axes.set_title(f"{pair.name} [%]", fontsize=9.5, color=GREY, loc="left")
+        for k in range(1, len(cases)):
+            if cases[k].observer != cases[k - 1].observer:
+                axes.axvline(k - 0.5, color=GREY, linewidth=0.7)
+        grid(axes)
+    starts = [k for k in range(len(cases)) if not k or cases[k].observer != cases[k - 1].observer]
+    names = [
+        "top" if cases[k].observer == "top" else f"{float(cases[k].observer) / 1e3:g} km"
+        for k in starts
+    ]
+    panels[-1].set_xticks(starts, names, fontsize=8.5)
+    panels[-1].set_xlabel("lines of sight in the grid's order, by the observer's altitude")
+    caption = (
+        "Grey: 1 %. Lines: three standard errors of the Monte Carlo. Red, green, blue: 680, 550, "
+        "440 nm. Within an observer the sun sinks from left to right. Points beyond 4 % are in the "
+        "table of the worst values."
+    )
+    return ReportPicture.from_figure(figure, title=title, caption=caption)
+
+
+def finite_disc(run: SuiteRun, planet_name: str, cases: Sequence[Case] = CASES) -> ReportTable:
+    """Compare the first order under a point star with that under the preset's disc, by quadrature.
+
+    The solvers are compared under a point star: the disc is no matter of method. The direct solver
+    weighs the visible part of the disc by the transmittance to its centre; the moments solver takes
+    two points of a low disc; Monte Carlo samples it. When the disc is low in dense air, a point
+    differs from the disc by what this table gives.
+
+    Parameters
+    ----------
+    run : SuiteRun
+    planet_name : str
+        Name of a preset, or path of a file.
+    cases : sequence of Case
+        Lines of sight.
+    """
+    disc = load_planet(planet_name)
+    by_star = []
+    for planet in (with_point_star(disc), disc):
+        judge = run.solve(planet, WAVELENGTHS, "default", solver="montecarlo")
+        assert isinstance(judge, MonteCarloSolution)
+        lines, _ = judge.lines_of_sight(**geometry(planet, cases))
+        by_star.append(judge.first_order(lines)[:, 0])
+    once, known = by_star
+    bright = known > LEAST_RADIANCE
+    off = np.where(bright, relative_errors(once, known), 0.0)
+    by_case = np.abs(off).max(axis=1)
+    order = np.argsort(by_case)[::-1][:LISTED]
+    rows = [
+        [
+            str(cases[n]),
+            *(f"{100 * x:+.2f}" if b else "dark" for x, b in zip(off[n], bright[n], strict=True)),
+        ]
+        for n in order
+    ]
+    return ReportTable(
+        title=f"{planet_name}: light scattered once under a point star, less that under its disc",
+        columns=["line of sight", *(f"{nm:g} nm [%]" for nm in WAVELENGTHS)],
+        rows=rows,
+        note="By exact quadrature, no histories. A solver that weighs the visible part of the disc "
+        f"with the transmittance to its middle errs by about so much. Median of all {len(cases)} "
+        f"lines {100 * float(np.median(by_case)):.3f} %; the {len(rows)} largest are listed, not "
+        "judged.",
+    )

@@ -8,7 +8,7 @@ from scipy.special import eval_jacobi
 
 from airlight import load_planet, solve
 from airlight.planets.matter.phases import HenyeyGreenstein
-from airlight.validation.finite_disc import with_point_star
+from airlight.validation.planets import with_point_star
 
 
 def test_the_forward_part_is_the_element_of_degree_five() -> None:

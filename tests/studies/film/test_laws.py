@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
-from airlight.studies.film.key_frames import KeyFrames
-from airlight.studies.film.laws import LAWS, smooth
+from airlight.studies.film.key_frames import LAWS, KeyFrames, smooth
 
 AT = np.array([0.0, 0.3, 0.4, 1.0])
 VALUES = np.array([[2.0], [5.0], [6.0], [1.0]])

@@ -10,7 +10,7 @@ import numpy as np
 from airlight.planets import load_planet
 from airlight.solver import solve
 from airlight.studies.fit.measurements import Measurements
-from airlight.studies.fit.smooth_settings import smooth
+from airlight.studies.fit.sky_model import smooth
 
 PLANET: Final = "earth-atmosphere-plus"
 #: Relative standard deviation of the noise.

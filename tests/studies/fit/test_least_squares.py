@@ -26,7 +26,7 @@ class Curve:
         return self.formula(values)
 
     def derivative(self, values: np.ndarray, index: int, *, central: bool) -> np.ndarray:
-        return difference(self, self.parameters, values, index, central=central)
+        return difference(self, self.parameters[index], values, index, central=central)
 
 
 def free(name: str, start: float = 1.0, low: float = -50.0, high: float = 50.0,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from airlight.kernel.cost import LINES
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -147,12 +147,15 @@ class PlanetFrameSpec:
         how, place = self.how, self.scene.place
         key = digest((self.planet, place, how), self.files)
         if key not in _SOLUTIONS:
-            found = solve_planet(
-                self.planet, how.wavelengths, how.quality, around=place, progress=progress
-            )
+            nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
+            found = solve_planet(self._ground(), nm, how.quality, progress=progress)
             _SOLUTIONS.clear()
             _SOLUTIONS[key] = found
         return _SOLUTIONS[key]
+
+    def _ground(self) -> Planet:
+        names = ("latitude", "longitude", "altitude")
+        return local_ground(self.planet, **{name: getattr(self.scene, name) for name in names})
 
     @property
     def solved_for(self) -> object:
@@ -198,11 +201,8 @@ class SystemFrameSpec:
         return self._render(columns, rows)
 
     def _render(self, width: int, height: int, progress: Progress | None = None) -> Frame:
-        how = self.how
-        return render_system(
-            self.system, width=width, height=height, wavelengths=how.wavelengths,
-            quality=how.quality, samples=how.samples, progress=progress,
-        )  # fmt: skip
+        how: Any = {name: getattr(self.how, name) for name in ("wavelengths", "quality", "samples")}
+        return render_system(self.system, width=width, height=height, progress=progress, **how)
 
     def cost(self) -> dict[str, float]:
         """See ``FrameSpec``; samples at the edges of bodies are not counted."""
@@ -212,8 +212,8 @@ class SystemFrameSpec:
             for one in planets
         ]
         solves = sum(solve_work(how.quality, count) for count in counts)
-        pixels = how.width * how.height
-        return {"picture": float(pixels * max(counts, default=3)), "solve": solves}
+        picture = float(self.width * self.height * max(counts, default=3))
+        return {"picture": picture, "solve": solves}
 
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``FrameSpec``."""

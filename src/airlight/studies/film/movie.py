@@ -20,11 +20,16 @@ if TYPE_CHECKING:
 
 #: Rate factor and options of x264 by which means of rows of a smooth sky stay within 1.5 of 255,
 #: and the tags of what the numbers mean: ffmpeg's own options leave two of them out.
-_QUALITY: Final = 12
-_OPTIONS: Final = "aq-mode=3:deblock=-1,-1:colorprim=bt709:transfer=iec61966-2-1:colormatrix=bt709"
-_SCALE: Final = (
-    "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int+bicubic"
-)
+_OUTPUT: Final = {
+    "-crf": "12",
+    "-preset": "medium",
+    "-x264-params": (
+        "aq-mode=3:deblock=-1,-1:colorprim=bt709:transfer=iec61966-2-1:colormatrix=bt709"
+    ),
+    "-vf": "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int+bicubic",
+    "-movflags": "+faststart",
+    "-f": "mp4",
+}
 
 
 def check_movie(path: Path, field: str) -> None:
@@ -64,13 +69,17 @@ def write_movie(
         raise FileError(path, "cannot be written: frames have less than two pixels a side")
     with atomic_file(path) as part:
         writer = imageio_ffmpeg.write_frames(
-            str(part), (width, height), fps=rate, codec="libx264", macro_block_size=2,
-            quality=None, pix_fmt_in="rgb24", pix_fmt_out="yuv420p", ffmpeg_log_level="quiet",
-            output_params=[
-                "-crf", str(_QUALITY), "-preset", "medium", "-x264-params", _OPTIONS,
-                "-vf", _SCALE, "-movflags", "+faststart", "-f", "mp4",
-            ],
-        )  # fmt: skip
+            str(part),
+            (width, height),
+            fps=rate,
+            codec="libx264",
+            macro_block_size=2,
+            quality=None,
+            pix_fmt_in="rgb24",
+            pix_fmt_out="yuv420p",
+            ffmpeg_log_level="quiet",
+            output_params=[word for option in _OUTPUT.items() for word in option],
+        )
         try:
             writer.send(None)
             for number, file in enumerate(frames):
@@ -84,8 +93,10 @@ def write_movie(
         written = _frame_count(part)
         if written != len(frames):
             free = shutil.disk_usage(part.parent).free
-            reason = (f"cannot be written: ffmpeg has written {written} of {len(frames)} frames; "
-                      f"the disk has {free / 1e6:.0f} MB free; the frames remain")  # fmt: skip
+            reason = (
+                f"cannot be written: ffmpeg has written {written} of {len(frames)} frames; "
+                f"the disk has {free / 1e6:.0f} MB free; the frames remain"
+            )
             raise FileError(path, reason)
 
 

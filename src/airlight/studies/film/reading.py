@@ -103,7 +103,5 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
     plan = FilmPlan.read(TomlTable(own["film"], "film"))
     if view is not None:
         PlanetView.read(TomlTable(own["view"], "view", folder))
-    return Film(
-        name=title if "name" in tables else stem, plan=plan, tables=what, file=text_file,
-        folder=inside, view=own.get("view"),
-    )  # fmt: skip
+    name, seen = title if "name" in tables else stem, own.get("view")
+    return Film(name=name, plan=plan, tables=what, file=text_file, folder=inside, view=seen)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import perf_counter
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,8 +29,13 @@ from airlight.studies.fit.least_squares import Data, FitResult, fit
 from airlight.studies.fit.measurements import Measurements
 from airlight.studies.fit.parameter import FitParameter, Prior
 from airlight.studies.fit.photograph import Photograph
-from airlight.studies.fit.sky_model import Nuisance, ObservedDirections, SkyModel
-from airlight.studies.fit.smooth_settings import smooth, smooth_near
+from airlight.studies.fit.sky_model import (
+    Nuisance,
+    ObservedDirections,
+    SkyModel,
+    smooth,
+    smooth_near,
+)
 
 FloatArray = NDArray[np.float64]
 
@@ -132,9 +137,13 @@ class SkyFit:
 
 
 def fit_radiances(
-    planet: str | Path, data: Measurements, settings: FitSettings, *,
-    progress: Progress | None = None, cancel: Cancel | None = None,
-) -> SkyFit:  # fmt: skip
+    planet: str | Path,
+    data: Measurements,
+    settings: FitSettings,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> SkyFit:
     """Fit parameters of a planet to measured radiances.
 
     Parameters
@@ -162,21 +171,20 @@ def fit_radiances(
     nm = data.wavelengths
     column = np.searchsorted(nm, data.wavelength)
     uncertainty, known = _uncertainty(data, settings)
-    return _fitted(
-        base, data, nm, directions,
-        combine=lambda radiance, _: radiance[row, column],
-        observed=Data(
-            values=data.radiance, uncertainty=uncertainty, known=known, group=data.scan
-        ),
-        instrument=lambda _: _instrument(settings, data.scans, data.scan),
-        identity=row.tobytes() + column.tobytes(),
-    )  # fmt: skip
+    observed = Data(data.radiance, uncertainty, known, data.scan)
+    identity = row.tobytes() + column.tobytes()
+    seen = _Seen(nm, directions, lambda radiance, _: radiance[row, column], observed, identity)
+    return _fitted(base, data, seen, lambda _: _instrument(settings, data.scans, data.scan))
 
 
 def fit_photograph(
-    planet: str | Path, data: Photograph, settings: FitSettings, *,
-    progress: Progress | None = None, cancel: Cancel | None = None,
-) -> SkyFit:  # fmt: skip
+    planet: str | Path,
+    data: Photograph,
+    settings: FitSettings,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> SkyFit:
     """Fit parameters of a planet to the colours of a photograph of unknown exposure.
 
     The exposure is the free parameter ``scale``.
@@ -198,34 +206,30 @@ def fit_photograph(
     count = data.view_zenith.size
     nm = picture_wavelengths(base.planet, _COLOUR_WAVELENGTHS)
     whole = np.zeros(count, np.int64)
-    directions = ObservedDirections(
-        altitude=np.full(count, data.altitude), sun_zenith=np.full(count, data.sun_zenith),
-        view_zenith=data.view_zenith, azimuth=data.azimuth, scan=whole,
-    )  # fmt: skip
+    altitude, sun = np.full(count, data.altitude), np.full(count, data.sun_zenith)
+    directions = ObservedDirections(altitude, sun, data.view_zenith, data.azimuth, whole)
 
     def colours(radiance: FloatArray, solution: Solution) -> FloatArray:
         return np.asarray((radiance @ rgb_weights(nm, solution.lights[0].spectrum)).ravel())
 
+    known = settings.uncertainty is not None
     relative = 1.0 if settings.uncertainty is None else settings.uncertainty
-    return _fitted(
-        base, data, nm, directions,
-        combine=colours,
-        observed=Data(
-            values=data.rgb.ravel(), uncertainty=relative * data.sizes.ravel(),
-            known=settings.uncertainty is not None, group=np.repeat(data.part, 3),
-        ),
-        instrument=lambda first: _camera(settings, first, data),
-        identity=b"colours",
-    )  # fmt: skip
+    values, group = data.rgb.ravel(), np.repeat(data.part, 3)
+    observed = Data(values, relative * data.sizes.ravel(), known, group)
+    seen = _Seen(nm, directions, colours, observed, b"colours")
+    return _fitted(base, data, seen, lambda first: _camera(settings, first, data))
 
 
 class _Base:
     """Initial planet: its tables, and the settings."""
 
     def __init__(
-        self, planet: str | Path, settings: FitSettings, progress: Progress | None,
+        self,
+        planet: str | Path,
+        settings: FitSettings,
+        progress: Progress | None,
         cancel: Cancel | None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.settings, self.progress, self.cancel = settings, progress, cancel
         self.name = str(planet)
         load_planet(planet, settings.overrides, progress=progress, cancel=cancel)  # its own errors
@@ -250,13 +254,24 @@ class _Base:
         return [replace(one, parameter=_adapted(one.parameter, self.settings)) for one in found]
 
 
+class _Seen(NamedTuple):
+    """Observed values, and how they follow from radiances; see ``SkyModel``."""
+
+    wavelengths: FloatArray
+    directions: ObservedDirections
+    combine: Callable[[FloatArray, Solution], FloatArray]
+    observed: Data
+    identity: bytes
+
+
 def _fitted(
-    base: _Base, data: Measurements | Photograph, nm: FloatArray, directions: ObservedDirections, *,
-    combine: Callable[[FloatArray, Solution], FloatArray], observed: Data,
-    instrument: Callable[[FloatArray], list[Nuisance]], identity: bytes,
-) -> SkyFit:  # fmt: skip
+    base: _Base,
+    data: Measurements | Photograph,
+    seen: _Seen,
+    instrument: Callable[[FloatArray], list[Nuisance]],
+) -> SkyFit:
     """Fit a planet to values of any kind."""
-    started = perf_counter()
+    started, nm, observed = perf_counter(), seen.wavelengths, seen.observed
     check_names(base.settings, [SCALE] if isinstance(data, Photograph) else [])
     free = base.free(nm)
     if not free:
@@ -275,11 +290,13 @@ def _fitted(
         planet_of=lambda values: base.read(tables_of(values), nm),
         parameters=[one.parameter for one in free],
         nuisances=[],
-        directions=directions,
+        directions=seen.directions,
         wavelengths=nm,
-        combine=combine,
+        combine=seen.combine,
         quality=smooth(base.settings.quality),
-        identity=hashlib.sha256(whole.encode() + identity).digest() if base.settings.keep else b"",
+        identity=(
+            hashlib.sha256(whole.encode() + seen.identity).digest() if base.settings.keep else b""
+        ),
         progress=base.progress,
         cancel=base.cancel,
         expected=3 * len(free) + 8,
@@ -314,9 +331,8 @@ def check_names(settings: FitSettings, always: Sequence[str] = ()) -> None:
     for name in free:
         if free.count(name) > 1:
             raise ParameterError("free", name, "each parameter once")
-    for word, given in (
-        ("bounds", settings.bounds), ("prior", settings.priors), ("start", settings.starts),
-    ):  # fmt: skip
+    tables = {"bounds": settings.bounds, "prior": settings.priors, "start": settings.starts}
+    for word, given in tables.items():
         for name in given:
             if name not in free:
                 raise ParameterError(word, name, f"one of the free parameters: {', '.join(free)}")
@@ -417,10 +433,7 @@ def _directions(data: Measurements) -> tuple[ObservedDirections, NDArray[np.int6
     )
     unique, row = np.unique(table, axis=0, return_inverse=True)
     altitude, sun, view, azimuth, scan = unique.T
-    directions = ObservedDirections(
-        altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth,
-        scan=scan.astype(np.int64),
-    )  # fmt: skip
+    directions = ObservedDirections(altitude, sun, view, azimuth, scan.astype(np.int64))
     return directions, np.asarray(row, dtype=np.int64).reshape(-1)
 
 

@@ -167,13 +167,11 @@ def _number(name: str, path: str, tables: Tables) -> FreeParameter:
         raise ParameterError("free", name, "a number that the planet's file has")
     start = number_in(given, key.shown_unit, key.unit, path)
     low, high = _limits(key, start)
-    parameter = FitParameter(
-        name=name, unit=key.shown_unit, start=start, low=low, high=high,
-        least_step=_least_step(key, start),
-    )  # fmt: skip
+    unit, step = key.shown_unit, _least_step(key, start)
+    parameter = FitParameter(name=name, unit=unit, start=start, low=low, high=high, least_step=step)
 
     def write(tables: Tables, value: float) -> Tables:
-        changed = put(tables, path, text_of(value, key.shown_unit))
+        changed = put(tables, path, text_of(value, unit))
         return lifted(changed, tables) if path == BOTTOM else changed
 
     return FreeParameter(parameter=parameter, write=write)
@@ -278,10 +276,8 @@ def _albedo(name: str, tables: Tables, planet: Planet) -> FreeParameter:
     if not start > 0.0:
         raise ParameterError("free", name, "a ground that reflects at 550 nm")
     brightness = _plain(tables, "ground.brightness", 1.0)
-    parameter = FitParameter(
-        name=name, start=start, low=0.0, high=min(1.0, 100.0 * start / brightness),
-        least_step=0.005,
-    )  # fmt: skip
+    high = min(1.0, 100.0 * start / brightness)
+    parameter = FitParameter(name=name, start=start, low=0.0, high=high, least_step=0.005)
 
     def write(tables: Tables, value: float) -> Tables:
         return put(tables, "ground.brightness", brightness * value / start)

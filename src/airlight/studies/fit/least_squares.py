@@ -47,7 +47,7 @@ class Model(Protocol):
         ...
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Data:
     """Measured values to which a model is fitted.
 
@@ -99,19 +99,26 @@ class FitResult:
     rounds: int
     last_step: FloatArray
 
+    def index(self, name: str) -> int:
+        """Number of a parameter by its name."""
+        return [one.name for one in self.parameters].index(name)
+
     def value(self, name: str) -> float:
         """Fitted value of a parameter by its name."""
-        return float(self.values[[one.name for one in self.parameters].index(name)])
+        return float(self.values[self.index(name)])
 
     def error(self, name: str) -> float:
         """Standard error of a parameter by its name."""
-        return float(self.errors.standard[[one.name for one in self.parameters].index(name)])
+        return float(self.errors.standard[self.index(name)])
 
 
 def fit(
-    model: Model, data: Data, parameters: Sequence[FitParameter], *, loss: str = "linear",
+    model: Model,
+    data: Data,
+    parameters: Sequence[FitParameter],
+    loss: str = "linear",
     start: FloatArray | None = None,
-) -> FitResult:  # fmt: skip
+) -> FitResult:
     """Fit parameters of a model to data.
 
     Bounded trust-region steps (``scipy.optimize.least_squares``); derivatives are recomputed where
@@ -327,21 +334,26 @@ def _over(steps: FloatArray, errors: FloatArray) -> FloatArray:
 
 
 def difference(
-    predict: Callable[[FloatArray], FloatArray], parameters: Sequence[FitParameter],
-    values: FloatArray, index: int, *, central: bool,
-) -> FloatArray:  # fmt: skip
+    predict: Callable[[FloatArray], FloatArray],
+    one: FitParameter,
+    values: FloatArray,
+    index: int,
+    *,
+    central: bool,
+) -> FloatArray:
     """Derivative of predicted values by a parameter, by differences within its bounds.
 
     Parameters
     ----------
     predict : callable
         Predicted values, shape (n,), for parameters of shape (p,).
+    one : FitParameter
+        Parameter by which the derivative is taken.
     values : array, shape (p,)
         Values of the parameters, shape (p,).
     central : bool
         Whether to use central differences, where the bounds allow.
     """
-    one = parameters[index]
     step = np.zeros_like(values)
     step[index] = one.step(float(values[index]))
     ahead = predict(values + step)

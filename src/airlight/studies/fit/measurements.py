@@ -16,9 +16,11 @@ IntArray = NDArray[np.int64]
 
 #: Units of what is measured, and of its directions.
 UNITS: Final = {
-    "wavelength": "nm", "altitude": "m", "sun_zenith": "deg", "view_zenith": "deg",
-    "azimuth": "deg", "radiance": "W/m^2/sr/nm", "uncertainty": "W/m^2/sr/nm",
-}  # fmt: skip
+    "wavelength": "nm",
+    "altitude": "m",
+    **dict.fromkeys(("sun_zenith", "view_zenith", "azimuth"), "deg"),
+    **dict.fromkeys(("radiance", "uncertainty"), "W/m^2/sr/nm"),
+}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -80,19 +82,13 @@ class Measurements:
         if not kept.any():
             raise ParameterError(self.source, "0 values", "at least one value that is not excluded")
         chosen, numbered = np.unique(self.scan[kept], return_inverse=True)
+        given = [name for name in (*UNITS, "line") if getattr(self, name) is not None]
         return replace(
             self,
-            **{
-                name: getattr(self, name)[kept]
-                for name in (
-                    "wavelength", "altitude", "sun_zenith", "view_zenith", "azimuth", "radiance",
-                )
-            },
-            uncertainty=None if self.uncertainty is None else self.uncertainty[kept],
+            **{name: getattr(self, name)[kept] for name in given},
             scan=numbered.astype(np.int64),
             scans=tuple(self.scans[k] for k in chosen),
-            line=None if self.line is None else self.line[kept],
-        )  # fmt: skip
+        )
 
     def named(self, field: str, index: int) -> str:
         """Name of a value in errors, with its line."""

@@ -149,11 +149,9 @@ def read_photograph(path: str | Path, shot: Shot) -> Photograph:
     """
     linear, sound = _pixels(Path(path), shot)
     height, width = linear.shape[:2]
-    camera = Camera(
-        projection=shot.projection, width=width, height=height, field_of_view=shot.field_of_view,
-        look_zenith=shot.look_zenith, look_azimuth=shot.look_azimuth, roll=shot.roll,
-    )  # fmt: skip
-    seen = camera.directions()
+    names = ("projection", "field_of_view", "look_zenith", "look_azimuth", "roll")
+    given: dict[str, Any] = {name: getattr(shot, name) for name in names}
+    seen = Camera(width=width, height=height, **given).directions()
     side = max(max(height, width) // CELLS, 1)
     half = max(int(0.5 * _MIDDLE * side), 0)
     found: list[tuple[FloatArray, FloatArray, tuple[int, int]]] = []
@@ -181,10 +179,16 @@ def read_photograph(path: str | Path, shot: Shot) -> Photograph:
     parts = (place * _PARTS / np.array([height, width])).astype(np.int64)
     part = np.unique((parts[:, 0] * _PARTS + parts[:, 1])[kept], return_inverse=True)[1]
     return Photograph(
-        source=str(path), rgb=rgb[kept], view_zenith=zenith[kept], azimuth=azimuth[kept],
-        sun_zenith=shot.sun_zenith, altitude=shot.altitude, place=place[kept],
-        part=np.asarray(part, dtype=np.int64).reshape(-1), shape=(height, width),
-    )  # fmt: skip
+        source=str(path),
+        rgb=rgb[kept],
+        view_zenith=zenith[kept],
+        azimuth=azimuth[kept],
+        sun_zenith=shot.sun_zenith,
+        altitude=shot.altitude,
+        place=place[kept],
+        part=np.asarray(part, dtype=np.int64).reshape(-1),
+        shape=(height, width),
+    )
 
 
 def _pixels(path: Path, shot: Shot) -> tuple[FloatArray, NDArray[np.bool_]]:

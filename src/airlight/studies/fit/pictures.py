@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,10 +49,11 @@ def residual_curves(residuals: Residuals, title: str = "Residuals") -> ReportPic
     axes[0].set_ylabel("fit over measured, less 1 [%]")
     axes[0].legend(fontsize=9, loc="upper left")
     return ReportPicture.from_figure(
-        figure, title=title,
+        figure,
+        title=title,
         caption="Line: mean of the relative differences. Band: their root mean square about 0. "
         "Grey bars: share of the squared differences, of the axis's height.",
-    )  # fmt: skip
+    )
 
 
 def _wavelength_edges(residuals: Residuals) -> FloatArray | None:
@@ -63,10 +64,8 @@ def _wavelength_edges(residuals: Residuals) -> FloatArray | None:
 
 def _curve(axes: Axes, bins: Binned) -> None:
     axes.axhline(0.0, color=GREY, linewidth=0.8)
-    axes.fill_between(
-        bins.middle, -bins.spread, bins.spread, color=PALETTE[0], alpha=0.18, linewidth=0.0,
-        label="root mean square",
-    )  # fmt: skip
+    band: Any = {"color": PALETTE[0], "alpha": 0.18, "linewidth": 0.0}
+    axes.fill_between(bins.middle, -bins.spread, bins.spread, label="root mean square", **band)
     axes.plot(bins.middle, bins.bias, color=PALETTE[1], marker=".", label="mean")
     grid(axes)
     share = axes.twinx()
@@ -83,10 +82,13 @@ def value_plot(residuals: Residuals, title: str = "Measured and fitted values") 
     nm = np.unique(residuals.wavelength)
     for k, ink in zip(chosen(nm, 5), wavelength_ink(nm[chosen(nm, 5)]), strict=True):
         at = residuals.wavelength == nm[k]
-        left.plot(
-            residuals.measured[at], residuals.predicted[at], ".", color=ink, markersize=3,
-            label=f"{nm[k]:.4g} nm",
-        )  # fmt: skip
+        measured, predicted, name = (
+            residuals.measured[at],
+            residuals.predicted[at],
+            f"{nm[k]:.4g} nm",
+        )
+        name = f"{nm[k]:.4g} nm"
+        left.plot(measured, predicted, ".", color=ink, markersize=3, label=name)
     ends = [float(residuals.measured.min()), float(residuals.measured.max())]
     left.plot(ends, ends, color=GREY, linewidth=0.8)
     if ends[0] > 0.0 and residuals.predicted.min() > 0.0:
@@ -107,10 +109,11 @@ def value_plot(residuals: Residuals, title: str = "Measured and fitted values") 
     right.legend(fontsize=9)
     grid(right)
     return ReportPicture.from_figure(
-        figure, title=title,
+        figure,
+        title=title,
         caption="Left: one point a value, on the line where both agree. Right: residuals in "
         "standard deviations; what is beyond 5 stands in the last bars.",
-    )  # fmt: skip
+    )
 
 
 def dome_pictures(
@@ -129,9 +132,9 @@ def dome_pictures(
     for row, (k, (x, y, measured, fitted, residual)) in enumerate(zip(scans, found, strict=True)):
         top = float(np.percentile(measured, 98.0))
         sun = float(residuals.sun_zenith[residuals.scan == k].mean())
-        for axes, values, word in (
-            (panels[row, 0], measured, "measured"), (panels[row, 1], fitted, "fitted"),
-        ):  # fmt: skip
+        for axes, values, word in zip(
+            panels[row], (measured, fitted), ("measured", "fitted"), strict=False
+        ):
             shown = axes.scatter(x, y, c=values, s=26, cmap="viridis", vmin=0.0, vmax=top)
             _frame(axes, f"{residuals.scans[k]}, {word}", sun)
         figure.colorbar(shown, ax=panels[row, :2], shrink=0.8, label=residuals.unit)
@@ -140,10 +143,11 @@ def dome_pictures(
         _frame(last, f"{residuals.scans[k]}, fitted over measured", sun)
         figure.colorbar(apart, ax=last, shrink=0.8, label="%")
     return ReportPicture.from_figure(
-        figure, title=title,
+        figure,
+        title=title,
         caption="Mean over the wavelengths; one dot a direction. Zenith in the middle, rings at "
         "30°, 60° and 90° from it, sun (circle) below.",
-    )  # fmt: skip
+    )
 
 
 def _seen(residuals: Residuals, scan: int) -> tuple[FloatArray, ...]:
@@ -183,24 +187,20 @@ def correlation_picture(found: FitResult, title: str = "Correlations") -> Report
     shown = axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0)
     axes.set_xticks(range(count), names, rotation=40, ha="right", fontsize=8)
     axes.set_yticks(range(count), names, fontsize=8)
+    middle: Any = {"ha": "center", "va": "center", "fontsize": 8}
     for i in range(count):
         for j in range(count):
-            dark = abs(values[i, j]) > 0.6
-            axes.text(
-                j, i, f"{values[i, j]:.2f}", ha="center", va="center", fontsize=8,
-                color="#ffffff" if dark else "#000000",
-            )  # fmt: skip
+            ink = "#ffffff" if abs(values[i, j]) > 0.6 else "#000000"
+            axes.text(j, i, f"{values[i, j]:.2f}", color=ink, **middle)
     figure.colorbar(shown, ax=axes, shrink=0.8)
     return ReportPicture.from_figure(
-        figure, title=title,
+        figure,
+        title=title,
         caption="Two parameters near ±1 are nearly degenerate in these data.",
-    )  # fmt: skip
+    )
 
 
 def pictures_of(sky: SkyFit, residuals: Residuals) -> list[ReportPicture]:
     """All pictures of a fit, in the order of its report."""
-    found = [
-        residual_curves(residuals), dome_pictures(residuals), value_plot(residuals),
-        correlation_picture(sky.fitted),
-    ]  # fmt: skip
-    return [one for one in found if one is not None]
+    found = [draw(residuals) for draw in (residual_curves, dome_pictures, value_plot)]
+    return [one for one in (*found, correlation_picture(sky.fitted)) if one is not None]

@@ -1,13 +1,14 @@
-"""Report of a fit: values with error bars, correlations, residuals, as HTML or Markdown."""
+"""Report of a fit, as HTML or Markdown, and planet file with the fitted values."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
+from airlight.planets.reading.planet_file import planet_file
 from airlight.studies.fit.fit_sky import SkyFit
 from airlight.studies.fit.measurements import Measurements
 from airlight.studies.fit.parameter import FitParameter
@@ -22,7 +23,7 @@ from airlight.studies.fit.residuals import (
 )
 from airlight.studies.reports.html import page_html, part_html
 from airlight.studies.reports.markdown import escaped, part_lines
-from airlight.studies.reports.parts import Part, ReportPicture, ReportTable, Text
+from airlight.studies.reports.parts import Part, ReportPicture, ReportTable, Text, cells
 
 #: Correlation above which two parameters are named as hard to tell apart. [1]
 _CLOSE: Final = 0.95
@@ -162,20 +163,22 @@ def _parameters(sky: SkyFit) -> ReportTable:
         prior = "" if one.prior is None else f"{one.prior.mean:g} ± {one.prior.sigma:g}"
         rows.append(
             (
-                one.name, one.unit.removeprefix("1"), f"{one.start:.4g}", number(value, error),
-                f"{error:.2g}", scans, prior, _bounds(one), _remark(sky, k),
+                one.name,
+                *cells(f"{one.unit.removeprefix('1')} | {one.start:.4g} | {number(value, error)}"),
+                *cells(f"{error:.2g} | {scans} | {prior} | {_bounds(one)} | {_remark(sky, k)}"),
             )
-        )  # fmt: skip
+        )
     return ReportTable(
         title="Parameters",
-        columns=["parameter", "unit", "start", "fitted", "± noise", f"± {_groups(sky)}", "prior",
-                 "bounds", ""],
+        columns=cells(
+            f"parameter | unit | start | fitted | ± noise | ± {_groups(sky)} | prior | bounds | "
+        ),
         rows=rows,
         note="± noise: standard error if the values err independently, by their uncertainties or, "
         "if none are given, by the residuals. The other one: by how the scans, or the parts of a "
         "photograph, differ, with all that the values of one have in common; from five on. "
         "Optical depths and the ground's albedo are at 550 nm.",
-    )  # fmt: skip
+    )
 
 
 def _bounds(one: FitParameter) -> str:
@@ -248,3 +251,41 @@ def markdown(sky: SkyFit, parts: Sequence[Part], pictures: str) -> str:
     for part in parts:
         lines += ["", *part_lines(part, pictures)]
     return "\n".join(lines) + "\n"
+
+
+def fitted_file(sky: SkyFit) -> str:
+    """Text of the fitted planet's file, with values and error bars in its first lines.
+
+    Parameters
+    ----------
+    sky : SkyFit
+
+    Returns
+    -------
+    str
+        Text in TOML that ``load_planet`` reads.
+    """
+    comments = (
+        f"{sky.name}, fitted to {sky.data.source} by airlight fit.",
+        *result_lines(sky),
+        *(f"Note: {one}." for one in warnings_of(sky)),
+    )
+    return planet_file(_short(sky.tables), comments)
+
+
+def _short(value: Any) -> Any:
+    """Tables with numbers of eight digits."""
+    if isinstance(value, dict):
+        return {key: _short(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_short(one) for one in value]
+    if isinstance(value, float):
+        return float(f"{value:.8g}")
+    if isinstance(value, str) and " " in value:
+        first, _, rest = value.partition(" ")
+        try:
+            number = float(first)
+        except ValueError:
+            return value
+        return f"{number:.10g} {rest}" if len(first) > 12 else value
+    return value

@@ -53,6 +53,22 @@ class Residuals:
     scans: tuple[str, ...]
     unit: str
 
+    @classmethod
+    def of_measurements(
+        cls, data: Measurements, predicted: FloatArray, first: FloatArray, sigma: FloatArray
+    ) -> Residuals:
+        """Residuals of radiances, from predictions in the order of the data."""
+        names = ("wavelength", "view_zenith", "azimuth", "sun_zenith", "scan", "scans")
+        return cls(
+            measured=data.radiance,
+            predicted=predicted,
+            first=first,
+            sigma=sigma,
+            from_sun=data.angle_from_sun,
+            unit="W m⁻² sr⁻¹ nm⁻¹",
+            **{name: getattr(data, name) for name in names},
+        )
+
     @property
     def relative(self) -> FloatArray:
         """Relative residuals, shape (n,), with a lower limit of the denominator. [%]"""
@@ -69,12 +85,7 @@ def residuals_of(sky: SkyFit) -> Residuals:
     """Residuals of a fit."""
     found, data = sky.fitted, sky.data
     if isinstance(data, Measurements):
-        return Residuals(
-            measured=data.radiance, predicted=found.predicted, first=sky.first, sigma=found.sigma,
-            wavelength=data.wavelength, view_zenith=data.view_zenith, azimuth=data.azimuth,
-            from_sun=data.angle_from_sun, sun_zenith=data.sun_zenith, scan=data.scan,
-            scans=data.scans, unit="W m⁻² sr⁻¹ nm⁻¹",
-        )  # fmt: skip
+        return Residuals.of_measurements(data, found.predicted, sky.first, found.sigma)
     return _of_photograph(sky, data)
 
 
@@ -85,12 +96,19 @@ def _of_photograph(sky: SkyFit, data: Photograph) -> Residuals:
         return np.repeat(np.asarray(values, dtype=np.float64), 3)
 
     return Residuals(
-        measured=data.rgb.ravel(), predicted=sky.fitted.predicted, first=sky.first,
-        sigma=sky.fitted.sigma, wavelength=np.tile(CHANNELS, count),
-        view_zenith=each(data.view_zenith), azimuth=each(data.azimuth),
-        from_sun=each(data.angle_from_sun), sun_zenith=np.full(3 * count, data.sun_zenith),
-        scan=np.zeros(3 * count, np.int64), scans=("photograph",), unit="of the picture",
-    )  # fmt: skip
+        measured=data.rgb.ravel(),
+        predicted=sky.fitted.predicted,
+        first=sky.first,
+        sigma=sky.fitted.sigma,
+        wavelength=np.tile(CHANNELS, count),
+        view_zenith=each(data.view_zenith),
+        azimuth=each(data.azimuth),
+        from_sun=each(data.angle_from_sun),
+        sun_zenith=np.full(3 * count, data.sun_zenith),
+        scan=np.zeros(3 * count, np.int64),
+        scans=("photograph",),
+        unit="of the picture",
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

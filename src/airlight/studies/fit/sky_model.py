@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Final, Literal
 
@@ -15,7 +15,10 @@ from airlight.errors import Cancelled
 from airlight.kernel import disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress
+from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
+from airlight.solver.moments.delta_m import Optics
+from airlight.solver.moments.settings import MomentsSettings, settings_for
 from airlight.solver.solution import Solution
 from airlight.solver.solve import solve
 from airlight.studies.fit.least_squares import difference
@@ -27,9 +30,11 @@ FloatArray = NDArray[np.float64]
 #: Predictions and solutions kept in memory.
 _MOST_PREDICTIONS: Final = 256
 _MOST_SOLUTIONS: Final = 2
+#: Tolerance of solutions: all orders, so that their number makes no jump between two neighbours.
+_TOLERANCE: Final = 1e-4
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class ObservedDirections:
     """Observed directions of a sky, nd of them.
 
@@ -140,7 +145,7 @@ class SkyModel:
         """Derivative of the predicted values by a parameter, shape (n,)."""
         count = len(self.parameters)
         if index < count:
-            return difference(self, self.all_parameters, values, index, central=central)
+            return difference(self, self.all_parameters[index], values, index, central=central)
         one = self.nuisances[index - count]
         if one.kind == "factor":  # linear, so exact
             return np.where(one.values, self(values) / values[index], 0.0)
@@ -186,8 +191,8 @@ class SkyModel:
         if not self.identity:
             return compute()
         sources = fingerprint(Path(__file__)).encode()
-        parts = (b"fit", sources, self.identity, self.directions.fingerprint(),
-                 self.wavelengths.tobytes(), str(self.quality).encode(), key)  # fmt: skip
+        seen = self.directions.fingerprint(), self.wavelengths.tobytes()
+        parts = (b"fit", sources, self.identity, *seen, str(self.quality).encode(), key)
         name = hashlib.sha256(b"\0".join(parts)).hexdigest()[:40]
         stored = disk.load(name)
         if stored is not None and set(stored) == {"predicted"}:
@@ -215,10 +220,8 @@ class SkyModel:
             self._report(physical)
             while len(self._solutions) >= _MOST_SOLUTIONS:
                 self._solutions.pop(next(iter(self._solutions)))
-            self._solutions[key] = solve(
-                self.planet_of(physical), self.wavelengths, self.quality, cache=False,
-                cancel=self.cancel,
-            )  # fmt: skip
+            planet, nm = self.planet_of(physical), self.wavelengths
+            self._solutions[key] = solve(planet, nm, self.quality, cache=False, cancel=self.cancel)
             self.solves += 1
         return self._solutions[key]
 
@@ -231,3 +234,41 @@ class SkyModel:
             for one, value in zip(self.parameters[:3], physical, strict=False)
         )
         self.progress(self.solves, self.expected, f"fit: {shown}")
+
+
+def smooth(quality: str) -> MomentsSettings:
+    """Settings of a quality by which predictions have no jumps: tolerance, and degree of all air.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such quality.
+    """
+    settings = settings_for(quality)
+    return replace(settings, degree=settings.thick_degree, tolerance=_TOLERANCE)
+
+
+def smooth_near(quality: str, planet: Planet, wavelengths: FloatArray) -> MomentsSettings:
+    """Settings as from ``smooth``, with the degree that a planet has at this quality.
+
+    The degree of clear air is lower, and the light of haze differs between the two by more than
+    differences of a fit do. A preview has the higher one for all air, as the first rounds of a fit.
+
+    Parameters
+    ----------
+    quality : str
+    planet : Planet
+        Planet near that which is sought.
+    wavelengths : array, shape (nl,)
+        Wavelengths that are solved. [nm]
+
+    Raises
+    ------
+    ParameterError
+        If there is no such quality.
+    """
+    if quality == "preview":
+        return smooth(quality)
+    medium = Medium.from_planet(planet, wavelengths)
+    degree = Optics.chosen(medium, settings_for(quality)).degree
+    return replace(smooth(quality), degree=degree, thick_degree=degree)

@@ -32,10 +32,9 @@ def lines_into_shell(
     sine = np.minimum(impact / top, 1.0)
     mu = -np.sqrt((1.0 - sine) * (1.0 + sine))
     r = np.full(mu.shape, top)
-    return LinesOfSight(
-        r, mu, np.clip(mu_s, -1.0, 1.0), np.clip(nu, -1.0, 1.0),
-        vectorized(ray_length)(r, mu, bottom, top), vectorized(meets_ground)(r, mu, bottom),
-    )  # fmt: skip
+    mu_s, nu = np.clip(mu_s, -1.0, 1.0), np.clip(nu, -1.0, 1.0)
+    length = vectorized(ray_length)(r, mu, bottom, top)
+    return LinesOfSight(r, mu, mu_s, nu, length, vectorized(meets_ground)(r, mu, bottom))
 
 
 def disc_lines(

@@ -44,10 +44,8 @@ def limb_radiance(
     )
     outside = ~((height >= -bottom) & (height <= top - bottom))
     if outside.any():
-        raise ParameterError(
-            "tangent_height", float(height[outside].flat[0]),
-            f"{-bottom:g} to {top - bottom:g} m; a higher line misses the atmosphere",
-        )  # fmt: skip
+        allowed = f"{-bottom:g} to {top - bottom:g} m; a higher line misses the atmosphere"
+        raise ParameterError("tangent_height", float(height[outside].flat[0]), allowed)
     impact = bottom + height
     across = np.sin(np.radians(sun)) * np.cos(np.radians(around))
     half_chord = np.sqrt(np.maximum((top - impact) * (top + impact), 0.0))

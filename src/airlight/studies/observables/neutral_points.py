@@ -40,10 +40,8 @@ def principal_plane(
         -Q/I, positive for polarisation perpendicular to the plane; NaN where I is 0. [1]
     """
     view = np.arange(-90.0 + 0.5 * _STEP, 90.0, _STEP)  # without the zenith, of undefined plane
-    light = solution.radiance(
-        altitude=altitude, sun_zenith=sun_zenith, view_zenith=np.abs(view),
-        azimuth=np.where(view < 0.0, 180.0, 0.0), stokes=True,
-    )  # fmt: skip
+    line = {"view_zenith": np.abs(view), "azimuth": np.where(view < 0.0, 180.0, 0.0)}
+    light = solution.radiance(altitude=altitude, sun_zenith=sun_zenith, stokes=True, **line)
     whole, along = (np.asarray(light.sel(stokes=name), np.float64) for name in "IQ")
     return view, np.where(whole > 0.0, -along / np.where(whole > 0.0, whole, 1.0), np.nan)
 

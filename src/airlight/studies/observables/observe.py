@@ -36,7 +36,7 @@ PHASES: Final = tuple(float(angle) for angle in range(0, 181, 5))
 HEIGHTS: Final = 60
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Geometry:
     """Settings of an observable; None stands for the default of the observable.
 
@@ -130,10 +130,7 @@ def observe(
     if of not in KINDS:
         raise ParameterError("of", of, ", ".join(KINDS))
     kind = KINDS[of]
-    geometry = Geometry(
-        radius=radius, phase_angles=phase_angles, tangent_heights=tangent_heights,
-        sun_zenith=sun_zenith, azimuth=azimuth,
-    )  # fmt: skip
+    geometry = Geometry(radius, phase_angles, tangent_heights, sun_zenith, azimuth)
     for name, value in vars(geometry).items():
         if value is not None and name not in kind.takes:
             takers = ", ".join(name_of for name_of, one in KINDS.items() if name in one.takes)
@@ -160,10 +157,8 @@ def _dataset(
     known = [name for name in ("phase_angle", "tangent_height") if name in data]
     data = data.set_coords(known).assign_coords(wavelength=nm)
     name = solution.planet.name if solution.planet is not None else "planet"
-    data.attrs.update(
-        title=f"{name}: {KINDS[of].sentence}", observable=of, notes="; ".join(notes),
-        **solution.provenance,
-    )  # fmt: skip
+    title = f"{name}: {KINDS[of].sentence}"
+    data.attrs.update(title=title, observable=of, notes="; ".join(notes), **solution.provenance)
     return data
 
 
@@ -260,16 +255,15 @@ def _disc(
     values, errors = stokes[:, 0], both_errors[:, 0]
     both = ("phase_angle", "wavelength")
     sun = solution.lights[0].irradiance
+    radiance = values * sun / math.pi
     variables: _Variables = {
         "phase_angle": (("phase_angle",), angles, "degree", "phase angle"),
         "reflectance": (both, values, "1", "reflectance relative to a white disc at full phase"),
         "error": (both, errors, "1", "error of the integral over the disc"),
-        "radiance": (
-            both, values * sun / math.pi, "W m-2 sr-1 nm-1", "mean radiance of the reference disc",
-        ),
+        "radiance": (both, radiance, "W m-2 sr-1 nm-1", "mean radiance of the reference disc"),
         "intensity": (both, values * sun * radius**2, "W sr-1 nm-1", "radiant intensity"),
         **_polarisation(solution, stokes, both_errors),
-    }  # fmt: skip
+    }
     notes = [line, *_plane(solution)]
     distance = _distance(solution)
     if distance is None:
@@ -353,13 +347,11 @@ def _limb(
     ]
     if (heights < 0.0).any():
         notes.append("below tangent height 0 the radiance includes the ground")
+    both, radiance = ("tangent_height", "wavelength"), limb_radiance(solution, heights, sun, around)
     return {
         "tangent_height": (("tangent_height",), heights, "m", "tangent height"),
-        "radiance": (
-            ("tangent_height", "wavelength"), limb_radiance(solution, heights, sun, around),
-            "W m-2 sr-1 nm-1", "radiance",
-        ),
-    }, notes  # fmt: skip
+        "radiance": (both, radiance, "W m-2 sr-1 nm-1", "radiance"),
+    }, notes
 
 
 #: Every observable by name.

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, Final
+from pkgutil import resolve_name
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from airlight.errors import ConflictError, ParameterError
 
@@ -50,6 +51,10 @@ class Work:
     cancel: Cancel | None = None
 
 
+#: Makes a figure of a planet.
+Draw: TypeAlias = Callable[["Planet", Choices, Work], "Figure"]
+
+
 @dataclass(frozen=True)
 class PlotKind:
     """Kind of figure.
@@ -66,7 +71,7 @@ class PlotKind:
 
     sentence: str
     takes: tuple[str, ...]
-    draw: Callable[[Planet, Choices, Work], Figure]
+    draw: Draw
 
 
 def _solve(
@@ -103,87 +108,35 @@ def _given(choices: Choices, *names: str) -> dict[str, Any]:
     return {name: value for name, value in pairs.items() if value is not None}
 
 
-def _solar_spectrum(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.solar_spectrum import solar_spectrum
+def _of_planet(function: str) -> Draw:
+    """Figure of a planet alone, by the module and name of a function."""
 
-    return solar_spectrum(planet, choices.wavelengths)
+    def draw(planet: Planet, choices: Choices, work: Work) -> Figure:
+        chosen = _given(choices, "wavelengths", "altitude")
+        figure: Figure = resolve_name(f"airlight.studies.plots.{function}")(planet, **chosen)
+        return figure
+
+    return draw
+
+
+def _of_solution(function: str, *, watched: bool = False, **solved: Any) -> Draw:
+    """Figure of a planet's solution; ``watched`` ones tell their progress and can be cancelled."""
+
+    def draw(planet: Planet, choices: Choices, work: Work) -> Figure:
+        chosen = _given(choices, "sun_zenith", "altitude")
+        if watched:
+            chosen |= {"progress": work.progress, "cancel": work.cancel}
+        solution = _solve(planet, choices, work, **solved)
+        figure: Figure = resolve_name(f"airlight.studies.plots.{function}")(solution, **chosen)
+        return figure
+
+    return draw
 
 
 def _spectral_to_rgb(planet: Planet, choices: Choices, work: Work) -> Figure:
     from airlight.studies.plots.spectral_to_rgb import spectral_to_rgb
 
     return spectral_to_rgb(choices.wavelengths or planet.wavelengths)
-
-
-def _cie(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.chromaticity import cie
-
-    return cie(_solve(planet, choices, work, colored=True))
-
-
-def _density(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.density import density
-
-    return density(planet)
-
-
-def _phase(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.phase_functions import phase_functions
-
-    return phase_functions(planet, choices.wavelengths)
-
-
-def _optical_depth(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.optical_depth import optical_depth
-
-    return optical_depth(planet, choices.wavelengths)
-
-
-def _transmittance_surface(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.transmittance import transmittance_surface
-
-    return transmittance_surface(planet, choices.wavelengths)
-
-
-def _transmittance_map(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.transmittance import transmittance_map
-
-    return transmittance_map(planet, choices.wavelengths)
-
-
-def _mapping_regions(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.mapping_regions import mapping_regions
-
-    return mapping_regions(planet, choices.altitude)
-
-
-def _mapping_comparison(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.mapping_comparison import mapping_comparison
-
-    return mapping_comparison(
-        _solve(planet, choices, work, colored=True), progress=work.progress, cancel=work.cancel
-    )
-
-
-def _sky_profile(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.sky_profile import sky_profile
-
-    solution = _solve(planet, choices, work)
-    return sky_profile(solution, **_given(choices, "sun_zenith", "altitude"))
-
-
-def _polarisation_plane(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.polarisation import polarisation_plane
-
-    solution = _solve(planet, choices, work)
-    return polarisation_plane(solution, **_given(choices, "sun_zenith", "altitude"))
-
-
-def _polarisation_dome(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.polarisation import polarisation_dome
-
-    solution = _solve(planet, choices, work)
-    return polarisation_dome(solution, **_given(choices, "sun_zenith", "altitude"))
 
 
 def _limb(planet: Planet, choices: Choices, work: Work) -> Figure:
@@ -193,24 +146,12 @@ def _limb(planet: Planet, choices: Choices, work: Work) -> Figure:
     return limb(_solve(planet, choices, work), suns)
 
 
-def _order_convergence(planet: Planet, choices: Choices, work: Work) -> Figure:
-    from airlight.studies.plots.order_convergence import order_convergence
-
-    solution = _solve(planet, choices, work, solver="direct", quality="preview")
-    return order_convergence(
-        solution,
-        **_given(choices, "sun_zenith"),
-        progress=work.progress,
-        cancel=work.cancel,
-    )
-
-
 #: Every kind, from the star's spectrum to the sky.
 KINDS: Final[dict[str, PlotKind]] = {
     "solar-spectrum": PlotKind(
         "The star's spectrum at the planet, the visible band in its colours.",
         ("wavelengths",),
-        _solar_spectrum,
+        _of_planet("solar_spectrum:solar_spectrum"),
     ),
     "spectral-to-rgb": PlotKind(
         "RGB of pure wavelengths with the normalisations none, sum and peak.",
@@ -220,55 +161,57 @@ KINDS: Final[dict[str, PlotKind]] = {
     "cie": PlotKind(
         "CIE 1931 matching functions, and the sky's colours in the chromaticity diagram.",
         ("wavelengths", "quality", "polarisation"),
-        _cie,
+        _of_solution("chromaticity:cie", colored=True),
     ),
     "density": PlotKind(
-        "Density of each constituent over altitude, linear and logarithmic.", (), _density
+        "Density of each constituent over altitude, linear and logarithmic.",
+        (),
+        _of_planet("density:density"),
     ),
     "phase": PlotKind(
         "Phase function of each constituent that scatters, polar and Cartesian.",
         ("wavelengths",),
-        _phase,
+        _of_planet("phase_functions:phase_functions"),
     ),
     "optical-depth": PlotKind(
         "Vertical optical depth of each constituent over wavelength.",
         ("wavelengths",),
-        _optical_depth,
+        _of_planet("optical_depth:optical_depth"),
     ),
     "transmittance-surface": PlotKind(
         "Mean transmittance over altitude and view zenith angle, as a surface.",
         ("wavelengths",),
-        _transmittance_surface,
+        _of_planet("transmittance:transmittance_surface"),
     ),
     "transmittance-map": PlotKind(
         "Mean transmittance over altitude and view zenith angle, as a map.",
         ("wavelengths",),
-        _transmittance_map,
+        _of_planet("transmittance:transmittance_map"),
     ),
     "mapping-regions": PlotKind(
         "Regions U, L and S of the weighted power mapping, on the ground and aloft.",
         ("altitude",),
-        _mapping_regions,
+        _of_planet("mapping_regions:mapping_regions"),
     ),
     "mapping-comparison": PlotKind(
         "The scattering table on the linear and on the weighted power mapping.",
         ("wavelengths", "quality", "polarisation"),
-        _mapping_comparison,
+        _of_solution("mapping_comparison:mapping_comparison", watched=True, colored=True),
     ),
     "sky-profile": PlotKind(
         "Radiance of the sky through the sun and around at the sun's height.",
         ("wavelengths", "sun_zenith", "altitude", "quality", "polarisation"),
-        _sky_profile,
+        _of_solution("sky_profile:sky_profile"),
     ),
     "polarisation-plane": PlotKind(
         "Degree of polarisation in the plane of sun and zenith, with the neutral points.",
         ("wavelengths", "sun_zenith", "altitude", "quality"),
-        _polarisation_plane,
+        _of_solution("polarisation:polarisation_plane"),
     ),
     "polarisation-dome": PlotKind(
         "Degree and angle of polarisation over the sky, with bars along which light swings.",
         ("wavelengths", "sun_zenith", "altitude", "quality"),
-        _polarisation_dome,
+        _of_solution("polarisation:polarisation_dome"),
     ),
     "limb": PlotKind(
         "Radiance of the limb over tangent height, seen from space.",
@@ -278,7 +221,9 @@ KINDS: Final[dict[str, PlotKind]] = {
     "order-convergence": PlotKind(
         "Radiance by order of scattering, and what is missing after each.",
         ("wavelengths", "sun_zenith", "quality"),
-        _order_convergence,
+        _of_solution(
+            "order_convergence:order_convergence", watched=True, solver="direct", quality="preview"
+        ),
     ),
 }
 

@@ -138,21 +138,17 @@ def _diagram(axes: Any) -> None:
     x, y = np.meshgrid(np.linspace(0.0, 0.8, _PICTURE), np.linspace(0.005, 0.9, _PICTURE))
     rgb = np.clip(xyz_to_rgb(np.stack([x, y, 1.0 - x - y], axis=-1)), 0.0, None)
     rgb = rgb / np.maximum(rgb.max(axis=-1, keepdims=True), 1e-9)
-    picture = axes.imshow(
-        0.35 + 0.65 * srgb_encode(rgb), extent=(0.0, 0.8, 0.005, 0.9), origin="lower",
-        aspect="equal", interpolation="bilinear",
-    )  # fmt: skip
+    pale, extent = 0.35 + 0.65 * srgb_encode(rgb), (0.0, 0.8, 0.005, 0.9)
+    picture = axes.imshow(pale, extent=extent, origin="lower", interpolation="bilinear")
     (outline,) = axes.fill(*locus.T, facecolor="none", edgecolor="black", linewidth=1.2)
     picture.set_clip_path(outline)
+    middle = {"fontsize": 7, "ha": "center", "va": "center", "annotation_clip": True}
     for nm in (460, 480, 490, 500, 510, 520, 540, 560, 580, 600, 620, 700):
         at = chromaticity(table.at(float(nm)))
         outwards = at - np.array([1.0 / 3.0, 1.0 / 3.0])
         outwards = outwards / np.hypot(*outwards)
         axes.plot(*at, marker=".", color="black", markersize=4)
-        axes.annotate(
-            f"{nm}", at, xytext=9.0 * outwards, textcoords="offset points", fontsize=7,
-            ha="center", va="center", annotation_clip=True,
-        )  # fmt: skip
+        axes.annotate(f"{nm}", at, xytext=9.0 * outwards, textcoords="offset points", **middle)
     corners = chromaticity(RGB_TO_XYZ.T)
     axes.plot(*corners[[0, 1, 2, 0]].T, color="black", linewidth=1.2, linestyle="--", label="sRGB")
     white = chromaticity(RGB_TO_XYZ.sum(axis=1))

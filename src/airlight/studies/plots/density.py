@@ -8,7 +8,7 @@ import numpy as np
 
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.planets.planet import Planet
-from airlight.studies.plots.figure import LINE_STYLES, PALETTE, grid, new_figure, words
+from airlight.studies.plots.figure import PALETTE, grid, look, new_figure, words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -40,14 +40,10 @@ def density(planet: Planet) -> Figure:
     for index, (constituent, curve) in enumerate(zip(planet.constituents, values, strict=True)):
         column = constituent.profile.column(planet.thickness)
         for axes in (linear, logarithmic):
-            axes.plot(
-                np.where(curve > 0.0, curve, np.nan) if axes is logarithmic else curve,
-                altitude * 1e-3,
-                color=PALETTE[index % len(PALETTE)],
-                linestyle=LINE_STYLES[index % len(LINE_STYLES)],
-                linewidth=2.0,
-                label=words(f"{constituent.name} (column {column * 1e-3:.4g} km)"),
-            )
+            shown = np.where(curve > 0.0, curve, np.nan) if axes is logarithmic else curve
+            name = words(f"{constituent.name} (column {column * 1e-3:.4g} km)")
+            style = look(index, PALETTE[index % len(PALETTE)], name)
+            axes.plot(shown, altitude * 1e-3, **(style | {"linewidth": 2.0}))
     for axes in (linear, logarithmic):
         grid(axes)
         axes.set_xlabel("relative density [1]")

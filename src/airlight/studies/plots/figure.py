@@ -168,6 +168,19 @@ def chosen(wavelengths: ArrayLike, most: int) -> list[int]:
     return [int(k + 0.5) for k in np.linspace(0, count - 1, most)]
 
 
+def look(index: int, color: Any, label: str | None) -> dict[str, Any]:
+    """Keywords of a curve: its colour and label, and the style of the given number."""
+    style = LINE_STYLES[index % len(LINE_STYLES)]
+    return {"color": color, "linestyle": style, "linewidth": 1.8, "label": label}
+
+
+def wavelength_curves(wavelengths: ArrayLike, most: int) -> dict[int, dict[str, Any]]:
+    """Indices of at most ``most`` wavelengths, each with the look of its curve."""
+    nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
+    inks = wavelength_ink(nm)
+    return {k: look(n, inks[k], f"{nm[k]:.4g} nm") for n, k in enumerate(chosen(nm, most))}
+
+
 def wavelength_words(wavelengths: ArrayLike) -> str:
     """Format a list of wavelengths for a caption.
 

@@ -10,7 +10,7 @@ import numpy as np
 from airlight.physics.units import values_in
 from airlight.solver.solution import Solution
 from airlight.studies.observables.limb import limb_radiance
-from airlight.studies.plots.figure import LINE_STYLES, chosen, grid, new_figure
+from airlight.studies.plots.figure import chosen, grid, look, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -58,14 +58,8 @@ def limb(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figu
         grid(axes)
         for index, sun in enumerate(suns):
             values = radiance[index, :, k]
-            axes.plot(
-                np.where(values > 0.0, values, np.nan),
-                height * 1e-3,
-                color=colors[index],
-                linestyle=LINE_STYLES[index % len(LINE_STYLES)],
-                linewidth=1.8,
-                label=f"sun {sun:.4g}°",
-            )
+            lit, name = np.where(values > 0.0, values, np.nan), f"sun {sun:.4g}°"
+            axes.plot(lit, height * 1e-3, **look(index, colors[index], name))
         top = float(radiance[..., k].max())
         axes.axhline(0.0, color="black", linewidth=0.8)
         axes.set_title(f"{solution.wavelengths[k]:.4g} nm", fontsize=10)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from typing import TYPE_CHECKING, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -227,12 +227,11 @@ def mapping_comparison(
             axes.axhline(edge, color="white", linewidth=0.5)
         lines = table_lines(solution, mapping, (1, 2, depth), azimuth)  # type: ignore[arg-type]
         zeniths = np.degrees(np.arccos(np.clip(lines.mu_s.reshape(depth, -1)[:, 0], -1.0, 1.0)))
+        box = {"boxstyle": "square,pad=0.1", "fc": "black", "ec": "none", "alpha": 0.5}
+        white: Any = {"color": "white", "fontsize": 7, "bbox": box}
         for index, zenith in enumerate(zeniths):
-            axes.text(
-                index % columns + 0.96, index // columns + 0.97, f"{zenith:.0f}°",
-                color="white", fontsize=7, ha="right", va="bottom",
-                bbox={"boxstyle": "square,pad=0.1", "fc": "black", "ec": "none", "alpha": 0.5},
-            )  # fmt: skip
+            x, y = index % columns + 0.96, index // columns + 0.97
+            axes.text(x, y, f"{zenith:.0f}°", ha="right", va="bottom", **white)
         axes.set_title(mapping.replace("-", " "), fontsize=10)
         axes.set(
             xticks=[],

@@ -164,12 +164,9 @@ def _draw_wedges(axes: Any, found: Regions) -> None:
             label=f"{letter} {_WORDS[letter]}",
         )
         if last - first > 4.0:
-            axes.text(
-                np.radians(0.5 * (first + last)), 0.62, f"{letter}\n{_WORDS[letter]}",
-                ha="center", va="center", fontsize=10,
-                bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.85},
-                zorder=5,
-            )  # fmt: skip
+            at, words = np.radians(0.5 * (first + last)), f"{letter}\n{_WORDS[letter]}"
+            box = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.85}
+            axes.text(at, 0.62, words, ha="center", va="center", fontsize=10, bbox=box, zorder=5)
     for zenith in found.texel_zeniths:
         axes.plot(np.radians([zenith, zenith]), [0.0, 1.0], color="black", linewidth=0.5)
     axes.plot(np.radians([horizon, horizon]), [0.0, 1.0], color="black", linewidth=2.0)

@@ -7,14 +7,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from airlight.planets.planet import Planet
-from airlight.studies.plots.figure import (
-    LINE_STYLES,
-    PALETTE,
-    grid,
-    new_figure,
-    wavelength_ink,
-    words,
-)
+from airlight.studies.plots.figure import PALETTE, grid, look, new_figure, wavelength_ink, words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -59,14 +52,8 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     for at, ink in zip(marks, wavelength_ink(marks), strict=True):
         axes.axvline(at, color=ink, linewidth=1.0, alpha=0.6)
     for index, (constituent, depth) in enumerate(zip(planet.constituents, parts, strict=True)):
-        axes.plot(
-            nm,
-            np.where(depth > 0.0, depth, np.nan),
-            color=PALETTE[index % len(PALETTE)],
-            linestyle=LINE_STYLES[(index + 1) % len(LINE_STYLES)],
-            linewidth=1.8,
-            label=words(constituent.name),
-        )
+        style = look(index + 1, PALETTE[index % len(PALETTE)], words(constituent.name))
+        axes.plot(nm, np.where(depth > 0.0, depth, np.nan), **style)
     axes.plot(nm, np.where(total > 0.0, total, np.nan), color="black", linewidth=2.2, label="all")
     top = float(total.max())
     lowest = min(float(depth[depth > 0.0].min()) for depth in (*parts, total) if depth.any())

@@ -11,10 +11,10 @@ from airlight.errors import ParameterError
 from airlight.planets.constituent import Constituent
 from airlight.planets.planet import Planet
 from airlight.studies.plots.figure import (
-    LINE_STYLES,
     PALETTE,
     chosen,
     grid,
+    look,
     new_figure,
     wavelength_words,
     words,
@@ -71,15 +71,11 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
         means = _mean_cosine(constituent, nm)
         for which, name in _different(constituent.name, values, nm):
             curve = values[:, which]
-            look: dict[str, Any] = {
-                "color": PALETTE[index % len(PALETTE)],
-                "linestyle": LINE_STYLES[which % len(LINE_STYLES)],
-                "linewidth": 1.8,
-                "label": words(f"{name}, g = {means[which] + 0.0:.3f}"),
-            }
+            label = words(f"{name}, g = {means[which] + 0.0:.3f}")
+            style = look(which, PALETTE[index % len(PALETTE)], label)
             both = np.radians(np.concatenate([-degrees[::-1], degrees]))
-            polar.plot(both, np.concatenate([curve[::-1], curve]), **look)
-            cartesian.plot(degrees, curve, **look)
+            polar.plot(both, np.concatenate([curve[::-1], curve]), **style)
+            cartesian.plot(degrees, curve, **style)
             lowest = min(lowest, float(curve[curve > 0.0].min()))
             highest = max(highest, float(curve.max()))
     limits = (10.0 ** np.floor(np.log10(lowest)), 10.0 ** np.ceil(np.log10(highest)))

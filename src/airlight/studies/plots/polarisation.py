@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from airlight.solver.solution import GREEN, Solution
 from airlight.solver.stokes_frame import angle_of_polarisation, degree_of_polarisation
 from airlight.studies.observables.neutral_points import neutral_points, principal_plane
-from airlight.studies.plots.figure import LINE_STYLES, chosen, grid, new_figure, wavelength_ink
+from airlight.studies.plots.figure import grid, new_figure, wavelength_curves
 from airlight.studies.plots.polarised_picture import COLOR_BARS, angle_colors, color_map
 
 if TYPE_CHECKING:
@@ -59,26 +59,24 @@ def polarisation_plane(
     )
     axes: Any = figure.subplots()
     grid(axes)
-    nm, inks = solution.wavelengths, wavelength_ink(solution.wavelengths)
-    shown = chosen(nm, _MOST)
-    for index, k in enumerate(shown):
-        axes.plot(
-            view, 100.0 * degree[:, k], color=inks[k], linewidth=1.8,
-            linestyle=LINE_STYLES[index % len(LINE_STYLES)], label=f"{nm[k]:.4g} nm",
-        )  # fmt: skip
-        zeros = [places[k] for places in points.values()]
-        axes.plot(zeros, np.zeros(len(zeros)), "o", color=inks[k], markersize=5, zorder=3)
+    curves = wavelength_curves(solution.wavelengths, _MOST)
+    for k, style in curves.items():
+        axes.plot(view, 100.0 * degree[:, k], **style)
+        zeros, ink = [places[k] for places in points.values()], style["color"]
+        axes.plot(zeros, np.zeros(len(zeros)), "o", color=ink, markersize=5, zorder=3)
     axes.axhline(0.0, color="black", linewidth=0.8)
     if sun_zenith <= 90.0:
         axes.axvline(sun_zenith, color="black", linewidth=0.8, linestyle=":")
     low, high = axes.get_ylim()
     axes.set(
-        xlim=(-90.0, 90.0), ylim=(low - 0.22 * (high - low), high), xticks=range(-90, 91, 30),
+        xlim=(-90.0, 90.0),
+        ylim=(low - 0.22 * (high - low), high),
+        xticks=range(-90, 91, 30),
         xlabel="view zenith angle [°], positive towards the sun",
         ylabel="degree of linear polarisation, -Q/I [%]",
-    )  # fmt: skip
+    )
     for point, places in points.items():
-        places = places[shown]
+        places = places[list(curves)]
         if np.isfinite(places).any():
             _name(axes, point, places[np.isfinite(places)], sun_zenith)
     axes.legend(loc="upper right", fontsize=9, framealpha=1.0)
@@ -89,17 +87,14 @@ def _name(axes: Axes, point: str, places: FloatArray, sun_zenith: float) -> None
     """Label of a neutral point with the range of its distances."""
     origin = sun_zenith if point in ("Babinet", "Brewster") else sun_zenith - 180.0
     away = np.sort(np.abs(places - origin))
-    span = f"{away[0]:.0f}°" if f"{away[0]:.0f}" == f"{away[-1]:.0f}" else (
-        f"{away[0]:.0f}–{away[-1]:.0f}°"
-    )  # fmt: skip
+    span = "–".join(dict.fromkeys((f"{away[0]:.0f}", f"{away[-1]:.0f}")))
     low, high = axes.get_ylim()
     at = float(np.mean(places))
     # Brewster's name is below Babinet's, which is near
     down = low + (0.13 if point in ("Babinet", "Arago") else 0.03) * (high - low)
-    axes.annotate(
-        f"{point} {span}", (at, 0.0), (min(max(at, -76.0), 76.0), down), ha="center",
-        fontsize=9, arrowprops={"arrowstyle": "-", "color": "#777777", "linewidth": 0.7},
-    )  # fmt: skip
+    arrow, place = {"arrowstyle": "-", "color": "#777777", "linewidth": 0.7}, (at, 0.0)
+    below = (min(max(at, -76.0), 76.0), down)
+    axes.annotate(f"{point} {span}°", place, below, ha="center", fontsize=9, arrowprops=arrow)
 
 
 def polarisation_dome(
@@ -115,8 +110,8 @@ def polarisation_dome(
     """
     k = int(np.argmin(np.abs(solution.wavelengths - GREEN)))
     dome = _Dome(solution, k, sun_zenith, altitude)
-    zenith, azimuth = (np.linspace(0.0, end, n + 1) for end, n in zip(
-        (_LOWEST, 360.0), _DRAWN, strict=True))  # fmt: skip
+    zenith = np.linspace(0.0, _LOWEST, _DRAWN[0] + 1)
+    azimuth = np.linspace(0.0, 360.0, _DRAWN[1] + 1)
     middle = 0.5 * (zenith[:-1] + zenith[1:])[:, None], 0.5 * (azimuth[:-1] + azimuth[1:])
     stokes = dome.stokes(*np.broadcast_arrays(*middle))
     degree, angle = degree_of_polarisation(stokes), angle_of_polarisation(stokes)
@@ -158,14 +153,12 @@ class _Dome:
     def __init__(self, solution: Solution, k: int, sun_zenith: float, altitude: float) -> None:
         from scipy.interpolate import RectBivariateSpline
 
-        zenith, azimuth = (
-            np.linspace(_HIGHEST, _LOWEST, _SOLVED[0]), np.linspace(0.0, 180.0, _SOLVED[1])
-        )  # fmt: skip
+        zenith = np.linspace(_HIGHEST, _LOWEST, _SOLVED[0])
+        azimuth = np.linspace(0.0, 180.0, _SOLVED[1])
         views, turns = np.meshgrid(zenith, azimuth, indexing="ij")
-        light = solution.radiance(
-            altitude=altitude, sun_zenith=sun_zenith, view_zenith=views.ravel(),
-            azimuth=turns.ravel(), stokes=True,
-        ).isel(wavelength=k)  # fmt: skip
+        where: dict[str, Any] = {"view_zenith": views.ravel(), "azimuth": turns.ravel()}
+        light = solution.radiance(altitude=altitude, sun_zenith=sun_zenith, stokes=True, **where)
+        light = light.isel(wavelength=k)
         whole, *across = (np.asarray(light.sel(stokes=s), np.float64) for s in "IQU")
         lit = np.where(whole > 0.0, whole, np.inf)
         self._shares = [
@@ -191,10 +184,8 @@ def _dome_lines(axes: Axes, sun_zenith: float) -> None:
     """Circles of zenith angles, the horizon and the sun."""
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
     for zenith in (30.0, 60.0, 90.0):
-        axes.plot(
-            zenith * np.cos(turn), zenith * np.sin(turn), color="black",
-            linewidth=1.0 if zenith == 90.0 else 0.4,
-        )  # fmt: skip
+        width = 1.0 if zenith == 90.0 else 0.4
+        axes.plot(zenith * np.cos(turn), zenith * np.sin(turn), color="black", linewidth=width)
     if sun_zenith <= 90.0:
         axes.plot(0.0, -sun_zenith, "o", color="white", markeredgecolor="black", markersize=7)
     axes.set_aspect("equal")

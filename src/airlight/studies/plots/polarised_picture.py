@@ -56,14 +56,12 @@ class ColorBar(NamedTuple):
 
 #: What can be shown: the degree in per cent, the angle in degrees.
 COLOR_BARS: Final = {
-    "dolp": ColorBar(
-        "degree of linear polarisation [%]", 0.0, 100.0, (0.0, 20.0, 40.0, 60.0, 80.0, 100.0)
-    ),
+    "dolp": ColorBar("degree of linear polarisation [%]", 0.0, 100.0, tuple(range(0, 101, 20))),
     "aolp": ColorBar(
         "angle of polarisation from the vertical plane, counterclockwise [°]",
-        -90.0, 90.0, (-90.0, -45.0, 0.0, 45.0, 90.0),
+        *(-90.0, 90.0, tuple(range(-90, 91, 45))),
     ),
-}  # fmt: skip
+}
 
 
 def angle_colors(angle: ArrayLike) -> FloatArray:
@@ -164,10 +162,8 @@ def _legend(show: Literal["dolp", "aolp"], width: int, height: int) -> NDArray[n
     canvas = FigureCanvasAgg(figure)
     axes: Any = figure.add_axes((0.08, 0.66, 0.84, 0.22))
     values = np.linspace(shown.low, shown.high, 1024)[None]
-    axes.imshow(
-        values, cmap=color_map(show), vmin=shown.low, vmax=shown.high, aspect="auto",
-        extent=(shown.low, shown.high, 0.0, 1.0), interpolation="nearest",
-    )  # fmt: skip
+    extent, colors = (shown.low, shown.high, 0.0, 1.0), color_map(show)
+    axes.imshow(values, cmap=colors, aspect="auto", extent=extent, interpolation="nearest")
     axes.set(yticks=[], xticks=shown.ticks)
     axes.set_xlabel(shown.label, color="white", fontsize=size, labelpad=0.12 * size)
     axes.tick_params(colors="white", labelsize=size, pad=0.15 * size, length=0.25 * size)

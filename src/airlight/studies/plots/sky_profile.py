@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from airlight.solver.solution import Solution
-from airlight.studies.plots.figure import LINE_STYLES, chosen, grid, new_figure, wavelength_ink
+from airlight.studies.plots.figure import grid, new_figure, wavelength_curves
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -54,22 +54,12 @@ def sky_profile(solution: Solution, *, sun_zenith: float = 60.0, altitude: float
         "without the sun's own disc.",
     )
     left, right = figure.subplots(1, 2, sharey=True)
-    nm = solution.wavelengths
-    shown = chosen(nm, _MOST)
-    inks = wavelength_ink(nm)
-    for index, k in enumerate(shown):
+    for k, style in wavelength_curves(solution.wavelengths, _MOST).items():
         for axes, angle, values in (
             (left, view, np.asarray(plane)[:, k]),
             (right, around, np.asarray(ring)[:, k]),
         ):
-            axes.plot(
-                angle,
-                np.where(values > 0.0, values, np.nan),
-                color=inks[k],
-                linestyle=LINE_STYLES[index % len(LINE_STYLES)],
-                linewidth=1.8,
-                label=f"{nm[k]:.4g} nm",
-            )
+            axes.plot(angle, np.where(values > 0.0, values, np.nan), **style)
     for axes in (left, right):
         grid(axes)
         axes.set_yscale("log")

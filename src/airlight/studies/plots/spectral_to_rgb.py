@@ -66,10 +66,8 @@ def spectral_to_rgb(wavelengths: tuple[float, ...] = (680.0, 550.0, 440.0)) -> F
         curves.set_title(words, loc="left", fontsize=10)
         curves.set_ylabel("linear sRGB [1]")
         shown = srgb_encode(np.clip(rgb, 0.0, 1.0))
-        strip.imshow(
-            shown[None, :, :], extent=(359.5, 830.5, 0.0, 1.0), aspect="auto",
-            interpolation="nearest",
-        )  # fmt: skip
+        extent = (359.5, 830.5, 0.0, 1.0)
+        strip.imshow(shown[None, :, :], extent=extent, aspect="auto", interpolation="nearest")
         strip.set_yticks([])
     panels[0].legend(loc="upper right", ncols=3, framealpha=1.0)
     panels[-1].set_xlabel("wavelength [nm]")

@@ -6,14 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from airlight.studies.plots.figure import (
-    LINE_STYLES,
-    PALETTE,
-    chosen,
-    grid,
-    new_figure,
-    wavelength_ink,
-)
+from airlight.studies.plots.figure import PALETTE, chosen, grid, look, new_figure, wavelength_curves
 
 if TYPE_CHECKING:
     import xarray
@@ -80,11 +73,9 @@ def _over_wavelength(axes: Axes, shown: xarray.DataArray) -> None:
     for index in chosen(np.arange(len(rows), dtype=float), _MOST):
         label = None if other is None else f"{shown[other].values[index]:.4g}°"
         factor = 1e-3 if shown.attrs["units"] == "m" else 1.0
-        axes.plot(
-            nm, factor * rows[index], color=PALETTE[index % len(PALETTE)],
-            linestyle=LINE_STYLES[index % len(LINE_STYLES)], linewidth=1.8, label=label,
-            marker="o" if nm.size < 12 else None, markersize=4,
-        )  # fmt: skip
+        style = look(index, PALETTE[index % len(PALETTE)], label)
+        marker = "o" if nm.size < 12 else None
+        axes.plot(nm, factor * rows[index], marker=marker, markersize=4, **style)
     axes.set(xlabel="wavelength [nm]", ylabel=_label(shown).replace("[m]", "[km]"))
     if shown.attrs["units"] == "1":
         axes.set_ylim(bottom=0.0)
@@ -94,17 +85,13 @@ def _over_wavelength(axes: Axes, shown: xarray.DataArray) -> None:
 
 def _over_other(axes: Axes, data: xarray.Dataset, shown: xarray.DataArray) -> None:
     nm = shown["wavelength"].values
-    inks = wavelength_ink(nm)
     upright = "tangent_height" in shown.dims
     place = data["tangent_height"].values * 1e-3 if upright else data["phase_angle"].values
-    for index, k in enumerate(chosen(nm, _MOST)):
+    for k, style in wavelength_curves(nm, _MOST).items():
         values = shown.isel(wavelength=k).values
         seen = np.where(values > 0.0, values, np.nan)
-        axes.plot(
-            *((seen, place) if upright else (place, values)), color=inks[k],
-            linestyle=LINE_STYLES[index % len(LINE_STYLES)], linewidth=1.8,
-            label=f"{nm[k]:.4g} nm",
-        )  # fmt: skip
+        curve = (seen, place) if upright else (place, values)
+        axes.plot(*curve, **style)
     if upright:
         axes.set(xscale="log", xlabel=_label(shown), ylabel="tangent height [km]")
     else:

@@ -28,6 +28,7 @@ _SHAPE: Final = (81, 90)
 _BESIDE: Final = 1e-9
 #: Contour lines of the map. [1]
 _LEVELS: Final = tuple(round(0.1 * k, 1) for k in range(1, 10))
+_COLORS: Final[dict[str, Any]] = {"cmap": "cividis", "vmin": 0.0, "vmax": 1.0, "rasterized": True}
 _CAPTION: Final = (
     "Mean over {nm}; rays below the horizon (black line) end on the ground, all others in space."
 )
@@ -118,10 +119,7 @@ def transmittance_map(planet: Planet, wavelengths: tuple[float, ...] | None = No
     for angle in angles:
         values = mean_transmittance(medium, altitude, angle)
         heights = np.broadcast_to(height, angle.shape)
-        mesh = axes.pcolormesh(
-            angle, heights, values, shading="gouraud", cmap="cividis", vmin=0.0, vmax=1.0,
-            rasterized=True,
-        )  # fmt: skip
+        mesh = axes.pcolormesh(angle, heights, values, shading="gouraud", **_COLORS)
         lines = axes.contour(angle, heights, values, levels=_LEVELS, colors="white", linewidths=0.6)
         axes.clabel(lines, levels=_LEVELS[::2], fontsize=8, fmt="%.1f")
     axes.plot(horizon_zenith(medium, altitude)[:, 0], height[:, 0], color="black", linewidth=2.0)
@@ -160,10 +158,10 @@ def transmittance_surface(planet: Planet, wavelengths: tuple[float, ...] | None 
     height = altitude * 1e-3
     for angle in angles:
         values = mean_transmittance(medium, altitude, angle)
+        heights, fine = np.broadcast_to(height, angle.shape), {"rcount": 60, "ccount": 60}
         axes.plot_surface(
-            angle, np.broadcast_to(height, angle.shape), values, cmap="cividis", vmin=0.0, vmax=1.0,
-            rcount=60, ccount=60, linewidth=0.0, antialiased=False, rasterized=True,
-        )  # fmt: skip
+            angle, heights, values, linewidth=0.0, antialiased=False, **fine, **_COLORS
+        )
     above = angles[0]
     axes.plot(
         above[:, -1],

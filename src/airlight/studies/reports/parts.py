@@ -28,6 +28,17 @@ def cell_text(cell: Cell) -> str:
     return f"{cell:.4g}" if isinstance(cell, float) else str(cell)
 
 
+def cells(line: str) -> tuple[str, ...]:
+    """Headings, or cells of a row, from one line with bars between them, as in Markdown.
+
+    Examples
+    --------
+    >>> cells("sun zenith [°] |  | error [%]")
+    ('sun zenith [°]', '', 'error [%]')
+    """
+    return tuple(cell.strip() for cell in line.split("|"))
+
+
 @dataclass(frozen=True, kw_only=True)
 class ReportTable:
     """Table of numbers and words.

@@ -9,14 +9,19 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel.threads import Cancel
 from airlight.planets.planet import Planet
 from airlight.studies.fit.least_squares import Data, FitResult, fit
 from airlight.studies.fit.parameter import FitParameter
 from airlight.studies.fit.scans import Scans
-from airlight.studies.fit.sky_model import Nuisance, ObservedDirections, SkyModel
-from airlight.studies.fit.smooth_settings import smooth, smooth_near
+from airlight.studies.fit.sky_model import (
+    Nuisance,
+    ObservedDirections,
+    SkyModel,
+    smooth,
+    smooth_near,
+)
 from airlight.validation.kider.planets import AngstromLaw
+from airlight.validation.suite import SuiteRun
 
 FloatArray = NDArray[np.float64]
 
@@ -55,21 +60,26 @@ class AerosolModel:
 
     Parameters
     ----------
+    run : SuiteRun
+        With the quality of the solver.
     planet_of : callable
         Function from an Ångström law to a planet.
     start : AngstromLaw
         Starting values.
     with_scale : bool
         Whether the instrument's scale is fitted too.
-    quality : str
-        Quality of the solver.
     """
 
     def __init__(
-        self, planet_of: Callable[[AngstromLaw], Planet], scans: Scans, start: AngstromLaw, *,
-        with_scale: bool = False, quality: str = "default", cancel: Cancel | None = None,
-    ) -> None:  # fmt: skip
-        self.scans, self.quality = scans, quality
+        self,
+        run: SuiteRun,
+        planet_of: Callable[[AngstromLaw], Planet],
+        scans: Scans,
+        start: AngstromLaw,
+        *,
+        with_scale: bool = False,
+    ) -> None:
+        self.scans, self.quality = scans, run.quality
         shape = scans.radiance.shape
         pairs = np.broadcast_to(scans.sun_zenith[:, None], shape[:2])
         directions = ObservedDirections(
@@ -82,24 +92,21 @@ class AerosolModel:
         every, all_scans = np.ones(scans.radiance.size, bool), np.ones(shape[0], bool)
         scale = FitParameter(name="scale", start=1.0, low=0.2, high=5.0, least_step=0.01)
         nuisances = [Nuisance(parameter=scale, kind="factor", values=every, scans=all_scans)]
+        depth, exponent = "aerosol.optical_depth", "aerosol.angstrom"
+        at_550 = float(start.optical_depth(550.0))
         self.model = SkyModel(
             planet_of=lambda values: planet_of(_aerosol_of(values)),
             parameters=(
-                FitParameter(
-                    name="aerosol.optical_depth", start=float(start.optical_depth(550.0)), low=0.0,
-                    high=5.0, least_step=0.002,
-                ),
-                FitParameter(
-                    name="aerosol.angstrom", start=start.alpha, low=-2.0, high=4.5, least_step=0.05
-                ),
+                FitParameter(name=depth, start=at_550, low=0.0, high=5.0, least_step=0.002),
+                FitParameter(name=exponent, start=start.alpha, low=-2.0, high=4.5, least_step=0.05),
             ),
             nuisances=nuisances if with_scale else [],
             directions=directions,
             wavelengths=scans.wavelengths,
             combine=lambda radiance, _: radiance.ravel(),
-            quality=smooth(quality),
-            cancel=cancel,
-        )  # fmt: skip
+            quality=smooth(run.quality),
+            cancel=run.cancel,
+        )
         self.rough = replace(self.model, quality=smooth("preview"))
 
     def fitted(

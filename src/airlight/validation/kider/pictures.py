@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.studies.fit.scans import Scans
 from airlight.studies.plots.figure import GREY, LINE_STYLES, PALETTE, grid, new_figure
-from airlight.validation.kider.scans import MILLI, rmse_per_scan
+from airlight.validation.kider.scans import MILLI, UNIT, rmse_per_scan
 from airlight.validation.suite import ReportPicture
 
 if TYPE_CHECKING:
@@ -24,7 +24,6 @@ FloatArray = NDArray[np.float64]
 ANGLE_EDGES: Final = (0.0, 8.0, 15.0, 25.0, 35.0, 45.0, 55.0, 65.0, 75.0, 90.0, 130.0)
 #: Limit of the colour scale of relative differences. [%]
 _WIDEST: Final = 40.0
-_UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 
 
 def error_curves(scans: Scans, rows: Mapping[str, FloatArray]) -> ReportPicture:
@@ -57,7 +56,7 @@ def error_curves(scans: Scans, rows: Mapping[str, FloatArray]) -> ReportPicture:
         )
     by_scan.set_xticks(range(0, len(scans.time), 2), list(scans.time)[::2], rotation=60)
     by_scan.set_xlabel("scan, local time")
-    by_scan.set_ylabel(f"root mean square error [{_UNIT}]")
+    by_scan.set_ylabel(f"root mean square error [{UNIT}]")
     by_colour.set_xlabel("wavelength [nm]")
     by_angle.set_xlabel("angle from the sun [°]")
     for axes in (by_scan, by_colour, by_angle):
@@ -93,16 +92,16 @@ def domes(scans: Scans, got: FloatArray, chosen: Sequence[int], name: str) -> Re
     levels = 10.0 * np.arange(np.ceil(brightest / 10.0) + 1.0)
     for row, (k, (measured, ours)) in enumerate(zip(chosen, means, strict=True)):
         difference = 100.0 * (ours / measured - 1.0)
-        for axes, values, word in (
-            (panels[row, 0], measured, "measured"), (panels[row, 1], ours, name),
-        ):  # fmt: skip
-            sky = _dome(axes, scans, k, MILLI * values, levels, "viridis", "max")
+        for axes, values, word in zip(
+            panels[row], (measured, ours), ("measured", name), strict=False
+        ):
+            sky = _dome(axes, scans, k, MILLI * values, levels, cmap="viridis", extend="max")
             axes.set_title(f"{scans.time[k]}, {word}", fontsize=9)
         last = panels[row, 2]
         steps = np.linspace(-_WIDEST, _WIDEST, 17)
-        apart = _dome(last, scans, k, difference, steps, "RdBu_r", "both")
+        apart = _dome(last, scans, k, difference, steps, cmap="RdBu_r", extend="both")
         last.set_title(f"{scans.time[k]}, {name} over measured", fontsize=9)
-        figure.colorbar(sky, ax=panels[row, :2], shrink=0.8, label=_UNIT)
+        figure.colorbar(sky, ax=panels[row, :2], shrink=0.8, label=UNIT)
         figure.colorbar(apart, ax=last, shrink=0.8, label="%")
     return ReportPicture.from_figure(
         figure,
@@ -113,13 +112,12 @@ def domes(scans: Scans, got: FloatArray, chosen: Sequence[int], name: str) -> Re
 
 
 def _dome(
-    axes: Axes, scans: Scans, scan: int, values: FloatArray, levels: FloatArray, colors: str,
-    beyond: str,
-) -> TriContourSet:  # fmt: skip
+    axes: Axes, scans: Scans, scan: int, values: FloatArray, levels: FloatArray, **style: Any
+) -> TriContourSet:
     """Filled contours of values (nd,) on the dome, with the sun's side at the bottom."""
     around = np.radians(scans.azimuth[scan])
     x, y = scans.view_zenith[scan] * np.sin(around), -scans.view_zenith[scan] * np.cos(around)
-    filled = axes.tricontourf(x, y, values, levels=levels, cmap=colors, extend=beyond)
+    filled = axes.tricontourf(x, y, values, levels=levels, **style)
     axes.plot(x, y, ".", color=GREY, markersize=1.0)
     axes.plot(0.0, -scans.sun_zenith[scan], "o", markersize=7, fillstyle="none", color="#000000")
     axes.set_aspect("equal")

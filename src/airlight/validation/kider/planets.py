@@ -26,6 +26,7 @@ from airlight.planets.matter.phases import (
 from airlight.planets.matter.profiles import Exponential, Tabulated
 from airlight.planets.spectral import PerWavelength
 from airlight.studies.fit.scans import Scans
+from airlight.validation.reference_files import read_table
 
 FloatArray = NDArray[np.float64]
 
@@ -307,15 +308,9 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) ->
         If the file cannot be read, or is not a table of a phase function normalised to 4π.
     """
     file = aeronet_file(folder, date) or folder / FILE
+    headings, table = read_table(file)
     try:
-        lines = [line for line in file.read_text(encoding="utf-8").splitlines() if line.strip()]
-        header, *body = [line for line in lines if not line.startswith("#")]
-        known = [
-            float(name.removeprefix("p_").removesuffix("nm")) for name in header.split(",")[1:]
-        ]
-        table = np.array([[float(x) for x in line.split(",")] for line in body])
-    except (OSError, UnicodeDecodeError) as error:
-        raise FileError(file, f"cannot be read: {error}") from error
+        known = [float(name.removeprefix("p_").removesuffix("nm")) for name in headings[1:]]
     except ValueError as error:
         raise FileError(file, f"is not a table of numbers by wavelength: {error}") from error
     if table.ndim != 2 or table.shape[1] != len(known) + 1 or len(known) < 2:

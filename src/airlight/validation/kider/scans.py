@@ -16,6 +16,9 @@ FloatArray = NDArray[np.float64]
 FILE: Final = "kider2013-05-27.npz"
 #: Scores are given in this unit. [mW/W]
 MILLI: Final = 1e3
+UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
+#: Directions nearer to the sun than this are scored separately. [deg]
+NEAR: Final = 8.0
 
 
 def read_scans(folder: Path) -> Scans:

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from functools import cache
-from importlib.resources import files
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.planets import Constituent, Ground, Planet, Star
+from airlight.planets import Planet
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.solver import Solution
-from airlight.validation.published.row import Solve
-from airlight.validation.suite import Part, ReportTable, Threshold
+from airlight.validation.planets import one_constituent
+from airlight.validation.reference_files import packaged_table
+from airlight.validation.suite import Part, ReportTable, SuiteRun, Threshold, cells
 
 FloatArray = NDArray[np.float64]
 
@@ -53,9 +53,7 @@ class Values(NamedTuple):
 @cache
 def coulson_values() -> dict[float, Values]:
     """Values of the tables by albedo, with the conventions of this package."""
-    text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
-    lines = [line for line in text.splitlines() if not line.startswith("#")][1:]
-    table = np.array([[float(cell) for cell in line.split(",")] for line in lines])
+    table = packaged_table(FILE)
     signs = np.array([1.0, -1.0, -1.0]) / np.pi
     return {
         float(albedo): Values(rows[:, 1], rows[:, 2], rows[:, 3:] * signs)
@@ -66,22 +64,15 @@ def coulson_values() -> dict[float, Values]:
 
 def flat_rayleigh(albedo: float, times: int = RADII[-1]) -> Planet:
     """Atmosphere of the tables, a point star of irradiance 1, radius in radii of the Earth."""
-    radius = times * _EARTH
     column = _SCALE_HEIGHT * -np.expm1(-_HEIGHT / _SCALE_HEIGHT)
-    return Planet(
-        name="flat Rayleigh air",
-        bottom_radius=radius,
-        top_radius=radius + _HEIGHT,
-        ground=Ground(albedo=albedo),
-        star=Star(irradiance=1.0, angular_radius=0.0),
-        constituents=(
-            Constituent(
-                name="gas",
-                profile=Exponential(scale_height=_SCALE_HEIGHT),
-                scattering=DEPTH / column,
-                phase_function=Rayleigh(),
-            ),
-        ),
+    return one_constituent(
+        "flat Rayleigh air",
+        times * _EARTH,
+        _HEIGHT,
+        albedo,
+        profile=Exponential(scale_height=_SCALE_HEIGHT),
+        scattering=DEPTH / column,
+        phase_function=Rayleigh(),
     )
 
 
@@ -89,52 +80,50 @@ def differences(solution: Solution, values: Values) -> tuple[FloatArray, FloatAr
     """Differences from the tables, of I [%], shape (n,), and of Q/I and U/I [1], shape (n, 2)."""
     zenith = 180.0 - np.degrees(np.arccos(values.mu))
     got = solution.radiance(
-        altitude=solution.medium.thickness, sun_zenith=np.degrees(np.arccos(SUN)),
-        view_zenith=np.minimum(zenith, 180.0 - _TILT), azimuth=values.azimuth, stokes=True,
-    ).values[..., 0]  # fmt: skip
+        altitude=solution.medium.thickness,
+        sun_zenith=np.degrees(np.arccos(SUN)),
+        view_zenith=np.minimum(zenith, 180.0 - _TILT),
+        azimuth=values.azimuth,
+        stokes=True,
+    ).values[..., 0]
     known = values.stokes
-    return 100.0 * (got[:, 0] / known[:, 0] - 1.0), got[:, 1:] / got[:, :1] - known[:, 1:] / known[
-        :, :1
-    ]
+    of_degree = got[:, 1:] / got[:, :1] - known[:, 1:] / known[:, :1]
+    return 100.0 * (got[:, 0] / known[:, 0] - 1.0), of_degree
 
 
-def flat_air(solve: Solve) -> tuple[list[Threshold], list[Part]]:
-    """Thresholds and table of the comparison.
-
-    Parameters
-    ----------
-    solve : callable
-        See ``published.row.Solve``.
-    """
+def flat_air(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
+    """Thresholds and table of the comparison."""
     thresholds, rows = [], []
     for quality, times in (("default", RADII[-1]), *(("fine", one) for one in RADII)):
         light, degree = [], []
         for albedo, values in coulson_values().items():
-            of_i, of_degree = differences(
-                solve(flat_rayleigh(albedo, times), (_WAVELENGTH,), quality), values
-            )
+            solution = run.solve(flat_rayleigh(albedo, times), (_WAVELENGTH,), quality)
+            of_i, of_degree = differences(solution, values)
             light.append(np.abs(of_i).max())
             degree.append(np.abs(of_degree).max())
             rows += [
-                (quality, f"{times}", f"{albedo:g}", f"{mu:g}", f"{azimuth:g}", f"{i:+.3f}",
-                 f"{q:+.5f}", f"{u:+.5f}")
+                cells(
+                    f"{quality} | {times} | {albedo:g} | {mu:g} | {azimuth:g} | {i:+.3f} | "
+                    f"{q:+.5f} | {u:+.5f}"
+                )
                 for mu, azimuth, i, (q, u) in zip(
                     values.mu, values.azimuth, of_i, of_degree, strict=True
                 )
-            ]  # fmt: skip
+            ]
         if quality == "fine":
-            source = "the aim; corrected Coulson tables"
-            name = f"Rayleigh air on {times} radii, fine"
+            name, source = (
+                f"Rayleigh air on {times} radii, fine",
+                "the aim; corrected Coulson tables",
+            )
+            largest = float(max(degree))
             thresholds += [
-                Threshold(name=f"{name}: I", got=float(max(light)), allowed=RADIANCE_THRESHOLD,
-                    unit="%", source=source),
-                Threshold(name=f"{name}: Q/I and U/I", got=float(max(degree)),
-                    allowed=DEGREE_THRESHOLD, source=source),
-            ]  # fmt: skip
+                Threshold(f"{name}: I", float(max(light)), RADIANCE_THRESHOLD, "%", source),
+                Threshold(f"{name}: Q/I and U/I", largest, DEGREE_THRESHOLD, source=source),
+            ]
     return thresholds, [
         ReportTable(
             title="Flat Rayleigh air of depth 0.5 against the corrected Coulson tables",
-            columns=["quality", "radii", "albedo", "μ", "azimuth [°]", "I [%]", "Q/I", "U/I"],
+            columns=cells("quality | radii | albedo | μ | azimuth [°] | I [%] | Q/I | U/I"),
             rows=rows,
             note="Differences, ours less theirs; light that leaves the top, star 78.5° from the "
             "zenith, on a ground of so many radii of the Earth. A line that leaves the top at a "

@@ -4,22 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled
-from airlight.kernel.threads import Cancel
 from airlight.planets import Planet, load_planet, replace
-from airlight.solver import solve
 from airlight.solver.montecarlo.settings import MonteCarloSettings
 from airlight.solver.montecarlo.solution import MonteCarloSolution
 from airlight.validation.agreement import LEAST_RADIANCE, NOISE
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
-from airlight.validation.finite_disc import with_point_star
 from airlight.validation.metrics import beyond_noise, relative_errors, summarise
-from airlight.validation.suite import Part, Progress, ReportTable, Threshold
+from airlight.validation.planets import with_point_star
+from airlight.validation.suite import Part, ReportTable, SuiteRun, Threshold, cells
 
 FloatArray = NDArray[np.float64]
 
@@ -154,33 +151,29 @@ class Beside:
 
 
 def beside(
-    planet: Planet, wavelengths: tuple[float, ...] = WAVELENGTHS, quality: Any = "default",
-    histories: MonteCarloSettings = HISTORIES, *, cases: Sequence[Case] = CASES, level: float = 0.0,
-    noise: float = 0.01, progress: Progress | None = None, cancel: Cancel | None = None,
-) -> Beside:  # fmt: skip
+    run: SuiteRun,
+    planet: Planet,
+    air: PolarisedPlanet,
+    cases: Sequence[Case] = CASES,
+    wavelengths: Sequence[float] = WAVELENGTHS,
+) -> Beside:
     """Stokes parameters of a planet by the moments solver and by Monte Carlo.
 
     Parameters
     ----------
-    wavelengths : tuple of float
-        Wavelengths. [nm]
-    quality : str or MonteCarloSettings
-        Quality of the moments solver.
-    histories : MonteCarloSettings
-        Stopping rule of the histories.
+    run : SuiteRun
+    air : PolarisedPlanet
+        Settings of the comparison.
     cases : sequence of Case
         Lines of sight.
-    level, noise :
-        See ``PolarisedPlanet``. [m], [1]
+    wavelengths : sequence of float
+        Wavelengths. [nm]
     """
-    where = geometry(planet, cases, level)
+    where = geometry(planet, cases, air.level)
     vector, scalar = (
-        solve(planet, wavelengths, quality, polarisation=one, cache=False, cancel=cancel)
-        for one in (True, False)
+        run.solve(planet, wavelengths, "default", polarisation=one) for one in (True, False)
     )
-    judge = solve(
-        planet, wavelengths, histories, solver="montecarlo", progress=progress, cancel=cancel
-    )
+    judge = run.solve(planet, wavelengths, air.histories, solver="montecarlo")
     assert isinstance(judge, MonteCarloSolution)
     lines, _ = judge.lines_of_sight(**where)
     got = judge.trace(lines)
@@ -190,52 +183,48 @@ def beside(
         known=np.concatenate([got.total[:, None], got.polarised], axis=1),
         error=np.concatenate([got.total_error[:, None], got.polarised_error], axis=1),
         nu=lines.nu,
-        noise=noise,
+        noise=air.noise,
     )
 
 
 def histories(
-    *, airs: Sequence[PolarisedPlanet] = PLANETS, cases: Sequence[Case] = CASES,
-    progress: Progress | None = None, cancel: Cancel | None = None,
-) -> tuple[list[Threshold], list[Part]]:  # fmt: skip
-    """Thresholds and tables of the comparison."""
+    run: SuiteRun,
+    airs: Sequence[PolarisedPlanet] | None = None,
+    cases: Sequence[Case] = CASES,
+) -> tuple[list[Threshold], list[Part]]:
+    """Thresholds and tables of the comparison.
+
+    Parameters
+    ----------
+    run : SuiteRun
+    airs : sequence of PolarisedPlanet, optional
+        ``PLANETS`` if left out.
+    cases : sequence of Case
+        Lines of sight.
+    """
     thresholds, rows = [], []
     lines: list[Part] = []
-    for air in airs:
-        if cancel is not None and cancel():
-            raise Cancelled("cancelled")
-        tell: Progress | None = None
-        if progress is not None:
-
-            def tell(done: int, total: int, message: str, name: str = air.planet) -> None:
-                progress(done, total, f"{name}: {message}")
-
+    airs = PLANETS if airs is None else airs
+    for done, air in enumerate(airs):
+        run.step(done, len(airs), air.planet)
         planet = replace(with_point_star(load_planet(air.planet)), refraction="none")
         taken = [one for one in cases if one.sun <= air.latest]
-        found = beside(
-            planet, histories=air.histories, cases=taken, level=air.level, noise=air.noise,
-            progress=tell, cancel=cancel,
-        )  # fmt: skip
-        thresholds.append(
-            Threshold(
-                name=f"{air.planet}: values that noise, 1 % of I and {DEGREE:g} of the degree do "
-                "not explain",
-                got=100.0 * float(found.disagree.sum() / max(found.judged.sum(), 1)),
-                allowed=ALLOWED, unit="%", source="the aim",
-            )
-        )  # fmt: skip
+        found = beside(run, planet, air, taken)
+        name = f"values that noise, 1 % of I and {DEGREE:g} of the degree do not explain"
+        share = 100.0 * float(found.disagree.sum() / max(found.judged.sum(), 1))
+        thresholds.append(Threshold(f"{air.planet}: {name}", share, ALLOWED, "%", "the aim"))
         rows.append((air.planet, *summary(found)))
         lines.append(line_table(air, taken, len(cases), found))
     return thresholds, [
         ReportTable(
             title="Moments against vector Monte Carlo",
-            columns=[
-                "planet", "lines", "values judged", "in the aureole, dark, noisy",
-                "noise of I, median [%]", "I, median [%]", "95 % [%]", "scalar I, median [%]",
-                "95 % [%]", "Q/I and U/I, median", "95 %", "their noise, median",
-                f"I, Q, U within {NOISE:g} standard errors [%]", "χ² a value of I, Q, U",
-                "not explained",
-            ],
+            columns=cells(
+                "planet | lines | values judged | in the aureole, dark, noisy | "
+                "noise of I, median [%] | I, median [%] | 95 % [%] | scalar I, median [%] | "
+                "95 % [%] | Q/I and U/I, median | 95 % | their noise, median | "
+                f"I, Q, U within {NOISE:g} standard errors [%] | χ² a value of I, Q, U | "
+                "not explained"
+            ),
             rows=rows,
             note=f"Lines of sight from the ground to space, {len(WAVELENGTHS)} wavelengths, "
             "default quality, straight light. Left out are lines within 10° of the star, values "
@@ -246,7 +235,7 @@ def histories(
             "degree.",
         ),
         *lines,
-    ]  # fmt: skip
+    ]
 
 
 def summary(found: Beside) -> tuple[str, ...]:
@@ -259,17 +248,16 @@ def summary(found: Beside) -> tuple[str, ...]:
     noise = np.median((found.error[:, 0] / np.where(judged, found.known[:, 0], 1.0))[judged])
     scores = [found.in_errors[:, k][judged] for k in range(3)]
     noisy = judged.size - judged.sum() - found.aureole.sum() - found.dark.sum()
-    return (
-        f"{len(found.nu)}", f"{judged.sum()} of {judged.size}",
-        f"{found.aureole.sum()}, {found.dark.sum()}, {noisy}", f"{100 * noise:.2f}",
-        f"{100 * light.median:.2f}", f"{100 * light.high:.2f}",
-        f"{100 * scalar.median:.2f}", f"{100 * scalar.high:.2f}",
-        f"{degree.median:.4f}", f"{degree.high:.4f}",
-        f"{np.median(found.degree_noise[both]):.4f}",
-        ", ".join(f"{100 * np.mean(np.abs(one) <= NOISE):.0f}" for one in scores),
-        ", ".join(f"{np.mean(np.square(one)):.1f}" for one in scores),
-        f"{found.disagree.sum()}",
-    )  # fmt: skip
+    within = [f"{100 * np.mean(np.abs(one) <= NOISE):.0f}" for one in scores]
+    chi_squares = [f"{np.mean(np.square(one)):.1f}" for one in scores]
+    return cells(
+        f"{len(found.nu)} | {judged.sum()} of {judged.size} | "
+        f"{found.aureole.sum()}, {found.dark.sum()}, {noisy} | {100 * noise:.2f} | "
+        f"{100 * light.median:.2f} | {100 * light.high:.2f} | "
+        f"{100 * scalar.median:.2f} | {100 * scalar.high:.2f} | "
+        f"{degree.median:.4f} | {degree.high:.4f} | {np.median(found.degree_noise[both]):.4f} | "
+        f"{', '.join(within)} | {', '.join(chi_squares)} | {found.disagree.sum()}"
+    )
 
 
 def line_table(
@@ -292,23 +280,17 @@ def line_table(
     reasons[found.judged] = ""
     reasons[found.dark] = "dark"
     reasons[found.aureole] = "aureole"
-    rows = []
+    rows, channels = [], range(noise.shape[1])
     for n, case in enumerate(cases):
-        cells = [
-            f"{100 * found.relative[n, k]:+.2f} ± {100 * noise[n, k]:.2f}"
-            if np.isfinite(noise[n, k]) and noise[n, k] < 1.0
-            else "unknown"
-            for k in range(noise.shape[1])
-        ]
-        degrees = [
-            " ".join(f"{one:+.4f}" for one in found.degrees[n, :, k])
-            if np.isfinite(noise[n, k]) and noise[n, k] < 1.0
-            else "unknown"
-            for k in range(noise.shape[1])
+        known_well = np.isfinite(noise[n]) & (noise[n] < 1.0)
+        light = [f"{100 * found.relative[n, k]:+.2f} ± {100 * noise[n, k]:.2f}" for k in channels]
+        degrees = [" ".join(f"{one:+.4f}" for one in found.degrees[n, :, k]) for k in channels]
+        shown = [
+            one[k] if known_well[k] else "unknown" for one in (light, degrees) for k in channels
         ]
         left = sorted({one for one in reasons[n] if one})
         mark = "not explained" if found.disagree[n].any() else ""
-        rows.append((str(case), *cells, *degrees, ", ".join([*left, *([mark] if mark else [])])))
+        rows.append((str(case), *shown, ", ".join([*left, *([mark] if mark else [])])))
     left_out = f" {whole - len(cases)} of {whole} lines are left out: {air.why}." if air.why else ""
     return ReportTable(
         title=f"{air.planet}: every line of sight by vector Monte Carlo",

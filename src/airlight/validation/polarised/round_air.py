@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from functools import cache
-from importlib.resources import files
+from itertools import product
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.planets import Constituent, Ground, Planet, Star
+from airlight.planets import Planet
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Layer, Layered
 from airlight.solver import solve as solve_planet
 from airlight.solver.montecarlo.settings import MonteCarloSettings
+from airlight.validation.cases import CaseLines
 from airlight.validation.metrics import summarise
-from airlight.validation.published.row import Solve
-from airlight.validation.suite import Part, ReportTable, Threshold
+from airlight.validation.planets import one_constituent
+from airlight.validation.reference_files import packaged_table
+from airlight.validation.suite import Part, ReportTable, SuiteRun, Threshold, cells
 
 FloatArray = NDArray[np.float64]
 
@@ -32,9 +34,11 @@ DEPTHS: Final = (0.1, 0.5)
 #: Zenith angles of the star; zenith angle and azimuth of each line of sight. [deg]
 SUNS: Final = (30.0, 60.0, 80.0)
 LINES: Final = (
-    (30.0, 0.0), (30.0, 120.0), (55.0, 60.0), (55.0, 180.0), (75.0, 30.0),
-    (75.0, 90.0), (75.0, 150.0), (85.0, 60.0), (85.0, 180.0),
-)  # fmt: skip
+    *product((30.0,), (0.0, 120.0)),
+    *product((55.0,), (60.0, 180.0)),
+    *product((75.0,), (30.0, 90.0, 150.0)),
+    *product((85.0,), (60.0, 180.0)),
+)
 #: Allowed differences of I, median and 95 % [%], and of the degree of polarisation [1]. Lines near
 #: the zenith are left out: theirs is off by 0.27 of the degree one degree from it.
 MEDIAN_THRESHOLD, HIGH_THRESHOLD, DEGREE_THRESHOLD = 0.3, 1.0, 0.005
@@ -64,9 +68,7 @@ class Sky(NamedTuple):
 @cache
 def reference_sky() -> Sky:
     """Values of the file."""
-    text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
-    lines = [line for line in text.splitlines() if not line.startswith("#")][1:]
-    table = np.array([[float(cell) for cell in line.split(",")] for line in lines])
+    table = packaged_table(FILE)
     depth, sun, zenith, azimuth = table[:, :4].T
     return Sky(depth, sun, zenith, azimuth, table[:, 4:7], table[:, 7:10])
 
@@ -93,49 +95,34 @@ def round_rayleigh(depth: float) -> Planet:
         )
     ]
     layers[-1] = Layer(linear_term=layers[-1].linear_term, constant_term=layers[-1].constant_term)
-    return Planet(
-        name="round Rayleigh air",
-        bottom_radius=BOTTOM,
-        top_radius=BOTTOM + float(LEVELS[-1]),
-        ground=Ground(albedo=ALBEDO),
-        star=Star(irradiance=1.0, angular_radius=0.0),
-        constituents=(
-            Constituent(
-                name="gas",
-                profile=Layered(layers=tuple(layers)),
-                scattering=depth / float(np.trapezoid(density, LEVELS)),
-                phase_function=Rayleigh(),
-            ),
-        ),
+    return one_constituent(
+        "round Rayleigh air",
+        BOTTOM,
+        float(LEVELS[-1]),
+        ALBEDO,
+        profile=Layered(layers=tuple(layers)),
+        scattering=depth / float(np.trapezoid(density, LEVELS)),
+        phase_function=Rayleigh(),
     )
 
 
-def round_air(solve: Solve, quality: object = "default") -> tuple[list[Threshold], list[Part]]:
-    """Thresholds and table of the comparison.
-
-    Parameters
-    ----------
-    solve : callable
-        See ``published.row.Solve``.
-    quality : str or MonteCarloSettings
-        Quality of the moments solver.
-    """
+def round_air(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
+    """Thresholds and table of the comparison."""
     sky = reference_sky()
-    got = np.empty_like(sky.stokes)
-    judged = np.empty_like(sky.stokes)
+    got, judged = np.empty_like(sky.stokes), np.empty_like(sky.stokes)
     scalar = np.empty(sky.depth.size)
     for depth in np.unique(sky.depth):
         rows = sky.depth == depth
-        where = {
-            "altitude": 0.0, "sun_zenith": sky.sun[rows], "view_zenith": sky.zenith[rows],
-            "azimuth": sky.azimuth[rows],
-        }  # fmt: skip
+        suns, views, azimuth = sky.sun[rows], sky.zenith[rows], sky.azimuth[rows]
+        where = CaseLines(
+            altitude=np.zeros(suns.size), sun_zenith=suns, view_zenith=views, azimuth=azimuth
+        )
         planet = round_rayleigh(float(depth))
-        vector = solve(planet, (550.0,), quality)
+        vector = run.solve(planet, (550.0,))
         got[rows] = vector.radiance(**where, stokes=True).values[..., 0]
         histories = solve_planet(planet, (550.0,), HISTORIES, solver="montecarlo")
         judged[rows] = histories.radiance(**where, stokes=True).values[..., 0]
-        without = solve(planet, (550.0,), quality, polarisation=False)
+        without = run.solve(planet, (550.0,), polarisation=False)
         scalar[rows] = without.radiance(**where).values[:, 0]
     light = got[:, 0] / sky.stokes[:, 0] - 1.0
     of_light = summarise(light)
@@ -146,29 +133,27 @@ def round_air(solve: Solve, quality: object = "default") -> tuple[list[Threshold
     of_scalar = summarise(scalar / sky.stokes[:, 0] - 1.0)
     noise = summarise(sky.error[:, 0] / sky.stokes[:, 0])
     source = "the aim; SASKTRAN 2 with three Stokes parameters"
+    air, degree, allowed = "round Rayleigh air", "degree of polarisation", DEGREE_THRESHOLD
+    others = f"{air}, histories instead: {degree}, 95 %"
     thresholds = [
-        Threshold(name="round Rayleigh air: I, median", got=100.0 * of_light.median,
-            allowed=MEDIAN_THRESHOLD, unit="%", source=source),
-        Threshold(name="round Rayleigh air: I, 95 %", got=100.0 * of_light.high,
-            allowed=HIGH_THRESHOLD, unit="%", source=source),
-        Threshold(name="round Rayleigh air: degree of polarisation, median", got=of_degree.median,
-            allowed=DEGREE_THRESHOLD, source=source),
-        Threshold(name="round Rayleigh air: degree of polarisation, 95 %", got=of_degree.high,
-            allowed=DEGREE_THRESHOLD, source=source),
-        Threshold(name="round Rayleigh air, histories instead: degree of polarisation, 95 %",
-            got=ours_judged.high, allowed=DEGREE_THRESHOLD, source="the aim; vector Monte Carlo"),
-    ]  # fmt: skip
+        Threshold(f"{air}: I, median", 100.0 * of_light.median, MEDIAN_THRESHOLD, "%", source),
+        Threshold(f"{air}: I, 95 %", 100.0 * of_light.high, HIGH_THRESHOLD, "%", source),
+        Threshold(f"{air}: {degree}, median", of_degree.median, allowed, source=source),
+        Threshold(f"{air}: {degree}, 95 %", of_degree.high, allowed, source=source),
+        Threshold(others, ours_judged.high, allowed, source="the aim; vector Monte Carlo"),
+    ]
+    off = got[:, 1:] / got[:, :1] - sky.stokes[:, 1:] / sky.stokes[:, :1]
+    error = 100 * sky.error[:, 0] / sky.stokes[:, 0]
     rows = [
-        (f"{depth:g}", f"{sun:g}", f"{zenith:g}", f"{azimuth:g}", f"{100 * i:+.2f}",
-         f"{100 * e / s:.2f}", *(f"{(a / ours[0] - b / known[0]):+.4f}"
-                                 for a, b in zip(ours[1:], known[1:], strict=True)))
-        for depth, sun, zenith, azimuth, i, e, s, ours, known in zip(
-            sky.depth, sky.sun, sky.zenith, sky.azimuth, light, sky.error[:, 0], sky.stokes[:, 0],
-            got, sky.stokes, strict=True,
+        cells(
+            f"{sky.depth[k]:g} | {sky.sun[k]:g} | {sky.zenith[k]:g} | {sky.azimuth[k]:g} | "
+            f"{100 * light[k]:+.2f} | {error[k]:.2f} | {off[k, 0]:+.4f} | {off[k, 1]:+.4f}"
         )
-    ]  # fmt: skip
+        for k in range(sky.depth.size)
+    ]
     note = (
-        f"Differences, ours less theirs, {quality} quality. Their own change with coarser settings "
+        f"Differences, ours less theirs, {run.quality} quality. Their own change with coarser "
+        "settings "
         f"has a median of {100 * noise.median:.2f} % of I. I differs by "
         f"{100 * of_light.median:.2f} % (median) and {100 * of_light.high:.2f} % (95 %), the "
         f"degree of polarisation by {of_degree.median:.4f} and {of_degree.high:.4f}. Vector Monte "
@@ -182,13 +167,15 @@ def round_air(solve: Solve, quality: object = "default") -> tuple[list[Threshold
     return thresholds, [
         ReportTable(
             title="Round Rayleigh air against SASKTRAN",
-            columns=["depth", "sun [°]", "zenith angle [°]", "azimuth [°]", "I [%]",
-                     "their error [%]", "Q/I", "U/I"],
+            columns=cells(
+                "depth | sun [°] | zenith angle [°] | azimuth [°] | I [%] | their error [%] | "
+                "Q/I | U/I"
+            ),
             rows=rows,
             note=note,
             folded=True,
         )
-    ]  # fmt: skip
+    ]
 
 
 def _degree(stokes: FloatArray) -> FloatArray:

@@ -35,9 +35,7 @@ from airlight.validation.suite import Threshold
 FloatArray = NDArray[np.float64]
 
 #: True altitudes of the sun. [deg]
-ALTITUDES: Final = (
-    90.0, 60.0, 40.0, 20.0, 10.0, 5.0, 2.0, 0.0, -1.0, -3.0, -5.0, -6.0, -8.0, -10.0, -12.0,
-)  # fmt: skip
+ALTITUDES: Final = (90, 60, 40, 20, 10, 5, 2, 0, -1, -3, -5, -6, -8, -10, -12)
 #: Altitudes of the sun between which the aim for the illuminance holds [deg], and that aim. [%]
 AIMED: Final = (-10.0, 5.0)
 ILLUMINANCE_AIM: Final = 25.0
@@ -67,42 +65,27 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
     altitudes : sequence of float
         True altitudes of the sun. [deg]
     """
-    rows = [
-        PublishedRow(
-            what=f"illuminance, sun {altitude:g}°", unit="lx",
-            published=illuminance_seidelmann1992(altitude),
-            ours=ground_illuminance(solution, altitude),
-            source="Seidelmann (1992); Urban & Seidelmann (2013), Table 12.8",
-        )
-        for altitude in altitudes
-    ]  # fmt: skip
-    aimed = [
-        row.percent
-        for row, altitude in zip(rows, altitudes, strict=True)
-        if AIMED[0] <= altitude <= AIMED[1]
-    ]
+    supplement = "Seidelmann (1992); Urban & Seidelmann (2013), Table 12.8"
+    rows, aimed = [], []
+    for altitude in altitudes:
+        known, ours = illuminance_seidelmann1992(altitude), ground_illuminance(solution, altitude)
+        row = PublishedRow(f"illuminance, sun {altitude:g}°", known, ours, supplement, "lx")
+        rows.append(row)
+        if AIMED[0] <= altitude <= AIMED[1]:
+            aimed.append(row.percent)
     for altitude, low, high, when in (
         (SUNSET, 410.0, 585.0, "at sunset"),
         (-6.0, 2.0, 3.5, "at the end of civil twilight"),
     ):
-        rows.append(
-            PublishedRow(
-                what=f"illuminance {when}", unit="lx", published=0.5 * (low + high),
-                error=0.5 * (high - low), stated=f"{low:g} to {high:g} lx",
-                ours=ground_illuminance(solution, altitude), source=f"{_AMS}, civil twilight",
-            )
-        )  # fmt: skip
-    rows.append(
-        PublishedRow(
-            what="illuminance at the end of nautical twilight", unit="lx", published=0.008,
-            ours=ground_illuminance(solution, -12.0), source=f"{_AMS}, astronomical twilight",
-        )
-    )  # fmt: skip
-    aim = Threshold(
-        name=f"illuminance, sun {AIMED[1]:+g}° to {AIMED[0]:g}°: largest difference",
-        got=max(aimed, default=0.0), allowed=ILLUMINANCE_AIM, unit="%",
-        source="the aim for an average clear day",
-    )  # fmt: skip
+        ours, source = ground_illuminance(solution, altitude), f"{_AMS}, civil twilight"
+        middle, half, stated = 0.5 * (low + high), 0.5 * (high - low), f"{low:g} to {high:g} lx"
+        rows.append(PublishedRow(f"illuminance {when}", middle, ours, source, "lx", half, stated))
+    nautical, source = "at the end of nautical twilight", f"{_AMS}, astronomical twilight"
+    ours = ground_illuminance(solution, -12.0)
+    rows.append(PublishedRow(f"illuminance {nautical}", 0.008, ours, source, "lx"))
+    name = f"illuminance, sun {AIMED[1]:+g}° to {AIMED[0]:g}°: largest difference"
+    source = "the aim for an average clear day"
+    aim = Threshold(name, max(aimed, default=0.0), ILLUMINANCE_AIM, "%", source)
     return PublishedSection(
         title="Illuminance of level ground under a clear sky",
         rows=rows,
@@ -115,24 +98,20 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
 
 def zeniths(solution: Solution) -> PublishedSection:
     """V magnitude of the zenith at Paranal in twilight; ``solution`` is of preset ``earth``."""
-    rows = [
-        PublishedRow(
-            what=f"V of the zenith 2635 m up, sun {-one:g}°", unit="mag arcsec⁻²",
-            published=zenith_v_patat2006(-one), ours=paranal_zenith_v(solution, -one),
-            source="Patat et al. (2006), Table 1", compare="difference",
-        )
-        for one in DEPRESSIONS
-    ]  # fmt: skip
+    source, unit = "Patat et al. (2006), Table 1", "mag arcsec⁻²"
+    rows = []
+    for one in DEPRESSIONS:
+        what = f"V of the zenith 2635 m up, sun {-one:g}°"
+        known, ours = zenith_v_patat2006(-one), paranal_zenith_v(solution, -one)
+        rows.append(PublishedRow(what, known, ours, source, unit, compare="difference"))
+    suns = f"{-DEPRESSIONS[0]:g}° to {-DEPRESSIONS[-1]:g}°"
+    largest = max(row.departure for row in rows)
+    why = "the aim: the scatter of the nights, 0.18 mag, and that of a night's ozone and dust"
     aim = Threshold(
-        name=f"V of the zenith, sun {-DEPRESSIONS[0]:g}° to {-DEPRESSIONS[-1]:g}°: largest "
-        "difference",
-        got=max(row.departure for row in rows), allowed=ZENITH_AIM, unit="mag",
-        source="the aim: the scatter of the nights, 0.18 mag, and that of a night's ozone and dust",
-    )  # fmt: skip
-    return PublishedSection(
-        title="Zenith in twilight", rows=rows, aims=[aim],
-        note="Ours with the night's own 21.6 mag arcsec⁻² (Patat 2003).",
-    )  # fmt: skip
+        f"V of the zenith, sun {suns}: largest difference", largest, ZENITH_AIM, "mag", why
+    )
+    note = "Ours with the night's own 21.6 mag arcsec⁻² (Patat 2003)."
+    return PublishedSection(title="Zenith in twilight", rows=rows, aims=[aim], note=note)
 
 
 def colors(average: Solution) -> PublishedSection:
@@ -145,23 +124,18 @@ def colors(average: Solution) -> PublishedSection:
     """
     day = correlated_color_temperature(_xyz(average, ground_light(average, DAY)))
     warmest = min(min(sky_temperatures(average, altitude)) for altitude in SKIES)
+    warm = "warmest of the clear sky, sun 10 to 60°"
+    source = "Hernández-Andrés et al. (2001), JOSA A 18, "
     return PublishedSection(
         title="Colour temperatures",
         rows=[
-            PublishedRow(
-                what=f"light on level ground, sun {DAY:g}°", unit="K", published=5700.0, ours=day,
-                source="Hernández-Andrés et al. (2001), JOSA A 18, 1325",
-            ),
-            PublishedRow(
-                what="warmest of the clear sky, sun 10 to 60°", unit="K", published=3800.0,
-                ours=warmest, stated="3800 K and more",
-                source="Hernández-Andrés et al. (2001), JOSA A 18, 412",
-            ),
+            PublishedRow(f"light on level ground, sun {DAY:g}°", 5700.0, day, f"{source}1325", "K"),
+            PublishedRow(warm, 3800.0, warmest, f"{source}412", "K", stated="3800 K and more"),
         ],
         note="Published for Granada: of level ground the most typical of two years under all "
         "skies, of the clear sky the lowest of 44 directions in seven months, of which the suns "
         "are not known here.",
-    )  # fmt: skip
+    )
 
 
 def sky_temperatures(solution: Solution, altitude: float) -> list[float]:
@@ -184,24 +158,33 @@ def sky_temperatures(solution: Solution, altitude: float) -> list[float]:
 def belts(solution: Solution) -> PublishedSection:
     """Dark segment and Belt of Venus as functions of solar depression."""
     found = [antitwilight(solution, one) for one in BELT]
+    source = f"{_AMS}, dark segment; Lee (2015)"
     rows = [
         PublishedRow(
-            what=f"top of the dark segment, sun {-one:g}°", unit="°", published=one, ours=top,
-            stated=f"above {one:g}°", source=f"{_AMS}, dark segment; Lee (2015)",
+            f"top of the dark segment, sun {-one:g}°",
+            one,
+            top,
+            source,
+            "°",
+            None,
+            f"above {one:g}°",
         )
         for one, (top, _) in zip(BELT, found, strict=True)
-    ]  # fmt: skip
+    ]
     below = Threshold(
-        name="Belt of Venus: depressions at which the dark segment is below the antisolar point",
-        got=sum(not row.ours > row.published for row in rows), allowed=0,
+        "Belt of Venus: depressions at which the dark segment is below the antisolar point",
+        sum(not row.ours > row.published for row in rows),
+        0,
         source=f"{_AMS}: it is always higher than the sun is low",
-    )  # fmt: skip
+    )
     reddest = ", ".join(f"{belt:.1f}" for _, belt in found)
     return PublishedSection(
-        title="Belt of Venus", rows=rows, aims=[below],
+        title="Belt of Venus",
+        rows=rows,
+        aims=[below],
         note="The dark segment ends where the sky's chromaticity x rises fastest; the belt, where "
         f"x is largest, stands above it, at {reddest}°.",
-    )  # fmt: skip
+    )
 
 
 def antitwilight(solution: Solution, depression: float) -> tuple[float, float]:

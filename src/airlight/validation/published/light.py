@@ -2,45 +2,34 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from airlight.planets import load_planet
-from airlight.validation.published.earth import (
-    belts,
-    colors,
-    illuminances,
-    zeniths,
-)
-from airlight.validation.published.mars import daylight
+from airlight.validation.published.earth import belts, colors, illuminances, zeniths
+from airlight.validation.published.other_planets import daylight, full_disc, venus
 from airlight.validation.published.rayleigh_sphere import rayleigh_sphere
-from airlight.validation.published.row import PublishedSection, Solve, solver
+from airlight.validation.published.row import PublishedSection
 from airlight.validation.published.sunset import sunset
-from airlight.validation.published.titan import full_disc
-from airlight.validation.published.twilight import (
-    TWILIGHT_WAVELENGTHS,
-    average_aerosol,
-)
-from airlight.validation.published.venus import venus
-from airlight.validation.suite import Cancel, Progress, Suite
+from airlight.validation.published.twilight import TWILIGHT_WAVELENGTHS, average_aerosol
+from airlight.validation.suite import Suite, SuiteRun
 
 
-def published(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
-    """Comparison with published values."""
-    solve = solver(progress, cancel)
-    others = [sunset(), daylight(solve), venus(solve), full_disc(solve), rayleigh_sphere(solve)]
-    return suite_of([*earth(solve), *others])
-
-
-def earth(solve: Solve, quality: object = "default") -> list[PublishedSection]:
-    """Sections of the Earth: a clear day, and one with average aerosol.
+def published(run: SuiteRun) -> Suite:
+    """Compare with published light.
 
     Parameters
     ----------
-    solve : callable
-        See ``row.Solve``.
-    quality : str or MomentsSettings, optional
-        Quality of the solver.
+    run : SuiteRun
     """
-    average = solve(load_planet("earth", average_aerosol()), TWILIGHT_WAVELENGTHS, quality)
-    clear = solve(load_planet("earth"), TWILIGHT_WAVELENGTHS, quality)
+    preview = replace(run, quality="preview")  # Venus and Titan have deep air
+    others = [daylight(run), venus(preview), full_disc(preview), rayleigh_sphere(run)]
+    return suite_of([*earth(run), sunset(), *others])
+
+
+def earth(run: SuiteRun) -> list[PublishedSection]:
+    """Sections of the Earth: a clear day, and one with average aerosol."""
+    average = run.solve(load_planet("earth", average_aerosol()), TWILIGHT_WAVELENGTHS)
+    clear = run.solve(load_planet("earth"), TWILIGHT_WAVELENGTHS)
     return [illuminances(average), zeniths(clear), colors(average), belts(clear)]
 
 
@@ -49,8 +38,6 @@ def suite_of(sections: list[PublishedSection]) -> Suite:
     thresholds = [threshold for section in sections for threshold in section.thresholds]
     met = sum(threshold.passed for threshold in thresholds)
     return Suite(
-        name="published",
-        title="Published light",
         summary=(
             "Numbers that others measured or computed, beside those of the presets; nothing is "
             "fitted. A number is judged where its source states an error or a range, or where an "

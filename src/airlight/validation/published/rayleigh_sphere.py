@@ -23,14 +23,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.planets import Constituent, Ground, Planet, Star
+from airlight.planets import Planet
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.solver import Solution
 from airlight.studies.observables.disc import disc_reflectance
-from airlight.validation.energy_planets import VAST
-from airlight.validation.published.row import PublishedRow, PublishedSection, Solve
-from airlight.validation.suite import Threshold
+from airlight.validation.planets import VAST, one_constituent
+from airlight.validation.published.row import PublishedRow, PublishedSection
+from airlight.validation.suite import SuiteRun, Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -121,64 +121,45 @@ def geometric_albedo(solution: Solution) -> FloatArray:
 
 def rayleigh_planet() -> Planet:
     """Large sphere with a Rayleigh atmosphere of optical depth 8 over white ground, point star."""
-    bottom = VAST * 6360e3
-    return Planet(
-        name="gas without end",
-        bottom_radius=bottom,
-        top_radius=bottom + 100e3,
-        ground=Ground(albedo=1.0),
-        star=Star(irradiance=1.0, angular_radius=0.0),
-        constituents=(
-            Constituent(
-                name="gas",
-                profile=Exponential(scale_height=_SCALE_HEIGHT),
-                scattering=DEPTH / _SCALE_HEIGHT,
-                phase_function=Rayleigh(),
-            ),
-        ),
+    return one_constituent(
+        "gas without end",
+        VAST * 6360e3,
+        100e3,
+        albedo=1.0,
+        profile=Exponential(scale_height=_SCALE_HEIGHT),
+        scattering=DEPTH / _SCALE_HEIGHT,
+        phase_function=Rayleigh(),
     )
 
 
-def rayleigh_sphere(solve: Solve, quality: object = "default") -> PublishedSection:
-    """Comparison of the geometric albedo with published and exact values.
-
-    Parameters
-    ----------
-    solve : callable
-        See ``row.Solve``.
-    """
+def rayleigh_sphere(run: SuiteRun) -> PublishedSection:
+    """Albedo of the sphere against published and exact values."""
     ours, polarised = (
         float(
             geometric_albedo(
-                solve(rayleigh_planet(), (_WAVELENGTH,), quality, polarisation=polarisation)
+                run.solve(rayleigh_planet(), (_WAVELENGTH,), polarisation=polarisation)
             )[0]
         )
         for polarisation in (False, True)
     )
-    exact = PublishedRow(
-        what="geometric albedo, exact solution", published=exact_albedo(), ours=ours,
-        source="Chandrasekhar (1950), sections 44 and 45",
-    )  # fmt: skip
+    names = ("Rayleigh sphere: geometric albedo", "geometric albedo of polarised light")
+    dlugach = "Dlugach & Yanovitskij (1974), to a unit of the last digit"
+    chandrasekhar = "Chandrasekhar (1950), sections 44 and 45"
+    prather = "Prather (1974); 0.796 by Schmid et al. (2006)"
+    exact = PublishedRow("geometric albedo, exact solution", exact_albedo(), ours, chandrasekhar)
+    name, source = (
+        "Rayleigh sphere: difference from the exact albedo",
+        "accuracy that counts as done, energy",
+    )
     return PublishedSection(
         title="Sphere of gas that absorbs nothing",
         rows=[
-            PublishedRow(
-                what="Rayleigh sphere: geometric albedo", published=0.751, ours=ours, error=0.001,
-                source="Dlugach & Yanovitskij (1974), to a unit of the last digit",
-            ),
+            PublishedRow(names[0], 0.751, ours, dlugach, error=0.001),
             exact,
-            PublishedRow(
-                what="geometric albedo of polarised light", published=0.798, ours=polarised,
-                source="Prather (1974); 0.796 by Schmid et al. (2006)",
-            ),
+            PublishedRow(names[1], 0.798, polarised, prather),
         ],
-        aims=[
-            Threshold(
-                name="Rayleigh sphere: difference from the exact albedo", got=exact.percent,
-                allowed=ALBEDO_THRESHOLD, unit="%", source="accuracy that counts as done, energy",
-            )
-        ],
+        aims=[Threshold(name, exact.percent, ALBEDO_THRESHOLD, "%", source)],
         note="Rayleigh's phase function without depolarisation, scalar transfer but in the last "
         "row; gas of optical depth 8 over white ground stands for gas without end, a sphere a "
         "thousand times the Earth for a plane.",
-    )  # fmt: skip
+    )

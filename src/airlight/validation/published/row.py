@@ -2,36 +2,19 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Literal, Protocol
+from typing import Final, Literal
 
-from airlight.errors import AirlightWarning
-from airlight.kernel.threads import Cancel, Progress
-from airlight.planets import Planet
-from airlight.solver import Solution
-from airlight.validation.suite import Mark, ReportTable, Threshold
-
-
-class Solve(Protocol):
-    """Solver of a planet at wavelengths [nm] with a quality; see ``solver``."""
-
-    def __call__(
-        self, planet: Planet, wavelengths: Sequence[float], quality: object, /, *,
-        polarisation: bool = True,
-    ) -> Solution:  # fmt: skip
-        """Solve; scalar transfer without ``polarisation``."""
-        ...
-
+from airlight.validation.suite import Mark, ReportTable, Threshold, cells
 
 Compare = Literal["ratio", "difference"]
 
 #: Headings of a table of rows.
-COLUMNS: Final = ("what", "published", "ours", "ours over it", "stated error", "source")
+COLUMNS: Final = cells("what | published | ours | ours over it | stated error | source")
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class PublishedRow:
     """Published number and that of airlight.
 
@@ -77,13 +60,14 @@ class PublishedRow:
         """Threshold, if the source states an error."""
         if self.error is None:
             return None
-        return Threshold(
-            name=f"{self.what}: difference from the published", got=self.departure,
-            allowed=self.error, unit=self.unit, source=f"error or range that {self.source}, states",
-        )  # fmt: skip
+        name, source = (
+            f"{self.what}: difference from the published",
+            f"error or range that {self.source}, states",
+        )
+        return Threshold(name, self.departure, self.error, self.unit, source)
 
     @property
-    def cells(self) -> tuple[str | float, ...]:
+    def cells(self) -> tuple[str, ...]:
         """Cells under ``COLUMNS``."""
         compared = (
             f"{self.ours / self.published:.3f}"
@@ -91,10 +75,16 @@ class PublishedRow:
             else f"{self.ours - self.published:+.3f}"
         )
         unit = self.unit if self.unit in ("", "°", "′") else f" {self.unit}"
-        return (
-            self.what, self.stated or f"{self.published:.4g}{unit}", f"{self.ours:.4g}{unit}",
-            compared, "" if self.error is None else f"± {self.error:.2g}", self.source,
-        )  # fmt: skip
+        published = self.stated or f"{self.published:.4g}{unit}"
+        error = "" if self.error is None else f"± {self.error:.2g}"
+        return (self.what, published, f"{self.ours:.4g}{unit}", compared, error, self.source)
+
+    @property
+    def mark(self) -> Mark:
+        """Mark of the row in its table."""
+        if self.threshold is None:
+            return ""
+        return "pass" if self.threshold.passed else "fail"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -133,38 +123,6 @@ class PublishedSection:
             title=self.title,
             columns=[heading if name == "ours over it" else name for name in COLUMNS],
             rows=[row.cells for row in self.rows],
-            marks=[_mark(row) for row in self.rows],
+            marks=[row.mark for row in self.rows],
             note=self.note,
         )
-
-
-def _mark(row: PublishedRow) -> Mark:
-    threshold = row.threshold
-    if threshold is None:
-        return ""
-    return "pass" if threshold.passed else "fail"
-
-
-def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:
-    """Solve function with progress and cancellation.
-
-    The cache on disk is not used.
-    """
-    from airlight.solver import solve
-
-    def solved(
-        planet: Planet, wavelengths: Sequence[float], quality: object, /, *,
-        polarisation: bool = True,
-    ) -> Solution:  # fmt: skip
-        def tell(done: int, total: int, message: str) -> None:
-            assert progress is not None
-            progress(done, total, f"{planet.name}, {message}")
-
-        # Its rows say what bands that are left out change.
-        with warnings.catch_warnings(action="ignore", category=AirlightWarning):
-            return solve(
-                planet, wavelengths, quality, solver="moments", polarisation=polarisation,
-                cache=False, progress=None if progress is None else tell, cancel=cancel,
-            )  # fmt: skip
-
-    return solved

@@ -69,24 +69,17 @@ def geometry_of(planet: Planet) -> RefractedGeometry:
 def sunset() -> PublishedSection:
     """Refraction and flattening of preset ``earth``."""
     geometry = geometry_of(load_planet("earth"))
-    source = "Meeus (1998), chapter 16"
+    meeus = "Meeus (1998), chapter"
+    seen = {altitude: 60.0 * refraction(geometry, altitude) for altitude in (0.0, 0.5)}
+    high, flat = "height over width of the sun on the horizon", flattening(geometry)
     return PublishedSection(
         title="Setting sun",
         rows=[
-            PublishedRow(
-                what="refraction on the horizon", unit="′", published=34.0,
-                ours=60.0 * refraction(geometry, 0.0), source="Meeus (1998), chapter 15",
-            ),
-            PublishedRow(
-                what="refraction half a degree above", unit="′", published=28.75,
-                ours=60.0 * refraction(geometry, 0.5), source=source,
-            ),
-            PublishedRow(
-                what="height over width of the sun on the horizon", published=0.84,
-                ours=flattening(geometry), source=f"{source}, equations 3 and 4",
-            ),
+            PublishedRow("refraction on the horizon", 34.0, seen[0.0], f"{meeus} 15", "′"),
+            PublishedRow("refraction half a degree above", 28.75, seen[0.5], f"{meeus} 16", "′"),
+            PublishedRow(high, 0.84, flat, f"{meeus} 16, equations 3 and 4"),
         ],
         note="At sea level in the U.S. Standard Atmosphere, 15 °C; the published numbers are for "
         "10 °C and 1010 hPa, where air bends light by 1.4 % more. The lapse rate near the ground "
         "moves the height by 0.015.",
-    )  # fmt: skip
+    )

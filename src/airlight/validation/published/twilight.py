@@ -62,10 +62,11 @@ SOLAR_V: Final = -26.76
 _SQUARE_ARCSECONDS: Final = np.degrees(3600.0) ** 2
 #: Passband of V at even steps of wavelength, for energy. [nm], [1]
 _V_WAVELENGTHS: Final = np.arange(470.0, 701.0, 10.0)
-_V_PASSBAND: Final = np.array([
-    0.000, 0.030, 0.163, 0.458, 0.780, 0.967, 1.000, 0.973, 0.898, 0.792, 0.684, 0.574, 0.461,
-    0.359, 0.270, 0.197, 0.135, 0.081, 0.045, 0.025, 0.017, 0.013, 0.009, 0.000,
-])  # fmt: skip
+_V_PASSBAND: Final = np.fromstring(
+    "0.000 0.030 0.163 0.458 0.780 0.967 1.000 0.973 0.898 0.792 0.684 0.574 0.461 "
+    "0.359 0.270 0.197 0.135 0.081 0.045 0.025 0.017 0.013 0.009 0.000",
+    sep=" ",
+)
 
 
 def illuminance_seidelmann1992(altitude: float) -> float:

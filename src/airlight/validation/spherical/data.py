@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from airlight.errors import FileError
 from airlight.planets import Planet
 from airlight.validation.cases import CaseLines
 from airlight.validation.reference_earth import reference_earth
+from airlight.validation.reference_files import read_table
 
 FloatArray = NDArray[np.float64]
 
@@ -22,6 +23,13 @@ MONTE_CARLO: Final = "spherical-monte-carlo.csv"
 #: Radiances of Bruneton's implementation of 2017.
 BRUNETON: Final = "bruneton2017-radiances.csv"
 _NM: Final = (680, 550, 440)
+#: Keywords of ``reference_earth`` by the name of the air in the file.
+_AIRS: Final[dict[str, Any]] = {
+    "full-cornette-shanks": {"aerosol": "cornette-shanks"},
+    "full-henyey-greenstein": {"aerosol": "henyey-greenstein"},
+    "rayleigh-only": {"aerosol": None, "ozone": False},
+    "rayleigh-ozone": {"aerosol": None},
+}
 
 
 @dataclass(frozen=True)
@@ -49,16 +57,9 @@ class ReferenceScene:
     @property
     def planet(self) -> Planet:
         """Planet of the radiances."""
-        match self.name:
-            case "full-cornette-shanks":
-                return reference_earth(albedo=self.albedo, aerosol="cornette-shanks")
-            case "full-henyey-greenstein":
-                return reference_earth(albedo=self.albedo, aerosol="henyey-greenstein")
-            case "rayleigh-only":
-                return reference_earth(albedo=self.albedo, aerosol=None, ozone=False)
-            case "rayleigh-ozone":
-                return reference_earth(albedo=self.albedo, aerosol=None)
-        raise FileError(MONTE_CARLO, f"scene {self.name!r} is unknown")
+        if self.name not in _AIRS:
+            raise FileError(MONTE_CARLO, f"scene {self.name!r} is unknown")
+        return reference_earth(albedo=self.albedo, **_AIRS[self.name])
 
     @property
     def title(self) -> str:
@@ -119,13 +120,7 @@ def read_bruneton(folder: Path) -> tuple[FloatArray, FloatArray]:
         Radiance at 680, 550 and 440 nm. [W m⁻² sr⁻¹ nm⁻¹]
     """
     file = folder / BRUNETON
-    try:
-        lines = [x for x in file.read_text(encoding="utf-8").splitlines() if x[:1] not in ("#", "")]
-        table = np.array([[float(x) for x in line.split(",")] for line in lines[1:]])
-    except (OSError, UnicodeDecodeError) as error:
-        raise FileError(file, f"cannot be read: {error}") from error
-    except ValueError as error:
-        raise FileError(file, f"contains a value that is not a number: {error}") from error
+    _, table = read_table(file)
     if table.ndim != 2 or table.shape[1] != 6:
         raise FileError(file, "is not a table of six columns")
     return table[:, :3], table[:, 3:]

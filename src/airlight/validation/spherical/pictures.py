@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,36 +21,43 @@ FloatArray = NDArray[np.float64]
 SUN_EDGES = (0.0, 30.0, 60.0, 75.0, 82.0, 87.0, 89.0, 91.0, 93.0, 95.0, 180.0)
 
 
-def error_scatter(
-    quality: str, suns: FloatArray, errors: FloatArray, channels: NDArray[np.intp],
-    thresholds: tuple[float, float, float],
-) -> ReportPicture:  # fmt: skip
-    """Plot every error over the sun's zenith angle, by wavelength.
+class Errors(NamedTuple):
+    """Errors of one quality, n values.
 
-    Parameters
+    Attributes
     ----------
-    suns, errors : array, shape (n,)
-        Sun zenith angle at the observer [deg]; relative error, signed [1].
+    suns, heights : array, shape (n,)
+        Sun zenith angle [deg] and altitude [m] of the observer.
+    errors : array, shape (n,)
+        Relative errors, signed. [1]
     channels : array of int, shape (n,)
         Indices in ``WAVELENGTHS``.
     thresholds : (float, float, float)
         Allowed median, 95 % quantile and largest error. [1]
     """
-    title = f"Errors against Monte Carlo over sun zenith, {quality} quality"
+
+    quality: str
+    suns: FloatArray
+    heights: FloatArray
+    errors: FloatArray
+    channels: NDArray[np.intp]
+    thresholds: tuple[float, float, float]
+
+
+def error_scatter(found: Errors) -> ReportPicture:
+    """Plot every error over the sun's zenith angle, by wavelength."""
+    title = f"Errors against Monte Carlo over sun zenith, {found.quality} quality"
     figure = new_figure(title, size=(9.0, 4.6))
     axes = figure.add_subplot()
     for channel, ink in enumerate(wavelength_ink(WAVELENGTHS)):
-        chosen = channels == channel
+        chosen = found.channels == channel
         # Shifted slightly, so that one wavelength does not hide the next.
-        axes.plot(
-            suns[chosen] + 0.25 * (channel - 1),
-            100.0 * errors[chosen],
-            ".",
-            color=ink,
-            markersize=2.5,
-            label=f"{WAVELENGTHS[channel]:g} nm",
-        )
-    _threshold_lines(axes, thresholds, signs=(1.0, -1.0))
+        suns, errors = found.suns[chosen] + 0.25 * (channel - 1), 100.0 * found.errors[chosen]
+        name = f"{WAVELENGTHS[channel]:g} nm"
+        axes.plot(suns, errors, ".", color=ink, markersize=2.5, label=name)
+    for sign in (1.0, -1.0):
+        for threshold, style in zip(found.thresholds[1:], ("--", "-"), strict=True):
+            axes.axhline(sign * 100.0 * threshold, color=GREY, linewidth=0.8, linestyle=style)
     axes.set_yscale("symlog", linthresh=0.1, linscale=0.7)
     ticks = [-5.0, -2.0, -1.0, -0.5, -0.1, 0.0, 0.1, 0.5, 1.0, 2.0, 5.0]
     axes.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
@@ -66,23 +73,13 @@ def error_scatter(
     return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 
-def error_histograms(
-    quality: str, suns: FloatArray, heights: FloatArray, errors: FloatArray,
-    thresholds: tuple[float, float, float],
-) -> ReportPicture:  # fmt: skip
-    """Plot the median, 95 % quantile and largest error by sun zenith and by altitude.
-
-    Parameters
-    ----------
-    suns, heights, errors : array, shape (n,)
-        Sun zenith angle [deg], altitude [m], relative error [1].
-    thresholds : (float, float, float)
-        Allowed errors, as in ``error_scatter``. [1]
-    """
-    title = f"Errors by sun zenith and by altitude, {quality} quality"
+def error_histograms(found: Errors) -> ReportPicture:
+    """Plot the median, 95 % quantile and largest error by sun zenith and by altitude."""
+    suns, heights, thresholds = found.suns, found.heights, found.thresholds
+    title = f"Errors by sun zenith and by altitude, {found.quality} quality"
     figure = new_figure(title, size=(9.0, 4.2))
     left, right = figure.subplots(1, 2, sharey=True)
-    size = 100.0 * np.abs(errors)
+    size = 100.0 * np.abs(found.errors)
     groups = []
     for low, high in pairwise(SUN_EDGES):
         name = f"{low:g}–{high:g}" if high < 180.0 else f"> {low:g}"
@@ -115,11 +112,3 @@ def _grouped(
     for k, threshold in enumerate(thresholds):
         axes.axhline(100.0 * threshold, color=PALETTE[k], linewidth=0.9, linestyle="--")
     grid(axes)
-
-
-def _threshold_lines(
-    axes: Axes, thresholds: tuple[float, float, float], signs: tuple[float, ...]
-) -> None:
-    for sign in signs:
-        axes.axhline(sign * 100.0 * thresholds[1], color=GREY, linewidth=0.8, linestyle="--")
-        axes.axhline(sign * 100.0 * thresholds[2], color=GREY, linewidth=0.8)

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Final, Literal
+from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled, FileError
+from airlight.errors import FileError
 from airlight.planets import load_planet
-from airlight.solver import solve
 from airlight.validation.metrics import (
     ErrorSummary,
     beyond_noise,
@@ -27,8 +25,16 @@ from airlight.validation.spherical.data import (
     read_bruneton,
     read_scenes,
 )
-from airlight.validation.spherical.pictures import error_histograms, error_scatter
-from airlight.validation.suite import Cancel, Mark, Part, Progress, ReportTable, Suite, Threshold
+from airlight.validation.spherical.pictures import Errors, error_histograms, error_scatter
+from airlight.validation.suite import (
+    Mark,
+    Part,
+    ReportTable,
+    Suite,
+    SuiteRun,
+    Threshold,
+    cells,
+)
 
 FloatArray = NDArray[np.float64]
 
@@ -41,8 +47,6 @@ MOST_NOISE, LEAST_RADIANCE = 0.01, 1e-6
 #: Errors against Bruneton: away from the sun his tables are good to about 1 %, and we differ there
 #: by up to 3.2 %; on the sun's side they are good to 6 %.
 BRUNETON_THRESHOLDS: Final = {"away": 0.035, "towards": 0.06}
-#: Abscissae of the error plots.
-_AXES: Final[tuple[Literal["sun_zenith", "altitude"], ...]] = ("sun_zenith", "altitude")
 #: Number of worst cases listed.
 WORST = 10
 
@@ -94,50 +98,44 @@ def compare(scene: ReferenceScene, got: FloatArray) -> Comparison:
     return Comparison(scene, got, error, beyond, sure)
 
 
-def spherical(
-    data: Path, *, qualities: tuple[str, ...] = ("default", "fine"),
-    progress: Progress | None = None, cancel: Cancel | None = None,
-) -> Suite:  # fmt: skip
+def spherical(run: SuiteRun, qualities: tuple[str, ...] = ("default", "fine")) -> Suite:
     """Compare with both files of reference radiances.
 
     Parameters
     ----------
-    data : Path
-        Folder of the files.
+    run : SuiteRun
+        With the folder that holds the files.
     qualities : tuple of str
-        Qualities of the moments solver that have thresholds.
+        Qualities of the moments solver, of those that have thresholds.
+
+    Raises
+    ------
+    FileError
+        If neither file is there, or either cannot be read.
     """
+    data = run.folder
     thresholds: list[Threshold] = []
     parts: list[Part] = []
     count = 0
     if (data / MONTE_CARLO).is_file():
         scenes = read_scenes(data)
+        silent = replace(run, progress=None)  # the solver's would make the bar jump
         for quality in qualities:
             comparisons = []
             for done, scene in enumerate(scenes):
-                if progress is not None:
-                    progress(done, len(scenes), f"{quality} quality: {scene.title}")
-                # The solver's own progress would make the bar jump, so scenes are counted.
-                solution = solve(
-                    scene.planet, WAVELENGTHS, quality, polarisation=False, cache=False,
-                    cancel=cancel,
-                )  # fmt: skip
-                got = solution.radiance(**scene.geometry).values
-                comparisons.append(compare(scene, got))
-                if cancel is not None and cancel():
-                    raise Cancelled("cancelled")
+                run.step(done, len(scenes), f"{quality} quality: {scene.title}")
+                solution = silent.solve(scene.planet, WAVELENGTHS, quality, polarisation=False)
+                comparisons.append(compare(scene, solution.radiance(**scene.geometry).values))
             thresholds += _thresholds(quality, comparisons)
             parts += _parts(quality, comparisons)
         count = sum(len(scene.radiance) for scene in scenes)
     if (data / BRUNETON).is_file():
-        table, more = _bruneton(data)
+        table, more = _bruneton(run)
         parts.append(table)
         thresholds += more
     if not thresholds:
         raise FileError(data, f"holds neither {MONTE_CARLO} nor {BRUNETON}")
     return Suite(
-        name="spherical",
-        title="Independent spherical radiances",
         summary=(
             f"The moments solver against a backward Monte Carlo in exact spherical shells ({count} "
             "lines of sight from the ground to space, sun 0° to 96°), and against Bruneton's "
@@ -172,13 +170,7 @@ def _thresholds(quality: str, comparisons: list[Comparison]) -> list[Threshold]:
     )
     source = "accuracy that counts as done, moments"
     return [
-        Threshold(
-            name=f"{quality} quality: {name}",
-            got=100.0 * value,
-            allowed=100.0 * allowed,
-            unit="%",
-            source=source,
-        )
+        Threshold(f"{quality} quality: {name}", 100.0 * value, 100.0 * allowed, "%", source)
         for name, value, allowed in got
     ]
 
@@ -186,51 +178,46 @@ def _thresholds(quality: str, comparisons: list[Comparison]) -> list[Threshold]:
 def _parts(quality: str, comparisons: list[Comparison]) -> list[Part]:
     median, high, largest = THRESHOLDS[quality]
     chance = largest_by_chance(sum(int(x.sure.sum()) for x in comparisons))
-    rows: list[tuple[str | int, ...]] = []
+    rows: list[tuple[str, ...]] = []
     marks: list[Mark] = []
     for one in comparisons:
         s = one.summary
         met = s.median <= median and s.high <= high and one.largest_beyond(chance) <= largest
         marks.append("pass" if met else "fail")
         rows.append(
-            (
-                one.scene.name,
-                f"{one.scene.albedo:g}",
-                s.count,
-                f"{100 * s.median:.3f}",
-                f"{100 * s.high:.3f}",
-                f"{100 * one.largest_beyond(chance):.2f}",
-                f"{100 * one.largest_beyond(NOISE):.2f}",
-                f"{100 * s.largest:.2f}",
+            cells(
+                f"{one.scene.name} | {one.scene.albedo:g} | {s.count} | {100 * s.median:.3f} | "
+                f"{100 * s.high:.3f} | {100 * one.largest_beyond(chance):.2f} | "
+                f"{100 * one.largest_beyond(NOISE):.2f} | {100 * s.largest:.2f}"
             )
         )
     scenes = ReportTable(
         title=f"Errors by scene, {quality} quality",
-        columns=[
-            "air", "albedo", "values", "median [%]", "95 % [%]",
-            f"largest beyond {chance:.1f} s.e. [%]", f"largest beyond {NOISE:g} s.e. [%]",
-            "largest as it is [%]",
-        ],
+        columns=cells(
+            "air | albedo | values | median [%] | 95 % [%] | "
+            f"largest beyond {chance:.1f} s.e. [%] | largest beyond {NOISE:g} s.e. [%] | "
+            "largest as it is [%]"
+        ),
         rows=rows,
         marks=marks,
         note=f"Thresholds: median {100 * median:g} %, 95 % {100 * high:g} %, largest "
         f"{100 * largest:g} % beyond {chance:.1f} of the referee's standard errors (s.e.): the "
         "largest of so many values exceeds that by chance alone in half of all cases.",
-    )  # fmt: skip
-    suns, heights = (
-        np.concatenate(
-            [np.repeat(x.scene.geometry[name][:, None], 3, 1)[x.sure] for x in comparisons]
-        )
-        for name in _AXES
     )
-    errors = np.concatenate([x.error[x.sure] for x in comparisons])
-    channels = np.concatenate([np.nonzero(x.sure)[1] for x in comparisons])
-    return [
-        scenes,
-        error_scatter(quality, suns, errors, channels, THRESHOLDS[quality]),
-        error_histograms(quality, suns, heights, errors, THRESHOLDS[quality]),
-        _worst(quality, comparisons),
-    ]
+    suns, heights = (
+        [np.repeat(x.scene.geometry[name][:, None], 3, 1)[x.sure] for x in comparisons]
+        for name in ("sun_zenith", "altitude")
+    )
+    found = Errors(
+        quality,
+        np.concatenate(suns),
+        np.concatenate(heights),
+        np.concatenate([x.error[x.sure] for x in comparisons]),
+        np.concatenate([np.nonzero(x.sure)[1] for x in comparisons]),
+        THRESHOLDS[quality],
+    )
+    worst = _worst(quality, comparisons)
+    return [scenes, error_scatter(found), error_histograms(found), worst]
 
 
 def _worst(quality: str, comparisons: list[Comparison]) -> ReportTable:
@@ -246,38 +233,33 @@ def _worst(quality: str, comparisons: list[Comparison]) -> ReportTable:
     for _, n, c, one in found[:WORST]:
         where = one.scene.geometry
         known, deviation = one.scene.radiance[n, c], one.scene.standard_error[n, c]
+        off = abs(one.got[n, c] - known)
         rows.append(
-            (
-                one.scene.name,
-                f"{one.scene.albedo:g}",
-                f"{where['altitude'][n] / 1e3:g}",
-                f"{where['sun_zenith'][n]:.3f}",
-                f"{where['view_zenith'][n]:.3f}",
-                f"{where['azimuth'][n]:g}",
-                f"{WAVELENGTHS[c]:g}",
-                f"{one.got[n, c]:.4e}",
-                f"{known:.4e}",
-                f"{deviation:.1e}",
-                f"{100 * (one.got[n, c] / known - 1.0):+.2f}",
-                f"{abs(one.got[n, c] - known) / deviation:.1f}" if deviation > 0.0 else "",
+            cells(
+                f"{one.scene.name} | {one.scene.albedo:g} | {where['altitude'][n] / 1e3:g} | "
+                f"{where['sun_zenith'][n]:.3f} | {where['view_zenith'][n]:.3f} | "
+                f"{where['azimuth'][n]:g} | {WAVELENGTHS[c]:g} | {one.got[n, c]:.4e} | "
+                f"{known:.4e} | {deviation:.1e} | {100 * (one.got[n, c] / known - 1.0):+.2f} | "
+                f"{f'{off / deviation:.1f}' if deviation > 0.0 else ''}"
             )
         )
     return ReportTable(
         title=f"The ten worst cases, {quality} quality",
-        columns=[
-            "air", "albedo", "altitude [km]", "sun zenith [°]", "view zenith [°]", "azimuth [°]",
-            "wavelength [nm]", "ours [sr⁻¹]", "Monte Carlo [sr⁻¹]", "its standard error",
-            "error [%]", "in standard errors",
-        ],
+        columns=cells(
+            "air | albedo | altitude [km] | sun zenith [°] | view zenith [°] | azimuth [°] | "
+            "wavelength [nm] | ours [sr⁻¹] | Monte Carlo [sr⁻¹] | its standard error | error [%] | "
+            "in standard errors"
+        ),
         rows=rows,
         note=f"By error, of those beyond {NOISE:g} standard errors; sun and view at the observer.",
-    )  # fmt: skip
+    )
 
 
-def _bruneton(data: Path) -> tuple[ReportTable, list[Threshold]]:
-    geometry, known = read_bruneton(data)
+def _bruneton(run: SuiteRun) -> tuple[ReportTable, list[Threshold]]:
+    geometry, known = read_bruneton(run.folder)
     sun, view, azimuth = geometry.T
-    solution = solve(load_planet("earth-bruneton"), WAVELENGTHS, polarisation=False, cache=False)
+    bruneton = load_planet("earth-bruneton")
+    solution = run.solve(bruneton, WAVELENGTHS, "default", polarisation=False)
     got = solution.radiance(altitude=0.0, sun_zenith=sun, view_zenith=view, azimuth=azimuth).values
     error = relative_errors(got, known)
     away = (azimuth == 180.0) | ((view == 0.0) & (sun < 85.0))
@@ -286,37 +268,28 @@ def _bruneton(data: Path) -> tuple[ReportTable, list[Threshold]]:
     for where, ours, theirs, one, is_away in zip(geometry, got, known, error, away, strict=True):
         allowed = BRUNETON_THRESHOLDS["away" if is_away else "towards"]
         marks.append("pass" if bool((np.abs(one) <= allowed).all()) else "fail")
-        rows.append(
-            (
-                *(f"{x:g}" for x in where),
-                " ".join(f"{x:.4e}" for x in ours),
-                " ".join(f"{x:.4e}" for x in theirs),
-                " ".join(f"{100 * x:+.2f}" for x in one),
-                f"{100 * allowed:g}",
-            )
-        )
+        radiances = [" ".join(f"{x:.4e}" for x in values) for values in (ours, theirs)]
+        differences = " ".join(f"{100 * x:+.2f}" for x in one)
+        rows.append([*(f"{x:g}" for x in where), *radiances, differences, f"{100 * allowed:g}"])
     table = ReportTable(
         title="Bruneton 2017, observer on the ground",
-        columns=[
-            "sun zenith [°]", "view zenith [°]", "azimuth [°]", "ours, 680 550 440 nm",
-            "Bruneton's [W m⁻² sr⁻¹ nm⁻¹]", "difference [%]", "allowed [%]",
-        ],
+        columns=cells(
+            "sun zenith [°] | view zenith [°] | azimuth [°] | ours, 680 550 440 nm | "
+            "Bruneton's [W m⁻² sr⁻¹ nm⁻¹] | difference [%] | allowed [%]"
+        ),
         rows=rows,
         marks=marks,
         note="His own table error is stated as about 1 % away from the sun and up to 6 % on the "
         "sun's side. Where the Monte Carlo radiances are at hand too, of nearly the same air, the "
         "tables above say whose a difference is.",
-    )  # fmt: skip
-    thresholds = [
-        Threshold(
-            name=f"Bruneton 2017, {name} the sun: largest difference",
-            got=100.0 * summarise(error[chosen]).largest,
-            allowed=100.0 * BRUNETON_THRESHOLDS[key],
-            unit="%",
-            source="the error that his file states, and 3.5 % away from the sun",
-        )
-        for key, name, chosen in (
-            ("away", "away from", away), ("towards", "on the side of", ~away),
-        )
-    ]  # fmt: skip
+    )
+    source = "the error that his file states, and 3.5 % away from the sun"
+    thresholds = []
+    for key, name, chosen in (
+        ("away", "away from", away),
+        ("towards", "on the side of", ~away),
+    ):
+        what = f"Bruneton 2017, {name} the sun: largest difference"
+        largest, allowed = summarise(error[chosen]).largest, BRUNETON_THRESHOLDS[key]
+        thresholds.append(Threshold(what, 100.0 * largest, 100.0 * allowed, "%", source))
     return table, thresholds

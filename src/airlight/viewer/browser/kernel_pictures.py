@@ -120,10 +120,9 @@ class KernelPictures:
         if view["display.automatic"]:
             exposure += frame.exposure
         exposure = min(max(exposure, -_MOST), _MOST)
-        shown = to_display(
-            frame.rgb, exposure, str(view["display.tone_map"]), eye=bool(view["display.eye"]),
-            glare=float(view["display.glare"]), **frame.lens,
-        )  # fmt: skip
+        eye, glare = bool(view["display.eye"]), float(view["display.glare"])
+        tone_map = str(view["display.tone_map"])
+        shown = to_display(frame.rgb, exposure, tone_map, eye=eye, glare=glare, **frame.lens)
         return {"exposure": exposure, "png": _png(shown)}
 
 

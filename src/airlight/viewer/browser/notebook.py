@@ -20,7 +20,7 @@ from airlight.viewer.browser.kernel_pictures import KernelPictures, Order
 from airlight.viewer.browser.modules import join_modules, web_file
 from airlight.viewer.browser.package import program, solution_package
 from airlight.viewer.gallery.thumbnails import thumbnail_address
-from airlight.viewer.navigation.first_view import first_view
+from airlight.viewer.navigation.viewpoints import view_in
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 
@@ -34,7 +34,7 @@ except ImportError as error:
 def _first_session(planet: str | Path) -> Session:
     """Session on a planet in its initial view, with an empty history."""
     session = Session(planet)
-    session.move(first_view(session))
+    session.move(view_in(session))
     session.forget_steps()
     return session
 

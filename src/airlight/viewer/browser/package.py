@@ -7,6 +7,8 @@ The names are those of ``gpu.picture.uniforms`` and ``gpu.picture.shaders``; the
 
 from __future__ import annotations
 
+import base64
+import io
 from typing import Any, Final
 
 import numpy as np
@@ -14,6 +16,7 @@ from numpy.typing import NDArray
 
 from airlight.image.display import DEFAULT_TONE_MAP
 from airlight.image.gamut import PRIMARIES
+from airlight.image.texels import DECODED
 from airlight.image.xyz import rgb_to_xyz
 from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.render.gpu.device.flat import FORMATS
@@ -41,12 +44,13 @@ from airlight.render.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.render.pixels.view_uniforms import ORDERS, display_uniforms, overlay_uniforms
 from airlight.scene.ground_overlay import ground_overlay
+from airlight.scene.map_levels import reduced
 from airlight.scene.metering import METERED
+from airlight.scene.moon_light import MoonLight
 from airlight.scene.projections import PROJECTIONS
-from airlight.scene.surface_map import surface_map
+from airlight.scene.star_light import StarLight
+from airlight.scene.surface_map import SurfaceMap, surface_map
 from airlight.solver.moments.solution import MomentsSolution
-from airlight.viewer.browser.ground_map import ground_map
-from airlight.viewer.browser.second_light_data import second_light_data
 from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
 from airlight.viewer.navigation.viewpoints import as_json as viewpoints
 from airlight.viewer.parameters.view_parameters import VIEW_VALUES
@@ -57,6 +61,14 @@ Float32Array = NDArray[np.float32]
 _FORMAT: Final = FORMATS[4]
 #: Number of levels of glare's pyramid: those of the largest canvas, 8192 pixels.
 LEVELS: Final = 12
+#: Widest map that is embedded; a wider one is reduced to this width. [pixel]
+_WIDEST: Final = 2048
+_QUALITY: Final = 90
+#: Temperatures, even in their reciprocal, in which the logarithm of a black body's light is almost
+#: straight; they span those of the view's control. [K]
+TEMPERATURES: Final = tuple((1.0 / np.linspace(1.0 / 1500.0, 1.0 / 40000.0, 25)).tolist())
+#: Digits that are kept.
+_DIGITS: Final = 6
 #: Number of altitudes at which the optical radius is tabulated.
 _RADII: Final = 1024
 
@@ -261,3 +273,110 @@ def refracted_geometry(solution: MomentsSolution) -> dict[str, Any] | None:
             "shape": [*geometry.refraction_table.shape[:2], 1],
         },
     }
+
+
+def second_light_data(solution: MomentsSolution) -> dict[str, Any]:
+    """Data of a second light for ``web/drawing/lights.js``, per squared sine of its radius.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution at three or four wavelengths.
+
+    Returns
+    -------
+    dict
+        ``irradiance`` of the planet's own star [W m⁻² nm⁻¹], shape (nl,); ``moon``: albedo,
+        shape (nl,), and weights to linear sRGB, shape (3·nl,); ``stars``, by temperature:
+        ``temperature`` [K], logarithm of the irradiance, weights, and darkening, shape (6·4,).
+    """
+    own = solution.lights
+    full = MoonLight(zenith=0.0, angular_radius=30.0).source(own)
+    stars = []
+    for temperature in TEMPERATURES:
+        light = StarLight(zenith=0.0, star=StarLight.black_body(temperature, 30.0)).source(own)
+        law = np.zeros((light.darkenings.shape[1], WAVELENGTHS))
+        law[:, : light.wavelengths.size] = light.darkenings.T
+        stars.append(
+            {
+                "temperature": temperature,
+                "irradiance": _short(np.log(4.0 * light.irradiance)),
+                "weights": _short(light.colors() / light.irradiance[:, None]),
+                "darkening": _short(law),
+            }
+        )
+    return {
+        "irradiance": _short(own[0].irradiance),
+        "moon": {
+            "albedo": _short(4.0 * full.irradiance / own[0].irradiance),
+            "weights": _short(full.colors() / full.irradiance[:, None]),
+        },
+        "stars": stars,
+    }
+
+
+def _short(values: FloatArray) -> list[float]:
+    return [float(f"{x:.{_DIGITS}g}") for x in values.ravel()]
+
+
+def ground_map(found: SurfaceMap | None, *, lossless: bool = False) -> dict[str, Any] | None:
+    """Ground map, or overlay, for ``web/drawing/ground.js``.
+
+    Parameters
+    ----------
+    found : SurfaceMap or None
+        Ground map or overlay.
+    lossless : bool
+        Whether compression is lossless, as for city lights: JPEG artefacts around a town would
+        brighten a dark sea, and lossless grey images are hardly larger.
+
+    Returns
+    -------
+    dict or None
+        ``image``, a data URL; ``water``, a data URL of the water fraction, or None; ``rows`` and
+        ``columns``; ``decoded``, linear values of the 256 encoded values [1]. None without a
+        map.
+    """
+    if found is None:
+        return None
+    texels = found.levels[0]
+    if texels.shape[1] > _WIDEST:
+        texels = reduced(texels, _WIDEST // 2, _WIDEST)
+    rows, columns = texels.shape[:2]
+    return {
+        "image": _colors(texels[..., :3], lossless),
+        "water": _water(texels[..., 3]),
+        "rows": rows,
+        "columns": columns,
+        "decoded": [float(x) for x in DECODED[0]],
+    }
+
+
+def _colors(pixels: NDArray[np.uint8], lossless: bool) -> str:
+    """Data URL of a JPEG, or of a PNG if lossless."""
+    from PIL import Image
+
+    room = io.BytesIO()
+    grey = np.ptp(pixels, axis=2).max() == 0
+    image = Image.fromarray(np.ascontiguousarray(pixels[..., 0] if grey else pixels))
+    if lossless:
+        image.save(room, "PNG", optimize=True)
+        return _as_address("png", room.getvalue())
+    # No subsampling of colours: coasts would lose their water's.
+    image.save(room, "JPEG", quality=_QUALITY, subsampling=0, optimize=True)
+    return _as_address("jpeg", room.getvalue())
+
+
+def _water(shares: NDArray[np.uint8]) -> str | None:
+    """Data URL of a lossless grey image of the water fraction; None without water."""
+    from PIL import Image
+
+    if not shares.any():
+        return None
+    room = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(shares)).save(room, "PNG", optimize=True)
+    return _as_address("png", room.getvalue())
+
+
+def _as_address(kind: str, content: bytes) -> str:
+    return f"data:image/{kind};base64,{base64.b64encode(content).decode('ascii')}"

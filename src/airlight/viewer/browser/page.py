@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import base64
+import html
+import io
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from string import Template
 from typing import Any, Final
 
 import numpy as np
@@ -13,25 +17,41 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.files.atomic_file import atomic_file, check_target
+from airlight.image.display import to_display
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import texel_wavelengths
+from airlight.render import render
 from airlight.render.solve_planet import solve_planet
 from airlight.solver.moments.harmonics import moment_count
-from airlight.viewer.browser.first_view import first_view as first_picture
+from airlight.viewer.browser.modules import join_modules, web_file
 from airlight.viewer.browser.package import program, solution_package
 from airlight.viewer.browser.page_solver import MOST, solver_data
-from airlight.viewer.browser.page_text import page_text
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
-from airlight.viewer.navigation.first_view import first_view
+from airlight.viewer.navigation.viewpoints import view_in
 from airlight.viewer.parameters.amounts import amounts_of
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.sun_clock import OF_DATE
-from airlight.viewer.parameters.view_parameters import VIEW_VALUES
+from airlight.viewer.parameters.view_parameters import VIEW_VALUES, scene_of, uniforms_of
 from airlight.viewer.session.session import Session
 
 #: Largest size of a page. [byte]
 LARGEST: Final = 5_000_000
+#: Size of the picture, of which a browser shows the part that its window has: a square holds what a
+#: window of any shape, wider than high, sees. [pixel]
+SIDE: Final = 840
+#: Largest size of the file. [byte]
+LARGEST_PICTURE: Final = 60_000
+#: Content security policy: nothing may be loaded, only inline script and style are allowed.
+_POLICY: Final = (
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:"
+)
+
+#: Picture and words that stand before the script and the data, which a browser reads later.
+_FIRST: Final = Template(
+    '<img class="airlight-first" src="$address" alt="" style="object-fit: $fit">'
+    '<div class="airlight-over airlight-progress">preview — loading</div>'
+)
 #: Note of a page about the planet's parameters.
 NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
 
@@ -182,7 +202,7 @@ def export_page(
     check_target(output)
     session = Session(planet)
     if not any(path.startswith("view.") for path in view or {}):
-        session.move(first_view(session))
+        session.move(view_in(session))
     for path, value in (view or {}).items():
         if path not in {one.path for one in page_parameters()}:
             known = ", ".join(one.path for one in page_parameters())
@@ -212,3 +232,90 @@ def export_page(
     with atomic_file(output) as place:
         place.write_bytes(content)
     return Page(Path(output), len(content), level)
+
+
+def first_picture(
+    solution: Any,
+    values: Mapping[str, Value],
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> dict[str, str]:
+    """Embedded image of a view.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution embedded in the page.
+    values : mapping
+        View values by path.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    dict
+        ``address``: WebP as a ``data:`` URI; ``fit``: how it fills the window, in CSS: ``cover`` in
+        perspective, ``contain`` for projections with a fixed aspect ratio.
+    """
+    scene = scene_of(values, SIDE, SIDE)
+    frame = render(
+        solution, scene, orders=str(values["light.orders"]), progress=progress, cancel=cancel
+    )
+    exposure = float(values["display.exposure"])
+    if values["display.automatic"]:
+        exposure += frame.exposure
+    tone_map, glare = str(values["display.tone_map"]), float(values["display.glare"])
+    eye = bool(uniforms_of(values)["eye"])
+    pixels = to_display(frame.rgb, exposure, tone_map, eye=eye, glare=glare, **frame.lens)
+    perspective = values["view.projection"] == "perspective"
+    return {
+        "address": "data:image/webp;base64," + base64.b64encode(_webp(pixels)).decode(),
+        "fit": "cover" if perspective else "contain",
+    }
+
+
+def _webp(pixels: Any) -> bytes:
+    """WebP in the best quality within the size limit."""
+    from PIL import Image
+
+    picture, content = Image.fromarray(pixels), b""
+    for quality in (96, 90, 80, 60, 30, 10):
+        file = io.BytesIO()
+        picture.save(file, "WEBP", quality=quality, method=4)
+        content = file.getvalue()
+        if 4 * len(content) // 3 <= LARGEST_PICTURE:
+            break
+    return content
+
+
+def page_text(title: str, data: Mapping[str, Any], first: Mapping[str, str] | None = None) -> str:
+    """Text of a page.
+
+    Parameters
+    ----------
+    title : str
+        Title of the page.
+    data : mapping
+        Data for ``web/main.js``, as JSON values.
+    first : mapping, optional
+        Image that is shown immediately, see ``first_picture``.
+
+    Returns
+    -------
+    str
+        Text in HTML.
+    """
+    # Within a script element "</" could end it, and "<!--" could start a comment.
+    carried = json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+    script = join_modules("main.js")
+    if "</script" in script.lower() or "<!--" in script:
+        raise AssertionError("the viewer's script holds the end of a script element")
+    return Template(web_file("page.html")).substitute(
+        title=html.escape(title),
+        policy=_POLICY,
+        style=web_file("style.css"),
+        first="" if first is None else _FIRST.substitute(first),
+        data=carried,
+        script=script,
+    )

@@ -43,9 +43,9 @@ from airlight.viewer.browser.web_shaders import solver_shaders
 MOST: Final = 10.0
 #: Names in the picture of the solver plan's tables that it shares.
 SHARED: Final = {
-    "first_nodes": "first_nodes", "row": "row", "place": "place", "start": "harmonic",
-    "ahead": "ahead", "back": "back",
-}  # fmt: skip
+    **{name: name for name in ("first_nodes", "row", "place", "ahead", "back")},
+    "start": "harmonic",
+}
 _TOLERANCE: Final = 2e-3
 #: Factor of the extinction of thick air for which a page's nodes and rays are placed, and beyond
 #: which it solves no edit: light under the clouds of Venus errs by 14 % where they are twice as

@@ -18,7 +18,7 @@ WIDTH: Final = 240
 HEIGHT: Final = 135
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Look:
     """Observer, sun and camera of a thumbnail.
 
@@ -62,32 +62,28 @@ class Look:
             altitude = -self.altitude * planet.bottom_radius
         zenith = horizon_zenith(altitude, planet.bottom_radius) + self.below_horizon
         camera = Camera(
-            width=width, height=height, field_of_view=self.field_of_view,
-            look_zenith=min(max(zenith, 0.0), 180.0), look_azimuth=self.aside,
-        )  # fmt: skip
-        return Scene(
-            camera=camera, altitude=altitude, sun_zenith=self.sun_zenith, latitude=self.latitude,
-            longitude=self.longitude, sun_azimuth=self.sun_azimuth,
-        )  # fmt: skip
+            width=width,
+            height=height,
+            field_of_view=self.field_of_view,
+            look_zenith=min(max(zenith, 0.0), 180.0),
+            look_azimuth=self.aside,
+        )
+        names = ("sun_zenith", "latitude", "longitude", "sun_azimuth")
+        given = {name: getattr(self, name) for name in names}
+        return Scene(camera=camera, altitude=altitude, **given)
 
 
 #: Limb from above the air; air over ground from above; the low sun from the ground; a day on the
 #: ground; the sky after sunset; the whole planet, half lit.
-_LIMB: Final = Look(
-    altitude=12.0, below_horizon=11.0, aside=-58.0, sun_zenith=74.0, latitude=34.0,
-    longitude=14.0, sun_azimuth=110.0,
-)  # fmt: skip
-_ABOVE: Final = Look(altitude=4.0, below_horizon=14.0, aside=60.0, sun_zenith=62.0)
-_SUNSET: Final = Look(altitude=2e-5, below_horizon=-8.0, aside=8.0, sun_zenith=86.0)
-_DAY: Final = Look(altitude=2e-5, below_horizon=-12.0, aside=60.0, sun_zenith=65.0)
-_DUSK: Final = Look(altitude=2e-5, below_horizon=-14.0, aside=0.0, sun_zenith=93.0)
-_WHOLE: Final = Look(
-    altitude=-3.2, below_horizon=180.0, aside=0.0, sun_zenith=62.0, field_of_view=58.0,
-    latitude=20.0, longitude=15.0, sun_azimuth=250.0,
-)  # fmt: skip
+_LIMB: Final = Look(12.0, 11.0, -58.0, 74.0, latitude=34.0, sun_azimuth=110.0)
+_ABOVE: Final = Look(4.0, 14.0, 60.0, 62.0)
+_SUNSET: Final = Look(2e-5, -8.0, 8.0, 86.0)
+_DAY: Final = Look(2e-5, -12.0, 60.0, 65.0)
+_DUSK: Final = Look(2e-5, -14.0, 0.0, 93.0)
+_WHOLE: Final = Look(-3.2, 180.0, 0.0, 62.0, 58.0, latitude=20.0, longitude=15.0, sun_azimuth=250.0)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Preset:
     """Preset of the gallery.
 
@@ -112,37 +108,33 @@ class Preset:
     look: Look
 
 
-def _preset(name: str, label: str, family: str, kind: Kind, look: Look) -> Preset:
-    return Preset(name=name, label=label, family=family, kind=kind, look=look)
-
-
 #: All presets in the order of the gallery: by family, within one the planet itself first.
 PRESETS: Final = (
-    _preset("earth", "Earth", "Earth", "reference", _LIMB),
-    _preset("earth-hazy", "hazy", "Earth", "variation", _ABOVE),
-    _preset("earth-volcanic", "after an eruption", "Earth", "variation", _DUSK),
-    _preset("early-earth", "2.7 billion years ago", "Earth", "variation", _WHOLE),
-    _preset("earth-atmosphere-plus", "Atmosphere Plus", "Earth", "literature", _LIMB),
-    _preset("earth-atmosphere-plus-2025", "Atmosphere Plus 2025", "Earth", "literature", _LIMB),
-    _preset(
+    Preset("earth", "Earth", "Earth", "reference", _LIMB),
+    Preset("earth-hazy", "hazy", "Earth", "variation", _ABOVE),
+    Preset("earth-volcanic", "after an eruption", "Earth", "variation", _DUSK),
+    Preset("early-earth", "2.7 billion years ago", "Earth", "variation", _WHOLE),
+    Preset("earth-atmosphere-plus", "Atmosphere Plus", "Earth", "literature", _LIMB),
+    Preset("earth-atmosphere-plus-2025", "Atmosphere Plus 2025", "Earth", "literature", _LIMB),
+    Preset(
         "earth-atmosphere-plus-literal", "Atmosphere Plus, as printed", "Earth", "literature", _LIMB
     ),
-    _preset("earth-bruneton", "Bruneton 2017", "Earth", "literature", _LIMB),
-    _preset("earth-openspace", "OpenSpace", "Earth", "literature", _LIMB),
-    _preset("earth-openspace-advanced", "OpenSpace, advanced", "Earth", "literature", _LIMB),
-    _preset("earth-openspace-dense", "OpenSpace, twice the air", "Earth", "literature", _LIMB),
-    _preset(
+    Preset("earth-bruneton", "Bruneton 2017", "Earth", "literature", _LIMB),
+    Preset("earth-openspace", "OpenSpace", "Earth", "literature", _LIMB),
+    Preset("earth-openspace-advanced", "OpenSpace, advanced", "Earth", "literature", _LIMB),
+    Preset("earth-openspace-dense", "OpenSpace, twice the air", "Earth", "literature", _LIMB),
+    Preset(
         "earth-openspace-depolarisation", "OpenSpace, depolarised", "Earth", "literature", _LIMB
     ),
-    _preset("earth-openspace-dust", "OpenSpace, 6 times the dust", "Earth", "literature", _LIMB),
-    _preset("earth-openspace-refractive", "OpenSpace, refractive", "Earth", "literature", _LIMB),
-    _preset("mars", "Mars", "Mars", "reference", _SUNSET),
-    _preset("mars-rayleigh", "without dust", "Mars", "variation", _DAY),
-    _preset("mars-standard", "by coefficients", "Mars", "variation", _DAY),
-    _preset("mars-openspace", "OpenSpace", "Mars", "literature", _DAY),
-    _preset("venus", "Venus", "Venus", "reference", _WHOLE),
-    _preset("titan", "Titan", "Titan", "reference", _WHOLE),
-    _preset("exoplanet", "TRAPPIST-1 e", "exoplanets", "reference", _SUNSET),
+    Preset("earth-openspace-dust", "OpenSpace, 6 times the dust", "Earth", "literature", _LIMB),
+    Preset("earth-openspace-refractive", "OpenSpace, refractive", "Earth", "literature", _LIMB),
+    Preset("mars", "Mars", "Mars", "reference", _SUNSET),
+    Preset("mars-rayleigh", "without dust", "Mars", "variation", _DAY),
+    Preset("mars-standard", "by coefficients", "Mars", "variation", _DAY),
+    Preset("mars-openspace", "OpenSpace", "Mars", "literature", _DAY),
+    Preset("venus", "Venus", "Venus", "reference", _WHOLE),
+    Preset("titan", "Titan", "Titan", "reference", _WHOLE),
+    Preset("exoplanet", "TRAPPIST-1 e", "exoplanets", "reference", _SUNSET),
 )
 
 

@@ -17,9 +17,6 @@ from airlight.viewer.session.history import MOST_STEPS, TOGETHER
 
 Host = Literal["window", "page"]
 
-#: Hosts of a row that every host has.
-_ALL: Final[tuple[Host, ...]] = ("window", "page")
-
 #: Speeds, factors and limits of the controls.
 RATES: Final[Mapping[str, float]] = {
     "fly": RATE,  # distances to the ground per second [1/s]
@@ -39,111 +36,112 @@ RATES: Final[Mapping[str, float]] = {
 }
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Row:
     """Line of the help and its bindings.
 
     Attributes
     ----------
-    group : str
-        Heading of the row in the help.
     keys, text : str
         Keys or gestures, and their effect, as the help shows them.
+    hosts : tuple of str
+        Hosts that offer the row.
     held : mapping from str to (str, float)
         Movement while a key is down: axis and sign, by the key's name in lower case.
     factors : mapping from str to float
         Speed factors of keys while they are down. [1]
     once : mapping from str to str
         Commands by key, its name prefixed with ``Control+`` and ``Shift+``.
-    hosts : tuple of str
-        Hosts that offer the row.
     """
 
-    group: str
     keys: str
     text: str
+    hosts: tuple[Host, ...] = ("window", "page")
     held: Mapping[str, tuple[str, float]] = field(default_factory=dict)
     factors: Mapping[str, float] = field(default_factory=dict)
     once: Mapping[str, str] = field(default_factory=dict)
-    hosts: tuple[Host, ...] = _ALL
 
 
 _WINDOW: Final[tuple[Host, ...]] = ("window",)
 _PAGE: Final[tuple[Host, ...]] = ("page",)
 
-_FLY: Final = (
-    Row(group="Fly", keys="drag", text="look around"),
-    Row(group="Fly", keys="W S, ↑ ↓", text="ahead, back",
-        held={"w": ("ahead", 1.0), "s": ("ahead", -1.0),
-              "arrowup": ("ahead", 1.0), "arrowdown": ("ahead", -1.0)}),
-    Row(group="Fly", keys="A D, ← →", text="left, right",
-        held={"a": ("right", -1.0), "d": ("right", 1.0),
-              "arrowleft": ("right", -1.0), "arrowright": ("right", 1.0)}),
-    Row(group="Fly", keys="E Q, Page ↑ ↓", text="up, down",
-        held={"e": ("up", 1.0), "q": ("up", -1.0),
-              "pageup": ("up", 1.0), "pagedown": ("up", -1.0)}),
-    Row(group="Fly", keys="wheel", text="towards the ground, or away", hosts=_WINDOW),
-    Row(group="Fly", keys="wheel, pinch", text="towards the ground, or away", hosts=_PAGE),
-    Row(group="Fly", keys="Shift, Alt", text="four times as fast, as slow, the wheel too",
-        factors={"shift": 4.0, "alt": 0.25}),
-    Row(group="Fly", keys="Ctrl", text="as Alt, once a key is down",
-        factors={"control": 0.25}, hosts=_WINDOW),
-    Row(group="Fly", keys="I K, J L", text="look up, down, left, right",
-        held={"i": ("tilt", -1.0), "k": ("tilt", 1.0), "j": ("turn", -1.0), "l": ("turn", 1.0)}),
-    Row(group="Fly", keys="N M, Ctrl+wheel", text="narrower, wider field of view",
-        held={"n": ("widen", -1.0), "m": ("widen", 1.0)}),
-    Row(group="Fly", keys=f"1 … {len(VIEWPOINTS)}",
-        text=", ".join(one.name for one in VIEWPOINTS),
-        once={str(n): f"viewpoint {n}" for n in range(1, len(VIEWPOINTS) + 1)}),
-)  # fmt: skip
 
-_LIGHT: Final = (
-    Row(group="Light", keys="right drag", text="move the sun; with Ctrl or Shift any drag does"),
-    Row(group="Light", keys="T", text="let time pass, or stop it", once={"t": "time"}),
-    Row(group="Light", keys="+ −", text="brighter, darker by a third of a stop",
-        once={"+": "brighter", "=": "brighter", "Shift+=": "brighter", "Shift++": "brighter",
-              "-": "darker"}),
-    Row(group="Light", keys="X", text="automatic exposure", once={"x": "automatic exposure"}),
-)  # fmt: skip
+def _moved(axis: str, forwards: str, backwards: str) -> dict[str, tuple[str, float]]:
+    """Movements of keys, by their names with a space between."""
+    signs = ((forwards, 1.0), (backwards, -1.0))
+    return {key: (axis, sign) for keys, sign in signs for key in keys.split()}
 
-_READ: Final = (
-    Row(group="Read and compare", keys="P, click", text="probe: spectrum and colour of a point",
-        once={"p": "probe"}, hosts=_WINDOW),
-    Row(group="Read and compare", keys="P", text="probe: light and colour where one points",
-        once={"p": "probe"}, hosts=_PAGE),
-    Row(group="Read and compare", keys="B", text="keep this planet and view as B",
-        once={"b": "keep as b"}),
-    Row(group="Read and compare", keys="C", text="A and B side by side, with a line to drag",
-        once={"c": "compare"}, hosts=_WINDOW),
-    Row(group="Read and compare", keys="V", text="change A and B over", once={"v": "swap"}),
-)  # fmt: skip
 
-_EDIT: Final = (
-    Row(group="Edit", keys="G", text="gallery of planets", once={"g": "gallery"}, hosts=_WINDOW),
-    Row(group="Edit", keys="Ctrl+click", text="type a number into a slider", hosts=_WINDOW),
-    Row(group="Edit", keys="Ctrl+Z", text="undo", once={"Control+z": "undo"}),
-    Row(group="Edit", keys="Ctrl+Y", text="redo; Ctrl+Shift+Z too",
-        once={"Control+y": "redo", "Control+Shift+z": "redo"}),
-    Row(group="Edit", keys="Ctrl+S", text="save the picture", once={"Control+s": "save picture"}),
-    Row(group="Edit", keys="Ctrl+Shift+S", text="save the planet file",
-        once={"Control+Shift+s": "save planet"}, hosts=_WINDOW),
-    Row(group="Edit", keys="U", text="copy a link to what is shown", once={"u": "copy link"}),
-    Row(group="Edit", keys="O", text="film of the moving sun, from here", once={"o": "film"},
-        hosts=_WINDOW),
-    Row(group="Edit", keys="O", text="film: start, and end", once={"o": "film"}, hosts=_PAGE),
-    Row(group="Edit", keys="Tab", text="hide or show the panels", once={"Tab": "panels"}),
-    Row(group="Edit", keys="F, F11", text="fullscreen", hosts=_WINDOW,
-        once={"f": "fullscreen", "F11": "fullscreen"}),
-    Row(group="Edit", keys="F", text="fullscreen", once={"f": "fullscreen"}, hosts=_PAGE),
-    Row(group="Edit", keys="Esc", text="close what is open, leave fullscreen, show the panels",
-        once={"Escape": "leave"}),
-    Row(group="Edit", keys="F1, H", text="this help", once={"F1": "help", "h": "help"}),
-    Row(group="Edit", keys="Ctrl+Q", text="close the window", once={"Control+q": "close"},
-        hosts=_WINDOW),
-)  # fmt: skip
-
-#: All rows, in the order of the help.
-TABLE: Final = (*_FLY, *_LIGHT, *_READ, *_EDIT)
+#: All rows by their heading, in the order of the help.
+TABLE: Final[dict[str, tuple[Row, ...]]] = {
+    "Fly": (
+        Row("drag", "look around"),
+        Row("W S, ↑ ↓", "ahead, back", held=_moved("ahead", "w arrowup", "s arrowdown")),
+        Row("A D, ← →", "left, right", held=_moved("right", "d arrowright", "a arrowleft")),
+        Row("E Q, Page ↑ ↓", "up, down", held=_moved("up", "e pageup", "q pagedown")),
+        Row("wheel", "towards the ground, or away", _WINDOW),
+        Row("wheel, pinch", "towards the ground, or away", _PAGE),
+        Row(
+            "Shift, Alt",
+            "four times as fast, as slow, the wheel too",
+            factors={"shift": 4.0, "alt": 0.25},
+        ),
+        Row("Ctrl", "as Alt, once a key is down", _WINDOW, factors={"control": 0.25}),
+        Row(
+            "I K, J L",
+            "look up, down, left, right",
+            held=_moved("tilt", "k", "i") | _moved("turn", "l", "j"),
+        ),
+        Row("N M, Ctrl+wheel", "narrower, wider field of view", held=_moved("widen", "m", "n")),
+        Row(
+            f"1 … {len(VIEWPOINTS)}",
+            ", ".join(one.name for one in VIEWPOINTS),
+            once={str(n): f"viewpoint {n}" for n in range(1, len(VIEWPOINTS) + 1)},
+        ),
+    ),
+    "Light": (
+        Row("right drag", "move the sun; with Ctrl or Shift any drag does"),
+        Row("T", "let time pass, or stop it", once={"t": "time"}),
+        Row(
+            "+ −",
+            "brighter, darker by a third of a stop",
+            once=dict.fromkeys(("+", "=", "Shift+=", "Shift++"), "brighter") | {"-": "darker"},
+        ),
+        Row("X", "automatic exposure", once={"x": "automatic exposure"}),
+    ),
+    "Read and compare": (
+        Row("P, click", "probe: spectrum and colour of a point", _WINDOW, once={"p": "probe"}),
+        Row("P", "probe: light and colour where one points", _PAGE, once={"p": "probe"}),
+        Row("B", "keep this planet and view as B", once={"b": "keep as b"}),
+        Row("C", "A and B side by side, with a line to drag", _WINDOW, once={"c": "compare"}),
+        Row("V", "change A and B over", once={"v": "swap"}),
+    ),
+    "Edit": (
+        Row("G", "gallery of planets", _WINDOW, once={"g": "gallery"}),
+        Row("Ctrl+click", "type a number into a slider", _WINDOW),
+        Row("Ctrl+Z", "undo", once={"Control+z": "undo"}),
+        Row(
+            "Ctrl+Y",
+            "redo; Ctrl+Shift+Z too",
+            once=dict.fromkeys(("Control+y", "Control+Shift+z"), "redo"),
+        ),
+        Row("Ctrl+S", "save the picture", once={"Control+s": "save picture"}),
+        Row(
+            "Ctrl+Shift+S", "save the planet file", _WINDOW, once={"Control+Shift+s": "save planet"}
+        ),
+        Row("U", "copy a link to what is shown", once={"u": "copy link"}),
+        Row("O", "film of the moving sun, from here", _WINDOW, once={"o": "film"}),
+        Row("O", "film: start, and end", _PAGE, once={"o": "film"}),
+        Row("Tab", "hide or show the panels", once={"Tab": "panels"}),
+        Row("F, F11", "fullscreen", _WINDOW, once=dict.fromkeys(("f", "F11"), "fullscreen")),
+        Row("F", "fullscreen", _PAGE, once={"f": "fullscreen"}),
+        Row(
+            "Esc", "close what is open, leave fullscreen, show the panels", once={"Escape": "leave"}
+        ),
+        Row("F1, H", "this help", once=dict.fromkeys(("F1", "h"), "help")),
+        Row("Ctrl+Q", "close the window", _WINDOW, once={"Control+q": "close"}),
+    ),
+}
 
 
 def rows_of(host: Host) -> tuple[Row, ...]:
@@ -154,7 +152,7 @@ def rows_of(host: Host) -> tuple[Row, ...]:
     >>> any("compare" in row.once.values() for row in rows_of("page"))
     False
     """
-    return tuple(row for row in TABLE if host in row.hosts)
+    return tuple(row for rows in TABLE.values() for row in rows if host in row.hosts)
 
 
 def _together(name: str, host: Host) -> dict[str, Any]:
@@ -181,11 +179,11 @@ def chord(key: str, *, control: bool, shift: bool) -> str:
 
 def as_json(host: Host) -> dict[str, Any]:
     """Table for a page: ``help`` by group, bindings as in ``Row``, ``rates``."""
-    found: dict[str, list[list[str]]] = {}
-    for row in rows_of(host):
-        found.setdefault(row.group, []).append([row.keys, row.text])
     return {
-        "help": [[group, lines] for group, lines in found.items()],
+        "help": [
+            [group, [[row.keys, row.text] for row in rows if host in row.hosts]]
+            for group, rows in TABLE.items()
+        ],
         **{name: _together(name, host) for name in ("held", "factors", "once")},
         "rates": dict(RATES),
     }

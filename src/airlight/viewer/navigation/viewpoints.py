@@ -7,10 +7,13 @@ and 0°. Views of the whole planet have north up.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Any, Final
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from airlight.scene.observer import horizon_zenith
+
+if TYPE_CHECKING:
+    from airlight.viewer.session.editing import Editing
 
 #: Latitude and longitude where the viewer begins, positive north and east: the eastern coast of the
 #: Red Sea, with the sea towards the setting sun. [deg]
@@ -19,8 +22,7 @@ PLACE: Final = (27.5, 35.5)
 _FAR: Final = 2.4
 
 
-@dataclass(frozen=True, kw_only=True)
-class Viewpoint:
+class Viewpoint(NamedTuple):
     """Observer, camera and sun of a preset.
 
     Attributes
@@ -50,24 +52,30 @@ class Viewpoint:
 
 #: Presets; in an atmosphere of 100 km their altitudes are 2 m, 12 km, 35 km, 400 km.
 VIEWPOINTS: Final = (
-    Viewpoint(name="ground", sentence="the sky from the ground", altitude=2e-5,
-              below_horizon=-8.0, heading=300.0, sun_zenith=60.0, sun_bearing=240.0),
-    Viewpoint(name="flight", sentence="haze over the ground, as from an airliner at 12 km",
-              altitude=0.12, below_horizon=6.0, heading=325.0, sun_zenith=75.0,
-              sun_bearing=255.0),
-    Viewpoint(name="aloft", sentence="the limb from within the air, as from a balloon at 35 km",
-              altitude=0.35, below_horizon=2.0, heading=315.0, sun_zenith=70.0,
-              sun_bearing=250.0),
-    Viewpoint(name="orbit", sentence="the limb from above the air, as from 400 km",
-              altitude=4.0, below_horizon=4.0, heading=325.0, sun_zenith=72.0,
-              sun_bearing=255.0),
-    Viewpoint(name="crescent", sentence="the whole planet, lit from behind", altitude=-_FAR,
-              below_horizon=math.inf, heading=0.0, sun_zenith=120.0, sun_bearing=285.0),
-    Viewpoint(name="planet", sentence="the whole planet, north at the top", altitude=-_FAR,
-              below_horizon=math.inf, heading=0.0, sun_zenith=50.0, sun_bearing=240.0),
-    Viewpoint(name="sunset", sentence="the setting sun from the ground", altitude=2e-5,
-              below_horizon=-6.0, heading=265.0, sun_zenith=89.0, sun_bearing=265.0),
-)  # fmt: skip
+    Viewpoint("ground", "the sky from the ground", 2e-5, -8.0, 300.0, 60.0, 240.0),
+    Viewpoint(
+        "flight",
+        "haze over the ground, as from an airliner at 12 km",
+        0.12,
+        6.0,
+        325.0,
+        75.0,
+        255.0,
+    ),
+    Viewpoint(
+        "aloft",
+        "the limb from within the air, as from a balloon at 35 km",
+        0.35,
+        2.0,
+        315.0,
+        70.0,
+        250.0,
+    ),
+    Viewpoint("orbit", "the limb from above the air, as from 400 km", 4.0, 4.0, 325.0, 72.0, 255.0),
+    Viewpoint("crescent", "the whole planet, lit from behind", -_FAR, math.inf, 0.0, 120.0, 285.0),
+    Viewpoint("planet", "the whole planet, north at the top", -_FAR, math.inf, 0.0, 50.0, 240.0),
+    Viewpoint("sunset", "the setting sun from the ground", 2e-5, -6.0, 265.0, 89.0, 265.0),
+)
 
 #: Viewpoint with which window and page begin, by name.
 FIRST: Final = next(one for one in VIEWPOINTS if one.name == "orbit")
@@ -100,6 +108,19 @@ def view_of(viewpoint: Viewpoint, *, bottom_radius: float, top_radius: float) ->
         "view.sun_zenith": viewpoint.sun_zenith,
         "view.sun_azimuth": viewpoint.sun_bearing,
     }
+
+
+def view_in(session: Editing, viewpoint: Viewpoint = FIRST) -> Mapping[str, float]:
+    """Values of a viewpoint, by default the first, for the planet of a session.
+
+    Parameters
+    ----------
+    session : Session
+        Session; its planet and location are unchanged.
+    viewpoint : Viewpoint
+    """
+    bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
+    return view_of(viewpoint, bottom_radius=bottom, top_radius=top)
 
 
 def as_json(bottom_radius: float, top_radius: float) -> list[dict[str, Any]]:

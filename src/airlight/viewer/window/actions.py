@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from airlight.viewer.navigation.keys import RATES
-from airlight.viewer.navigation.viewpoints import VIEWPOINTS, Viewpoint, view_of
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS, Viewpoint, view_in
 from airlight.viewer.painting.picture_source import Picture
 from airlight.viewer.session.saved_state import to_fragment
 from airlight.viewer.session.session import Session
@@ -88,12 +88,8 @@ class Actions:
         self._messages.attempt(self._known[action])
 
     def _go(self, viewpoint: Viewpoint) -> None:
-        session = self._session
-        bottom, top = (
-            1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top")
-        )
-        view = view_of(viewpoint, bottom_radius=bottom, top_radius=top)
-        session.change_view(f"viewpoint {viewpoint.name}", view)
+        view = view_in(self._session, viewpoint)
+        self._session.change_view(f"viewpoint {viewpoint.name}", view)
 
     def _toggle_help(self) -> None:
         self.shows_help = not self.shows_help

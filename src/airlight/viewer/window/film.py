@@ -144,10 +144,8 @@ def _frames(
         frame = render_solution(request.solution, scene, orders=request.orders, cancel=cancel)
         if request.automatic and not request.held:
             exposure = eased(exposure, frame.exposure + request.exposure, 1.0 / RATE, TIME_CONSTANT)
-        shown = to_display(
-            frame.rgb, exposure=exposure, tone_map=request.tone_map,
-            eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
-            **frame.lens,
-        )  # fmt: skip
+        tone_map, eye = request.tone_map, bool(request.uniforms.get("eye", False))
+        light, glare = frame.rgb, request.glare
+        shown = to_display(light, exposure, tone_map, eye=eye, glare=glare, **frame.lens)
         yield Image.fromarray(shown)
         progress(index + 1, len(scenes), "filming")

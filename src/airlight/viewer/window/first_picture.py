@@ -35,10 +35,8 @@ def draw_first_picture(texture: Any, into: Rectangle, text: str, share: float) -
     if texture is not None:
         across, down = _covering(into.width / max(into.height, 1.0))
         dim = imgui.get_color_u32(imgui.ImVec4(_DIMMED, _DIMMED, _DIMMED, 1.0))
-        drawing.add_image(
-            texture, low, high, imgui.ImVec2(0.5 - across, 0.5 - down),
-            imgui.ImVec2(0.5 + across, 0.5 + down), dim,
-        )  # fmt: skip
+        first, last = (imgui.ImVec2(0.5 + s * across, 0.5 + s * down) for s in (-1.0, 1.0))
+        drawing.add_image(texture, low, high, first, last, dim)
     words = f"preview — preparing the picture\n{text}"
     size = imgui.calc_text_size(words)
     width = min(max(_BAR, size.x), into.width - 40.0)

@@ -21,7 +21,7 @@ from airlight.render.rendering_gpu import Choice, live_gpu
 from airlight.render.solve_planet import live_solver
 from airlight.scene import look_at
 from airlight.viewer.background.preparing import Preparing
-from airlight.viewer.navigation.first_view import first_view
+from airlight.viewer.navigation.viewpoints import view_in
 from airlight.viewer.painting.picture_source import PictureSource
 from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.parameters.parameter import Value
@@ -139,7 +139,7 @@ def opened(start: Start) -> Session:
         session.set(path, value)
     placed = "#" in start.planet or bool(set(start.view) & _PLACED)
     if start.look is None and start.look_at is None and not placed:
-        session.move(first_view(session))
+        session.move(view_in(session))
     view = session.view
     target, word, aside = start.look, start.look_at, 0.0
     if target is None and word is None and "view.altitude" in start.view:

@@ -26,7 +26,7 @@ from airlight.viewer.window.first_picture import draw_first_picture
 from airlight.viewer.window.input import WindowInput
 from airlight.viewer.window.messages import Messages
 from airlight.viewer.window.overlay_help import draw_help
-from airlight.viewer.window.panels.gallery import Gallery
+from airlight.viewer.window.panels.gallery import ENLARGED, Gallery, Thumbnails
 from airlight.viewer.window.panels.probe import PROBE_HEIGHT, draw_probe
 from airlight.viewer.window.panels.save import SaveDialog, Saving
 from airlight.viewer.window.panels.side import SidePanel
@@ -41,7 +41,6 @@ from airlight.viewer.window.panels.status import (
 from airlight.viewer.window.picture_area import PictureArea, Rectangle, layout
 from airlight.viewer.window.sides import Sides
 from airlight.viewer.window.surface import WindowSurface
-from airlight.viewer.window.thumbnails import ENLARGED, Thumbnails
 
 #: Time for which the window is redrawn after an event, for tooltips and fading buttons. [s]
 _LINGER: Final = 1.0
@@ -108,9 +107,11 @@ class Window:
         self._last_frame = perf_counter()
         self.frames = 0
         self.input = WindowInput(
-            canvas.render_canvas, self, self._flight,
+            canvas.render_canvas,
+            self,
+            self._flight,
             lambda: self.surface.typing or self.gallery.is_open,
-        )  # fmt: skip
+        )
         canvas.render_canvas.add_event_handler(self._noticed, *EVENTS, order=-999)
 
     def run(self) -> None:

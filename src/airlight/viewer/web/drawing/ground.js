@@ -9,7 +9,7 @@ const CHANNELS = 4;
  * Texels of the ground map with all its levels, as scene/map_levels.py makes them.
  *
  * @param {{image: string, water: string | null, rows: number, columns: number,
- *     decoded: number[]} | null} map From viewer/browser/ground_map.py; null for a ground of uniform
+ *     decoded: number[]} | null} map From viewer/browser/package.py; null for a ground of uniform
  *     colour.
  * @returns {Promise<{texels: Uint8Array, size: number[]}>} Texels, and the numbers of rows, columns
  *     and levels.

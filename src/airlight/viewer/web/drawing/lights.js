@@ -27,7 +27,7 @@ const LAMPS = ["lamp_red", "lamp_green", "lamp_blue"];
  *
  * @param {Object<string, number | string | boolean>} values Values of all parameters, by path.
  * @param {object} planet Data of the solution, see picture.js; `second` from
- *     viewer/browser/second_light_data.py.
+ *     viewer/browser/package.py.
  * @param {Object<string, [number, number]>} projections Limits of the field of view. [deg]
  * @returns {object[]} One or two lights: `camera`, `star` (angular radius [rad]), `air` (whether air
  *     and ground are lit), `left` (share of its light that a moon leaves), `numbers` (uniforms of

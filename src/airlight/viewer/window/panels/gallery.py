@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Final
 
+import numpy as np
+
 from airlight.viewer.gallery.presets import HEIGHT, WIDTH, Preset, families
+from airlight.viewer.gallery.thumbnails import thumbnail
+from airlight.viewer.painting.picture_texture import PictureTexture
 from airlight.viewer.window import style
 
 #: Name of the popup.
@@ -16,6 +20,8 @@ _MARGIN: Final = 24.0
 #: Width of a picture, and distance of two. [logical pixel]
 _TILE: Final = 184.0
 _GAP: Final = 10.0
+#: Factor of the pixels per side by which a small picture is enlarged smoothly to fill the window.
+ENLARGED: Final = 4
 #: Heading of the presets that programs and papers have.
 LITERATURE: Final = "models of the literature"
 
@@ -106,9 +112,11 @@ class Gallery:
         from imgui_bundle import imgui
 
         keys = {
-            imgui.Key.left_arrow: (0, -1), imgui.Key.right_arrow: (0, 1),
-            imgui.Key.up_arrow: (-1, 0), imgui.Key.down_arrow: (1, 0),
-        }  # fmt: skip
+            imgui.Key.left_arrow: (0, -1),
+            imgui.Key.right_arrow: (0, 1),
+            imgui.Key.up_arrow: (-1, 0),
+            imgui.Key.down_arrow: (1, 0),
+        }
         before = self._at
         for key, step in keys.items():
             if imgui.is_key_pressed(key):
@@ -201,3 +209,49 @@ def neighbour(rows: Sequence[Sequence[str]], name: str, step: tuple[int, int]) -
     column = rows[row].index(name)
     there = rows[min(max(row + step[0], 0), len(rows) - 1)]
     return there[min(column, len(there) - 1)]
+
+
+class Thumbnails:
+    """Thumbnail textures, created on first use.
+
+    Parameters
+    ----------
+    device : wgpu.GPUDevice
+        Device that draws the window.
+    backend : ImguiWgpuBackend
+        Back end that registers textures.
+    """
+
+    def __init__(self, device: Any, backend: Any) -> None:
+        self._device, self._backend = device, backend
+        self._known: dict[tuple[str, int], tuple[Any, Any] | None] = {}
+
+    def of(self, name: str, enlarged: int = 1) -> Any:
+        """ImGui's reference to the texture of a preset; None for a planet without a picture.
+
+        Parameters
+        ----------
+        name : str
+            Name of a preset.
+        enlarged : int
+            Factor of the pixels per side.
+        """
+        key = (name, enlarged)
+        if key not in self._known:
+            self._known[key] = self._made(name, enlarged)
+        known = self._known[key]
+        return None if known is None else known[1]
+
+    def _made(self, name: str, enlarged: int) -> tuple[Any, Any] | None:
+        from PIL import Image
+
+        pixels = thumbnail(name)
+        if pixels is None:
+            return None
+        if enlarged > 1:
+            picture = Image.fromarray(pixels)
+            size = (enlarged * picture.width, enlarged * picture.height)
+            pixels = np.asarray(picture.resize(size, Image.Resampling.BICUBIC))
+        texture = PictureTexture(self._device)
+        texture.write(pixels)
+        return texture, self._backend.register_texture(texture.view)

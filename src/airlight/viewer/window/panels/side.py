@@ -251,13 +251,11 @@ class SidePanel:
             imgui.text_unformatted(f"sun of {date_text(view)}")
             style.hint("date and time of the rows below; moving the sun by hand leaves them")
         declination, hour = self._flight.time
+        season = "how far north of the equator the sun stands: its season"
         for name, value, high, form, sentence in (
             ("local solar time", hour, 24.0, "%.2f h", "12 h when the sun is highest"),
-            (
-                "sun's declination", declination, 90.0, "%.1f°",
-                "how far north of the equator the sun stands: its season",
-            ),
-        ):  # fmt: skip
+            ("sun's declination", declination, 90.0, "%.1f°", season),
+        ):
             left = imgui.get_cursor_pos_x()
             imgui.align_text_to_frame_padding()
             imgui.text_unformatted(name)

@@ -1,8 +1,8 @@
-"""Planets of the energy suite: furnaces, and Earths with and without curvature."""
+"""Planets of the suites: a furnace, air of one constituent, grounds so vast that they are flat."""
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
 
 from airlight.planets import Constituent, Ground, Planet, Star, replace
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
@@ -57,10 +57,42 @@ def round_earth() -> Planet:
     return reference_earth(albedo=0.1, aerosol_absorption=CORRECTED_ABSORPTION)
 
 
+def flattened(planet: Planet) -> Planet:
+    """The same air on a ground a thousand times as large, where sun heights do not mix."""
+    bottom = VAST * planet.bottom_radius
+    return replace(planet, bottom_radius=bottom, top_radius=bottom + planet.thickness)
+
+
 def flat_earth() -> Planet:
-    """Plane-parallel limit of ``round_earth``: a ground radius a thousand times as large."""
-    earth = round_earth()
-    bottom = VAST * earth.bottom_radius
-    return replace(
-        earth, name="flat Earth", bottom_radius=bottom, top_radius=bottom + earth.thickness
+    """Flat ``round_earth``."""
+    return replace(flattened(round_earth()), name="flat Earth")
+
+
+def with_point_star(planet: Planet) -> Planet:
+    """The planet under a point star of the same irradiance."""
+    return replace(planet, star=replace(planet.star, angular_radius=0.0))
+
+
+def one_constituent(
+    name: str, bottom_radius: float, thickness: float, albedo: float, **constituent: Any
+) -> Planet:
+    """Air of one constituent under a point star of irradiance 1.
+
+    Parameters
+    ----------
+    name : str
+    bottom_radius, thickness : float
+        Radius of the ground, and height of the air above it. [m]
+    albedo : float
+        Albedo of the ground. [1]
+    constituent
+        Keywords of ``Constituent``.
+    """
+    return Planet(
+        name=name,
+        bottom_radius=bottom_radius,
+        top_radius=bottom_radius + thickness,
+        ground=Ground(albedo=albedo),
+        star=Star(irradiance=1.0, angular_radius=0.0),
+        constituents=(Constituent(name="gas", **constituent),),
     )
