@@ -24,6 +24,8 @@ FloatArray = npt.NDArray[np.float64]
 class Absorber(TomlModel, ABC):
     """Absorption of a constituent, as a parameter object."""
 
+    mode = "advanced"
+
     @property
     @abstractmethod
     def limits(self) -> Limits:
@@ -45,6 +47,7 @@ class Absorber(TomlModel, ABC):
 class Scatterer(TomlModel, ABC):
     """Scattering of molecules, as a parameter object; they bend light too."""
 
+    mode = "advanced"
     bends: ClassVar[bool] = True
 
     @property
@@ -78,6 +81,7 @@ class Matter(TomlModel, ABC):
         Whether it bends light.
     """
 
+    mode = "advanced"
     label: ClassVar[str]
     help: ClassVar[str]
     example: ClassVar[str]

@@ -8,6 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
 
+from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 #: Cost of a sky-view LUT, in pixels times wavelengths. [1]
 _TABLE: Final = 1.5e6
 #: Solution of the last rendered frame, which the next frame usually shares.
-_SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
+_SOLUTIONS: Final[Cache[str, MomentsSolution]] = Cache(1)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -144,15 +145,10 @@ class PlanetFrameSpec:
         how, scene = self.how, self.scene
         place = (scene.latitude, scene.longitude, scene.altitude)
         key = digest((self.planet, place, how), self.files)
-        if key not in _SOLUTIONS:
-            nm = how.wavelengths
-            found = solve_planet(
-                self._ground(), picture_wavelengths(self.planet) if nm is None else nm,
-                how.quality, progress=progress,
-            )  # fmt: skip
-            _SOLUTIONS.clear()
-            _SOLUTIONS[key] = found
-        return _SOLUTIONS[key]
+        nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
+        return _SOLUTIONS.of(
+            key, lambda: solve_planet(self._ground(), nm, how.quality, progress=progress)
+        )
 
     def _ground(self) -> Planet:
         scene = self.scene

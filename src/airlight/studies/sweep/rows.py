@@ -7,7 +7,7 @@ import hashlib
 import re
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, TextIO
 
@@ -141,14 +141,21 @@ def answer_rows(
         if not table.blocks:
             write_head(table.stream, head, radiance_columns(nm, stokes=stokes))
         waiting: dict[int, Cases] = {}
+        how = Lines(
+            planet=planet,
+            wavelengths=nm,
+            quality=quality,
+            polarisation=polarisation,
+            stokes=stokes,
+            cache=cache,
+            values=np.empty((0, 4)),
+        )
 
         def tasks() -> Iterator[tuple[int, tuple[Lines, str]]]:
             for number, block in enumerate(blocks):
                 if number >= table.kept:
                     waiting[number] = block
-                    yield number, (Lines(planet=planet, wavelengths=nm, quality=quality,
-                                         polarisation=polarisation, stokes=stokes,
-                                         cache=cache, values=block.values), code)  # fmt: skip
+                    yield number, (replace(how, values=block.values), code)
 
         rest = total - min(table.kept * BLOCK, total)
         amount = float(rest * len(nm) * (3 if stokes else 1))
@@ -178,10 +185,10 @@ def radiances_of_lines(lines: Lines, code: str) -> FloatArray:
         Hash of the source of the process that sent them.
     """
     check_code(code, _SOURCE)
+    polarisation, cache = lines.polarisation, lines.cache
     solution = shared_solution(
-        lines.planet, lines.wavelengths, lines.quality, polarisation=lines.polarisation,
-        cache=lines.cache,
-    )  # fmt: skip
+        lines.planet, lines.wavelengths, lines.quality, polarisation=polarisation, cache=cache
+    )
     altitude, sun, view, azimuth = lines.values.T
     found = solution.radiance(
         altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth, stokes=lines.stokes

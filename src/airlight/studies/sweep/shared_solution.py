@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
+from airlight.kernel.cache import Cache
 from airlight.planets.planet import Planet
 from airlight.solver import solve
 from airlight.studies.distribution.fingerprint import digest
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from airlight.solver.moments.solution import MomentsSolution
 
 #: Solution of the last task, which the next one mostly shares.
-_CACHED: Final[dict[str, MomentsSolution]] = {}
+_CACHED: Final[Cache[str, MomentsSolution]] = Cache(1)
 
 
 def shared_solution(
@@ -44,11 +45,10 @@ def shared_solution(
         See ``airlight.kernel.threads``.
     """
     key = digest((planet, tuple(wavelengths), quality, polarisation))
-    if key not in _CACHED:
-        found = solve(
-            planet, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
-            cache=cache, progress=progress,
-        )  # fmt: skip
-        _CACHED.clear()
-        _CACHED[key] = found
-    return _CACHED[key]
+
+    def solved() -> MomentsSolution:
+        return solve(
+            planet, wavelengths, quality, polarisation=polarisation, cache=cache, progress=progress
+        )
+
+    return _CACHED.of(key, solved)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ConflictError
 from airlight.files.output_lock import output_lock
+from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES, announce_all
 from airlight.kernel.memory import check_memory
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
@@ -201,10 +202,9 @@ def sweep(
                     store.write(block, values, marks[block])
                     if progress is not None:
                         progress(done + 1, len(missing), "radiances")
-    return Swept(
-        path=Path(path), computed=len(missing), kept=len(marks) - len(missing), damaged=damaged,
-        radiances=int(np.prod(grid.shape)),
-    )  # fmt: skip
+    counts = {"computed": len(missing), "kept": len(marks) - len(missing)}
+    count = int(np.prod(grid.shape))
+    return Swept(path=Path(path), **counts, damaged=damaged, radiances=count)
 
 
 def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:
@@ -243,9 +243,11 @@ def _marks(
 
 
 def _announce(
-    grid: Grid, variants: Collection[tuple[int, ...]], missing: list[tuple[int, ...]],
+    grid: Grid,
+    variants: Collection[tuple[int, ...]],
+    missing: list[tuple[int, ...]],
     how: tuple[str, bool, bool],
-) -> None:  # fmt: skip
+) -> None:
     """Announce the work, and emit the warnings that would be lost in a worker."""
     quality, _, stokes = how
     for one in sorted({variant[0] for variant in variants}):
@@ -278,23 +280,25 @@ def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
     return itertools.product(*(range(count) for count in shape))
 
 
-_PLANETS: Final[dict[tuple[Any, ...], Planet]] = {}
+_PLANETS: Final[Cache[tuple[Any, ...], Planet]] = Cache(1)
 
 
 def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> CaseBlock:
     quality, polarisation, stokes = how
     *variant, altitude, _, _ = block
     suns, views = grid.region(block)[-4:-2]
-    key = (id(grid), *variant)
-    if key not in _PLANETS:
-        _PLANETS.clear()
-        _PLANETS[key] = grid.planet(tuple(variant))
+    planet = _PLANETS.of((id(grid), *variant), lambda: grid.planet(tuple(variant)))
     return CaseBlock(
-        planet=_PLANETS[key], quality=quality, polarisation=polarisation, stokes=stokes,
+        planet=planet,
+        quality=quality,
+        polarisation=polarisation,
+        stokes=stokes,
         altitude=grid.altitude[altitude],
-        sun_zenith=tuple(grid.sun_zenith[suns]), view_zenith=tuple(grid.view_zenith[views]),
-        azimuth=tuple(grid.azimuth), wavelengths=grid.nm,
-    )  # fmt: skip
+        sun_zenith=tuple(grid.sun_zenith[suns]),
+        view_zenith=tuple(grid.view_zenith[views]),
+        azimuth=tuple(grid.azimuth),
+        wavelengths=grid.nm,
+    )
 
 
 # --- on a worker ------------------------------------------------------------------------------
