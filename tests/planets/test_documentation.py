@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import runpy
 from pathlib import Path
 
 import pytest
@@ -13,11 +14,10 @@ from airlight.physics.optics.index_table import index_names, read_index
 from airlight.physics.optics.molecules import MOLECULES
 from airlight.planets import Medium
 from airlight.planets.matter.gases import GasScattering
-from airlight.planets.matter.profiles import Tent
-from airlight.planets.reading.handbook import filled, key_table
+from airlight.planets.matter.profiles import PROFILES, Tent
 from airlight.planets.reading.reader import read_planet
-from airlight.planets.reading.tables import TABLES, keys_of
 
+BUILDER = runpy.run_path(str(Path(__file__).parents[2] / "builders" / "file_keys.py"))
 PAGE = (Path(__file__).parents[2] / "docs" / "planet-files.md").read_text(encoding="utf-8")
 
 
@@ -82,7 +82,6 @@ def test_the_page_names_every_absorber():
 
 def test_the_page_names_every_kind():
     from airlight.planets.matter.phases import PHASES
-    from airlight.planets.matter.profiles import PROFILES
 
     for kind in (*PHASES.keywords, *PROFILES.keywords):
         assert f'`"{kind}"`' in PAGE
@@ -92,14 +91,16 @@ def test_the_tables_of_the_page_are_those_of_the_declarations():
     # written by builders/file_keys.py; every kind of table has its block but one, whose
     # keys are the names of gases
     kinds = re.findall(r"<!-- keys: (\w+) -->", PAGE)
-    assert sorted(kinds) == sorted(set(TABLES) - {"composition"})
-    assert filled(PAGE) == PAGE
+    assert sorted(kinds) == sorted(BUILDER["PAGES"]["planet-files.md"])
+    assert BUILDER["filled"]("planet-files.md") == PAGE
 
 
 def test_a_range_of_a_declaration_is_the_one_that_is_checked_and_printed():
     # one number in three uses: the class, the file, the page
-    assert "| `half_width` | 0.001 to 1e6 km | required |" in key_table("profile")
-    (key,) = [one for one in keys_of("profile", {"kind": "tent"}) if one.name == "half_width"]
+    assert "| `half_width` | 0.001 to 1e6 km | required |" in BUILDER["key_table"](
+        "profile", PROFILES
+    )
+    (key,) = [one for one in PROFILES.declared({"kind": "tent"}) if one.name == "half_width"]
     assert key.range == (1.0, 1e9)
     with pytest.raises(ParameterError, match=r"half_width is 0\.5; allowed: 1 to 1e\+09 m"):
         Tent(center=0.0, half_width=0.5)

@@ -9,9 +9,8 @@ from numpy.testing import assert_allclose
 from airlight import Medium, ParameterError, Planet, load_planet, lowered_ground, solve
 from airlight.geometry.ephemeris.world import WORLDS
 from airlight.physics.optics.density_profile import DensitySegments
-from airlight.planets.lowered_ground import stands_on_floor
+from airlight.planets.lowered_ground import Continued, stands_on_floor
 from airlight.planets.matter.profiles import Exponential, Layers, Tent, Uniform
-from airlight.planets.matter.profiles.continued import Continued
 from airlight.planets.parameters import replace
 
 NM = (680.0, 550.0, 440.0)

@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.kernel import cost, disk
+from airlight.kernel.cache import Cache
 from airlight.physics.optics import mie
 from airlight.physics.optics.size_distribution import single_size
 from airlight.planets.constituent import Constituent
@@ -27,7 +28,7 @@ FINE = GammaSizes(effective_radius=2e-7, effective_variance=0.1)
 @pytest.fixture(autouse=True)
 def _nothing_kept(monkeypatch, tmp_path):
     """Clear what other tests kept in memory and on disk."""
-    monkeypatch.setattr(mie_nodes, "_kept", {})
+    mie_nodes._kept.clear()
     monkeypatch.setattr(disk, "cache_folder", lambda: tmp_path)
     particles._phase.cache_clear()
 
@@ -118,7 +119,7 @@ def test_results_are_kept_in_memory_and_on_disk(monkeypatch):
 
     monkeypatch.setattr(mie_nodes, "_computed", never)
     assert_array_equal(haze.cross_sections(RGB), first[0])
-    monkeypatch.setattr(mie_nodes, "_kept", {})
+    mie_nodes._kept.clear()
     assert_array_equal(haze.cross_sections(RGB), first[0])
     assert haze.phase_function(RGB) == first[1]
 
@@ -295,7 +296,7 @@ def test_planet_of_particles_is_a_planet():
 
 def test_a_call_keeps_what_it_uses_when_memory_forgets(monkeypatch):
     # more nodes in one call than are remembered; the second call finds some on disk alone
-    monkeypatch.setattr(mie_nodes, "_MOST_KEPT", 2)
+    monkeypatch.setattr(mie_nodes, "_kept", Cache(2))
     index, wavelengths = GivenIndex(real=1.5, imaginary=0.01), [440.0, 500.0, 550.0, 600.0, 680.0]
     first = mie_nodes.mie_nodes(index, FINE, wavelengths)
     again = mie_nodes.mie_nodes(index, FINE, wavelengths)

@@ -443,9 +443,30 @@ def test_the_medium_that_the_reader_made_is_the_one_that_is_solved(good):
     # sampled once for reader and solver; another planet or wavelength is sampled anew
     planet = read_tables(tomllib.loads(good), "test.toml", wavelengths=lambda planet: [600.0])
     medium = Medium.from_planet(planet, [600.0])
-    kept = vars(planet)["_media"]
-    assert list(kept.values()) == [medium]
+    assert len(planet.media) == 1
     assert Medium.from_planet(planet, [600.0]) is medium
     assert Medium.from_planet(planet, [601.0]) is not medium
     higher = replace(planet, top_radius=6.47e6)
     assert Medium.from_planet(higher, [600.0]).top_radius == 6.47e6
+
+
+def test_a_key_of_a_constituent_is_one_declaration(good):
+    # a second class with one more declared field: reader, range, unit and list of keys follow
+    from airlight.planets.constituent import Constituent
+    from airlight.planets.parameters import parameters
+    from airlight.planets.schema.field import key
+    from airlight.planets.schema.toml_table import TomlTable
+
+    @parameters
+    class Glowing(Constituent):
+        glow: float = key(
+            label="glow", help="-", unit="m", range=(0.0, 1e4), example="1 km", default=0.0
+        )
+
+    table = tomllib.loads(good)["constituents"][0]
+    for given, expected in (({}, 0.0), ({"glow": "2 km"}, 2000.0)):
+        read = Glowing.read(TomlTable({**table, **given}, "constituents[0]", thickness=1e5))
+        assert read.glow == expected
+    with pytest.raises(ParameterError, match=r"constituents\[0\]\.glow is 20000.0; allowed: 0 to"):
+        Glowing.read(TomlTable({**table, "glow": "20 km"}, "constituents[0]", thickness=1e5))
+    assert "glow" in [one.name for one in Glowing.declared()]

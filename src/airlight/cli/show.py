@@ -211,10 +211,10 @@ def _parameters(thing: Any) -> str:
     words = [thing.keyword or type(thing).__name__.lower()]
     declared = fields_of(type(thing))
     for field in dataclasses.fields(thing):
-        value = getattr(thing, field.name)
-        if value is None or value == field.default:
-            continue
         name, key = field.name.replace("_", " "), declared.get(field.name)
+        value = getattr(thing, field.name)
+        if value is None or value == (field.default if key is None else key.left_out):
+            continue
         unit = "" if key is None or key.unit == "1" else f" {key.unit_words}"
         if isinstance(value, (tuple, list)):
             words.append(f"{len(value)} {name}")

@@ -23,9 +23,8 @@ REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
 #: Types of the channels by name.
 PRECISIONS: Final[dict[str, type[np.floating[Any]]]] = {"float": np.float32, "half": np.float16}
 #: Compressions by name, with their name in OpenEXR; ``dwa`` loses what the eye does not see.
-COMPRESSIONS: Final = {
-    "zip": "ZIP_COMPRESSION", "dwa": "DWAA_COMPRESSION", "none": "NO_COMPRESSION",
-}  # fmt: skip
+_NAMES: Final = {"zip": "ZIP", "dwa": "DWAA", "none": "NO"}
+COMPRESSIONS: Final = {name: f"{own}_COMPRESSION" for name, own in _NAMES.items()}
 
 #: Precision that a compression keeps, whatever the channels' is.
 _FORCED_PRECISION: Final = {"dwa": "half"}

@@ -59,8 +59,8 @@ def write_hdr(
     """
     pixels = rgbe(rgb)
     height, width, _ = rgb.shape
-    texts = {"FORMAT": "32-bit_rle_rgbe", "PRIMARIES": _PRIMARIES, "EXPOSURE": f"{scale:.9g}",
-             **header(metadata or {})}  # fmt: skip
+    texts = {"FORMAT": "32-bit_rle_rgbe", "PRIMARIES": _PRIMARIES, "EXPOSURE": f"{scale:.9g}"}
+    texts |= header(metadata or {})
     lines = "".join(f"{name}={text}\n" for name, text in texts.items())
     with atomic_file(path) as part, part.open("wb") as stream:
         stream.write(_MAGIC + lines.encode("utf-8", "replace"))

@@ -12,15 +12,17 @@ import os
 import tempfile
 import zipfile
 import zlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import IO, Any, Final
+from typing import IO, Any, Final, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.files.cache_folders import cache_folder, make_folder, open_trusted, trusted_folder
 from airlight.kernel.large_arrays import FileMemory, release
+
+Value = TypeVar("Value")
 
 #: Total size of a folder above which its oldest results are removed. [bytes]
 LARGEST_TOTAL: Final = 1_000_000_000
@@ -110,6 +112,36 @@ def save(key: str, arrays: Mapping[str, NDArray[Any]], folder: str = _SOLUTIONS)
         return
     finally:
         part.unlink(missing_ok=True)
+
+
+def cached(
+    key: str,
+    make: Callable[[], Value],
+    to_arrays: Callable[[Value], Mapping[str, NDArray[Any]]],
+    of_arrays: Callable[[dict[str, NDArray[Any]]], Value | None],
+    *,
+    use: bool = True,
+) -> Value:
+    """Value of a key: from the cache, or made and kept there.
+
+    Parameters
+    ----------
+    key : str
+        See ``load``.
+    make : callable
+        Function that makes the value.
+    to_arrays, of_arrays : callable
+        Arrays of a value, and value of arrays or None if they are unusable.
+    use : bool
+        Whether the cache is used at all.
+    """
+    stored = load(key) if use else None
+    found = None if stored is None else of_arrays(stored)
+    if found is None:
+        found = make()
+        if use:
+            save(key, to_arrays(found))
+    return found
 
 
 def _remove_oldest(folder: Path) -> None:

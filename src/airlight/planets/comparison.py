@@ -176,9 +176,8 @@ def _bodies(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Di
 
 #: Fields that are compared by quantities that follow from them, or that describe the planet.
 _TREATED: Final = (
-    "name", "description", "bottom_radius", "top_radius", "ground", "star", "constituents",
-    "default_wavelengths", "albedo", "spectrum", "irradiance", "temperature", "distance", "radius",
-    "angular_radius",
+    "name", "description", "ground", "star", "constituents", "default_wavelengths", "albedo",
+    "spectrum", "irradiance", "temperature", "distance", "radius", "angular_radius",
 )  # fmt: skip
 
 
@@ -186,9 +185,9 @@ def _own_fields(part: str, first: Any, second: Any) -> Iterator[Difference]:
     """Differences of the other fields of the planet, ground or star, with their declared units."""
     for name, key in fields_of(type(first)).items():
         if name not in _TREATED:
-            sides = [_plain(getattr(side, name)) for side in (first, second)]
-            yield Difference(part=part, quantity=name.replace("_", " "), unit=key.unit_words,
-                             first=sides[0], second=sides[1])  # fmt: skip
+            one, other = (_plain(getattr(side, name)) for side in (first, second))
+            quantity, unit = name.replace("_", " "), key.unit_words
+            yield Difference(part=part, quantity=quantity, unit=unit, first=one, second=other)
 
 
 def _plain(value: Any) -> Value:

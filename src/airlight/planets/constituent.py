@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Annotated, Any, Final
 
 import numpy as np
@@ -10,12 +9,23 @@ import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.physics.units import values_in
+from airlight.planets.matter.coefficients import (
+    ABSORPTION,
+    COEFFICIENTS,
+    OTHER_FORMS,
+    SCATTERING,
+    read_coefficients,
+)
+from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.planets.matter.matter import Absorber, Matter, Scatterer
-from airlight.planets.matter.phases import PhaseFunction
-from airlight.planets.matter.profiles import Profile
+from airlight.planets.matter.particles import Particles
+from airlight.planets.matter.phases import PHASES, PhaseFunction
+from airlight.planets.matter.profiles import PROFILES, Exponential, Profile
+from airlight.planets.matter.turbidity import LiteralTurbidity, Turbidity
 from airlight.planets.parameters import instance_of, parameters
-from airlight.planets.schema.field import Field, always
+from airlight.planets.schema.field import Field, FileTable, Wavelengths, always, key
 from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import (
     Limits,
     PerWavelength,
@@ -26,21 +36,8 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Largest coefficient: a mean free path of a metre. [m⁻¹]
-LARGEST_COEFFICIENT: Final = 1.0
-
-
-def coefficient_key(label: str, text: str, **more: Any) -> Field:
-    """Key of a coefficient at relative density 1."""
-    return Field(label=label, help=text, unit="1/m", range=(0.0, LARGEST_COEFFICIENT), shown="/km",
-               slider=(1e-7, 1.0), scale="log", spectral=True, per="wavelengths",
-               **{"example": "5.802e-6 /m", **more})  # fmt: skip
-
-
-def _coefficients_alone(constituent: Mapping[str, Any]) -> bool:
-    """Whether an omitted absorption is 0, as no other key determines it."""
-    others = ("extinction", "single_scattering_albedo", "optical_depth", "absorption")
-    return not any(name in constituent for name in others)
+#: Kinds of matter of a constituent, by the key of its table.
+MATTER: Final[tuple[type[Matter], ...]] = (GasMixture, Particles, Turbidity, LiteralTurbidity)
 
 
 @parameters
@@ -73,76 +70,52 @@ class Constituent(TomlModel):
     them are constant for 10 nm or, with a ``Rayleigh`` phase function, follow λ⁻⁴.
     """
 
-    name: Annotated[
-        str,
-        Field(
-            label="name",
-            help="Name of the constituent.",
-            note="1 to 60 letters.",
-            kind="text",
-            range=(1.0, 60.0),
-            example="a name of its own",
-        ),
-    ]
-    profile: Annotated[
-        Profile,
-        instance_of(Profile),
-        Field(
-            label="profile",
-            help="Density profile over altitude.",
-            note="Optional for a `gas` with a gravity.",
-            kind="table",
-            table="profile",
-        ),
-    ]
-    scattering: Annotated[
-        Spectral | Scatterer,
-        instance_of(int, float, PerWavelength, Scatterer),
-        coefficient_key(
-            "scattering",
-            "How much light it scatters on a kilometre of way, where its profile is 1.",
-            table="scattering",
-            prefix="scattering",
-        ),
-    ] = 0.0
-    absorption: Annotated[
-        Spectral | Absorber,
-        instance_of(int, float, PerWavelength, Absorber),
-        coefficient_key(
-            "absorption",
-            "How much light it swallows on a kilometre of way, where its profile is 1.",
-            table="absorption",
-            prefix="absorption",
-            example="0.65e-6 /m",
-            offered=_coefficients_alone,
-        ),
-    ] = 0.0
-    phase_function: (
-        Annotated[
-            PhaseFunction,
-            instance_of(PhaseFunction),
+    has_wavelengths = True
+    extra_keys = (
+        *OTHER_FORMS,
+        *(
             Field(
-                label="phase function",
-                help="Phase function.",
-                note="Required if the constituent scatters and its composition implies none.",
+                name=kind.keyword,
+                label=kind.label,
+                help=kind.help,
                 kind="table",
-                table="phase_function",
-            ),
-        ]
-        | None
-    ) = None
-    amount: Annotated[
-        float,
-        Field(
-            label="amount",
-            help="Factor applied to scattering and absorption at all wavelengths.",
-            note="Refraction is not affected.",
-            range=(0.0, 100.0),
-            slider=(0.1, 10.0),
-            scale="log",
-            offered=always,
+                table=kind,
+                example=f"a table such as {kind.example}",
+            )
+            for kind in MATTER
         ),
-    ] = 1.0
+    )
+
+    name: str = key(
+        help="Name of the constituent.",
+        note="1 to 60 letters.",
+        range=(1.0, 60.0),
+        example="a name of its own",
+    )
+    profile: Profile = key(
+        help="Density profile over altitude.",
+        note="Optional for a `gas` with a gravity.",
+        table=PROFILES,
+        example="a table such as { kind = 'exponential', … }",
+    )
+    scattering: Spectral | Scatterer = key(SCATTERING, default=0.0)
+    absorption: Spectral | Absorber = key(ABSORPTION, default=0.0)
+    phase_function: PhaseFunction | None = key(
+        help="Phase function.",
+        note="Required if the constituent scatters and its composition implies none.",
+        table=PHASES,
+        example="a table such as { kind = 'rayleigh' }",
+        default=None,
+    )
+    amount: float = key(
+        help="Factor applied to scattering and absorption at all wavelengths.",
+        note="Refraction is not affected.",
+        range=(0.0, 100.0),
+        slider=(0.1, 10.0),
+        scale="log",
+        offered=always,
+        default=1.0,
+    )
     matter: Annotated[Matter, instance_of(Matter)] | None = None
 
     def __post_init__(self) -> None:
@@ -150,6 +123,28 @@ class Constituent(TomlModel):
             raise ConflictError("scattering", "cannot be combined with matter")
         if self.scatters and self._substance is None and self.phase_function is None:
             raise ConflictError("phase_function", "is required: the constituent scatters")
+
+    @classmethod
+    def declared(cls, table: FileTable | None = None) -> tuple[Field, ...]:
+        """Keys of its table: profile first, phase function last, as editors show them."""
+        keys = {one.name: one for one in super().declared(table)}
+        name, profile, wavelengths, phase = (
+            keys.pop(one) for one in ("name", "profile", "wavelengths", "phase_function")
+        )
+        return (name, profile, wavelengths, *keys.values(), phase)
+
+    @classmethod
+    def read_values(
+        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+    ) -> dict[str, Any]:
+        """Values of the table; scattering and absorption from any of their forms."""
+        wavelengths = section.wavelengths()
+        matter = next((kind for kind in MATTER if kind.keyword in section), None)
+        if matter is not None:
+            found = _read_matter(matter, section, wavelengths)
+            return super().read_values(section, wavelengths, **found)
+        values = super().read_values(section, wavelengths)
+        return {**values, **read_coefficients(section, wavelengths, values)}
 
     @property
     def _substance(self) -> Matter | Scatterer | None:
@@ -278,3 +273,23 @@ class Constituent(TomlModel):
         if self._substance is None:
             raise ConflictError("phase_function", "is required: the constituent scatters")
         return self._substance.phase_function(wavelengths)
+
+
+def _read_matter(
+    kind: type[Matter], section: TomlTable, wavelengths: Wavelengths
+) -> dict[str, Any]:
+    """Matter, which can be combined with absorption only, and the profile that a gas implies."""
+    for name in (*(one.keyword for one in MATTER if one is not kind), *COEFFICIENTS):
+        if name != "absorption" and name in section:
+            raise ConflictError(section.name_of(name), f"cannot be combined with {kind.keyword}")
+    inner = section.section(kind.keyword, f"a table such as {kind.example}")
+    matter = kind.read(inner, wavelengths)
+    if matter.needs_phase and "phase_function" not in section:
+        name = section.name_of("phase_function")
+        raise ConflictError(name, f"is required for {matter.needs_phase}")
+    if "profile" not in section:
+        with section.prefix_errors(), inner.prefix_errors():
+            height = matter.own_scale_height()
+            if height is not None:
+                return {"matter": matter, "profile": Exponential(scale_height=height)}
+    return {"matter": matter}

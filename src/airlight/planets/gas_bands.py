@@ -13,7 +13,6 @@ from airlight.physics.units import values_in
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.planets.matter.gases import GasScattering, density_of_state
-from airlight.planets.relative_densities import relative_densities
 
 if TYPE_CHECKING:
     from airlight.physics.optics.density_profile import DensitySegments
@@ -137,16 +136,9 @@ def omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[OmittedBa
 
 
 def gas_columns(planet: Planet) -> dict[str, float]:
-    """Vertical columns of gases by formula, of a planet's mixtures or of its world. [m⁻²]"""
-    kept: dict[str, float] | None = vars(planet).get("_gas_columns")
-    if kept is None:
-        kept = vars(planet)["_gas_columns"] = _gas_columns(planet)
-    return kept
-
-
-def _gas_columns(planet: Planet) -> dict[str, float]:
+    """Vertical columns of gases, by formula: of the planet's own, or of its world's. [m⁻²]"""
     columns: dict[str, float] = {}
-    densities = relative_densities(planet)
+    densities = planet.relative_densities
     for i, one in enumerate(planet.constituents):
         composition, whole = _mixture(one)
         height = densities.columns[i]

@@ -12,7 +12,7 @@ from airlight.physics.optics.reflection import LAWS, Reflection, largest_albedo,
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.local_ground import LocalGround
 from airlight.planets.parameters import instance_of, parameters, replace
-from airlight.planets.schema.field import Field, FileTable, Wavelengths, always
+from airlight.planets.schema.field import FileTable, Wavelengths, always, key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import Limits, spectral_at, spectral_limits, table_limits
@@ -85,135 +85,95 @@ class Ground(TomlModel):
 
     has_wavelengths = True
 
-    albedo: Annotated[
-        Any,
-        Field(
-            label="albedo",
-            help="Fraction of a uniform sky's light that the ground reflects.",
-            note="A number, a list beside `wavelengths`, or the name of a table of reflectances."
-            " With a map it is the mean over the planet.",
-            range=(0.0, 1.0),
-            spectral=True,
-            read=_read_albedo,
-            required=True,
-            per="wavelengths",
-            choices=reflectances,
-            synonyms=("ground brightness", "reflectance", "colour", "color", "snow", "sand"),
-        ),
-    ] = 0.0
-    map: (
-        Annotated[
-            str,
-            Field(
-                label="map",
-                help="Name of the map of the ground, or path of a picture of it.",
-                note="`earth`, or a picture of the whole sphere, twice as wide as high, north up,"
-                " 180° W on the left, of up to 200 million pixels, floats from 0 to 1; a grey one"
-                " beside it whose name ends in `-water.png` has the share of water. Used where the"
-                " ground is seen; the air has the albedo, in pictures times the map's mean around"
-                " the observer over that of the whole map.",
-                kind="text",
-                range=(1.0, 100.0),
-                example="the name of a map of the ground",
-            ),
-        ]
-        | None
-    ) = None
-    lights: (
-        Annotated[
-            str,
-            Field(
-                label="lights",
-                help="Name of a map of the lights of towns, or path of a picture of them.",
-                note="`earth`, or a picture as for the map, white for the brightest towns,"
-                " 0.2 cd/m²; seen through the air by night; they light no air.",
-                kind="text",
-                range=(1.0, 100.0),
-                example="the name of a map of lights",
-            ),
-        ]
-        | None
-    ) = None
-    clouds: (
-        Annotated[
-            str,
-            Field(
-                label="clouds",
-                help="Path of a picture of clouds, drawn as a flat layer that casts shadows.",
-                note="A picture as for the map, black for clear sky, white for full cover; none"
-                " comes with airlight. Seen from above the layer; the air has the mean of ground"
-                " and clouds below it, in pictures around the observer.",
-                kind="text",
-                range=(1.0, 100.0),
-                example="the path of a picture of clouds",
-                synonyms=("cloud map", "weather"),
-            ),
-        ]
-        | None
-    ) = None
-    cloud_albedo: Annotated[
-        float,
-        Field(
-            label="albedo of clouds",
-            help="Fraction of light that a full cover of clouds reflects.",
-            note="0.6: a cloud of optical depth 11.5.",
-            range=(0.0, 1.0),
-            offered=_clouded,
-        ),
-    ] = CLOUD_ALBEDO
-    cloud_altitude: Annotated[
-        float,
-        Field(
-            label="altitude of clouds",
-            help="Altitude of the layer of clouds, by which their shadows are displaced.",
-            unit="m",
-            range=(0.0, 1e5),
-            example="4 km",
-            shown="km",
-            slider=(0.0, 20.0),
-            offered=_clouded,
-        ),
-    ] = CLOUD_ALTITUDE
-    brightness: Annotated[
-        float,
-        Field(
-            label="brightness",
-            help="Factor applied to the ground's albedo and to its map.",
-            note="Albedos are limited to 1, by Lommel and Seeliger's law to 0.409.",
-            range=(0.0, 100.0),
-            slider=(0.0, 5.0),
-            offered=always,
-        ),
-    ] = 1.0
-    law: Annotated[
-        str,
-        Field(
-            label="law of reflection",
-            help="Directions into which the ground reflects: all alike, as porous rock, as water.",
-            note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
-            " limb as in its middle; `water` mirrors, and its albedo is of the light from below.",
-            kind="choice",
-            choices=lambda: tuple(LAWS),
-            offered=always,
-        ),
-    ] = "lambert"
-    wind: (
-        Annotated[
-            float,
-            Field(
-                label="wind over water",
-                help="Wind speed, which roughens the water that mirrors star and sky.",
-                note="With it the water of a map mirrors; without it only the law `water` does, at"
-                " 5 m/s. Slopes by Cox and Munk (1954).",
-                unit="m/s",
-                range=WINDS,
-                example="5 m/s",
-                slider=(0.5, 15.0),
-                offered=always,
-            ),
-        ]
-        | None
-    ) = None
+    albedo: Any = key(
+        help="Fraction of a uniform sky's light that the ground reflects.",
+        note="A number, a list beside `wavelengths`, or the name of a table of reflectances."
+        " With a map it is the mean over the planet.",
+        range=(0.0, 1.0),
+        spectral=True,
+        read=_read_albedo,
+        required=True,
+        choices=reflectances,
+        synonyms=("ground brightness", "reflectance", "colour", "color", "snow", "sand"),
+        default=0.0,
+    )
+    map: str | None = key(
+        help="Name of the map of the ground, or path of a picture of it.",
+        note="`earth`, or a picture of the whole sphere, twice as wide as high, north up,"
+        " 180° W on the left, of up to 200 million pixels, floats from 0 to 1; a grey one"
+        " beside it whose name ends in `-water.png` has the share of water. Used where the"
+        " ground is seen; the air has the albedo, in pictures times the map's mean around"
+        " the observer over that of the whole map.",
+        range=(1.0, 100.0),
+        example="the name of a map of the ground",
+        default=None,
+    )
+    lights: str | None = key(
+        help="Name of a map of the lights of towns, or path of a picture of them.",
+        note="`earth`, or a picture as for the map, white for the brightest towns,"
+        " 0.2 cd/m²; seen through the air by night; they light no air.",
+        range=(1.0, 100.0),
+        example="the name of a map of lights",
+        default=None,
+    )
+    clouds: str | None = key(
+        help="Path of a picture of clouds, drawn as a flat layer that casts shadows.",
+        note="A picture as for the map, black for clear sky, white for full cover; none"
+        " comes with airlight. Seen from above the layer; the air has the mean of ground"
+        " and clouds below it, in pictures around the observer.",
+        range=(1.0, 100.0),
+        example="the path of a picture of clouds",
+        synonyms=("cloud map", "weather"),
+        default=None,
+    )
+    cloud_albedo: float = key(
+        label="albedo of clouds",
+        help="Fraction of light that a full cover of clouds reflects.",
+        note="0.6: a cloud of optical depth 11.5.",
+        range=(0.0, 1.0),
+        offered=_clouded,
+        default=CLOUD_ALBEDO,
+    )
+    cloud_altitude: float = key(
+        label="altitude of clouds",
+        help="Altitude of the layer of clouds, by which their shadows are displaced.",
+        unit="m",
+        range=(0.0, 1e5),
+        example="4 km",
+        shown="km",
+        slider=(0.0, 20.0),
+        offered=_clouded,
+        default=CLOUD_ALTITUDE,
+    )
+    brightness: float = key(
+        help="Factor applied to the ground's albedo and to its map.",
+        note="Albedos are limited to 1, by Lommel and Seeliger's law to 0.409.",
+        range=(0.0, 100.0),
+        slider=(0.0, 5.0),
+        offered=always,
+        default=1.0,
+    )
+    law: str = key(
+        label="law of reflection",
+        help="Directions into which the ground reflects: all alike, as porous rock, as water.",
+        note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
+        " limb as in its middle; `water` mirrors, and its albedo is of the light from below.",
+        choices=lambda: tuple(LAWS),
+        offered=always,
+        default="lambert",
+    )
+    wind: float | None = key(
+        label="wind over water",
+        help="Wind speed, which roughens the water that mirrors star and sky.",
+        note="With it the water of a map mirrors; without it only the law `water` does, at"
+        " 5 m/s. Slopes by Cox and Munk (1954).",
+        unit="m/s",
+        range=WINDS,
+        example="5 m/s",
+        slider=(0.5, 15.0),
+        offered=always,
+        default=None,
+    )
 
     local: Annotated[LocalGround | None, instance_of(LocalGround, type(None))] = None
 

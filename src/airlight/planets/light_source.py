@@ -87,9 +87,10 @@ class LightSource:
         """Limb-darkening coefficients at the wavelengths, (nl, 6); uniform without a law. [1]"""
         count = self.wavelengths.size
         law = (
-            np.tile(UNIFORM, (count, 1)) if self.darkening is None
+            np.tile(UNIFORM, (count, 1))
+            if self.darkening is None
             else self.darkening(self.wavelengths)
-        )  # fmt: skip
+        )
         return np.asarray(law * np.broadcast_to(self.hidden, count)[:, None])
 
     def colors(self, weights: npt.ArrayLike | None = None) -> FloatArray:

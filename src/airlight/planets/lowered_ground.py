@@ -2,18 +2,65 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Annotated, Final
+
+import numpy as np
 
 from airlight.errors import ParameterError
 from airlight.geometry.ephemeris.world import WORLDS
+from airlight.physics.optics.density_profile import Row
 from airlight.physics.units import Measure, quantity
-from airlight.planets.matter.profiles.continued import Continued
-from airlight.planets.parameters import replace
+from airlight.planets.matter.profiles.profile import Profile
+from airlight.planets.parameters import instance_of, parameters, replace
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import PlanetLike, load_planet
 
 #: Height of an observer's eyes above the floor of a basin. [m]
 EYES: Final = 2.0
+#: Scale heights below the reference level beyond which nothing is continued.
+_MOST: Final = 10.0
+
+
+@parameters
+class Continued(Profile):
+    """Another profile over a ground that lies below its reference level.
+
+    Below it the density goes on with the scale height that it has there: an exponential is exactly
+    continued, and 440 m of the U.S. Standard Atmosphere to 4e-4. What is 0 there stays 0.
+
+    Parameters
+    ----------
+    profile : Profile
+        Profile above the reference level.
+    depth : float
+        Depth of the ground below that. [m]
+
+    Examples
+    --------
+    >>> from airlight.planets.matter.profiles import Exponential
+    >>> edges, pieces = Continued(profile=Exponential(scale_height=8e3), depth=8e3).row(108e3)
+    >>> edges.tolist(), f"{pieces[0, 0]:.6f}"  # e times the density, at the ground
+    ([0.0, 8000.0, 108000.0], '2.718282')
+    """
+
+    profile: Annotated[Profile, instance_of(Profile)]
+    depth: float
+
+    def row(self, thickness: float) -> Row:
+        """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
+        edges, pieces = self.profile.row(thickness - self.depth)
+        a, b, c, d = (float(one) for one in pieces[0])
+        density = max(a + d, 0.0)
+        rate = (a * b + c) / density if density > 0.0 else 0.0
+        if -rate * self.depth > _MOST:
+            allowed = f"at least {self.depth / _MOST:.4g} m to be continued {self.depth:.4g} m down"
+            raise ParameterError("scale height at the reference level", -1.0 / rate, allowed)
+        below = np.array([[density * np.exp(-rate * self.depth), rate, 0.0, 0.0]])
+        return np.append(0.0, edges + self.depth), np.concatenate([below, pieces])
+
+    def column(self, thickness: float) -> float:
+        """Vertical column above the reference level, which amounts refer to. [m]"""
+        return self.profile.column(thickness - self.depth)
 
 
 def lowered_ground(planet: PlanetLike, altitude: Measure) -> Planet:

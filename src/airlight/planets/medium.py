@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
-import copy
 import dataclasses
 import hashlib
-from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, Final
 
 import numpy as np
@@ -28,7 +25,6 @@ from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Planet
-from airlight.planets.relative_densities import relative_densities
 from airlight.planets.spectral import check_wavelength_list
 from airlight.planets.surface import PLAIN, Surface
 
@@ -44,9 +40,7 @@ REFRACTION_COLUMN: Final = "refraction"
 REFRACTION_WAVELENGTH: Final = 550.0
 #: Largest number of wavelengths of one medium.
 MOST_WAVELENGTHS: Final = 2000
-#: Number of media that a planet keeps, since reader, solver and pictures request the same, and
-#: their largest number of wavelengths.
-CACHE_SIZE: Final = 2
+#: Largest number of wavelengths of a medium that a planet keeps.
 MOST_KEPT_WAVELENGTHS: Final = 64
 
 
@@ -143,10 +137,9 @@ class Medium:
 
     def with_light(self, source: LightSource) -> Medium:
         """Medium under another light source at the same wavelengths."""
-        other = copy.copy(self)
-        object.__setattr__(other, "solar_irradiance", source.irradiance)
-        object.__setattr__(other, "star_angular_radius", source.angular_radius)
-        return other
+        return dataclasses.replace(
+            self, solar_irradiance=source.irradiance, star_angular_radius=source.angular_radius
+        )
 
     @property
     def ground(self) -> Reflection:
@@ -183,14 +176,10 @@ class Medium:
         if not isinstance(planet, Planet):
             raise ParameterError("planet", planet, "a Planet, as load_planet returns it")
         nm = _checked_wavelengths(planet, wavelengths)
-        kept: dict[bytes, Medium] = vars(planet).setdefault("_media", {})
-        if nm.tobytes() in kept:
-            return kept[nm.tobytes()]
-        medium = cls._sampled(planet, nm, progress=progress, cancel=cancel)
-        if nm.size <= MOST_KEPT_WAVELENGTHS:
-            while len(kept) >= CACHE_SIZE:
-                kept.pop(next(iter(kept)), None)
-            kept[nm.tobytes()] = medium
+        make = partial(cls._sampled, planet, nm, progress=progress, cancel=cancel)
+        if nm.size > MOST_KEPT_WAVELENGTHS:
+            return make()
+        medium: Medium = planet.media.of(nm.tobytes(), make)
         return medium
 
     @classmethod
@@ -199,9 +188,11 @@ class Medium:
     ) -> Medium:
         for i, one in enumerate(planet.constituents):
             if one.matter is not None:
-                with _prefix_errors(f"constituents[{i}]"):
+                try:
                     one.matter.prepare(nm, progress=progress, cancel=cancel)
-        density = relative_densities(planet)
+                except ParameterError as error:
+                    raise error.named(f"constituents[{i}].{error.field}") from None
+        density = planet.relative_densities
         height = effective_top(density)
         if height < planet.thickness:
             density = density.below(height)
@@ -444,15 +435,6 @@ def _refractivity(planet: Planet) -> FloatArray:
             "refraction", planet.refraction, "'none', or a gas whose refractivity is known"
         )
     return result
-
-
-@contextlib.contextmanager
-def _prefix_errors(where: str) -> Iterator[None]:
-    """Context that prefixes the field of an error with a constituent."""
-    try:
-        yield
-    except ParameterError as error:
-        raise error.named(f"{where}.{error.field}") from None
 
 
 def _checked_wavelengths(planet: Planet, wavelengths: npt.ArrayLike) -> FloatArray:

@@ -3,19 +3,31 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Annotated, Final
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Annotated, Any, Final, Self
 
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import Collector, ParameterError
 from airlight.geometry.ephemeris.world import WORLDS, World, world_named
+from airlight.kernel.cache import Cache
+from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.units import values_in
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
-from airlight.planets.parameters import MISSING, instance_of, parameters
-from airlight.planets.schema.field import WAVELENGTHS, Field, always
+from airlight.planets.parameters import MISSING, between, instance_of, parameters
+from airlight.planets.schema.field import (
+    WAVELENGTHS,
+    Field,
+    FileTable,
+    Wavelengths,
+    always,
+    key,
+)
 from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import (
     LONGEST,
     SHORTEST,
@@ -35,11 +47,70 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Wavelengths of red, green and blue. [nm] Bruneton (2008).
 RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
+#: Number of media that a planet keeps, since reader, solver and pictures request the same.
+MEDIA: Final = 2
 #: Largest number of constituents of a planet.
 MAX_CONSTITUENTS: Final = 64
 #: Least thickness of the shell over the radius of the ground, and largest ratio of the radii. [1]
 LEAST_THICKNESS: Final = 1e-7
 LARGEST_RATIO: Final = 10.0
+
+
+@parameters
+class Shell(TomlModel):
+    """Table ``[shell]`` of a planet file: the radii of the atmosphere.
+
+    Parameters
+    ----------
+    bottom_radius, top_radius : float
+        Radii of the ground and of the top of the air, from the centre. [m]
+    """
+
+    bottom_radius: float = key(
+        label="radius of the ground",
+        help="Radius of the ground; the atmosphere keeps its thickness when it is edited.",
+        unit="m",
+        range=(1e3, 1e12),
+        example="6360 km",
+        shown="km",
+        slider=(10.0, 1e5),
+        scale="log",
+    )
+    top_radius: float = key(
+        label="radius of the top of the air",
+        help="Radius of the top of the atmosphere, up to ten times that of the ground.",
+        unit="m",
+        range=(1e3, 1e13),
+        example="6460 km",
+        shown="km",
+        slider=(10.0, 1e5),
+    )
+
+    @classmethod
+    def from_values(cls, section: TomlTable, values: Mapping[str, Any]) -> Self:
+        """Create the shell; its ground has to have a radius, before any range is checked."""
+        bottom = values["bottom_radius"]
+        if not bottom > 0.0:
+            raise ParameterError(section.name_of("bottom_radius"), bottom, "more than 0 m")
+        return super().from_values(section, values)
+
+    def __post_init__(self) -> None:
+        if not self.bottom_radius < self.top_radius:
+            allowed = f"more than bottom_radius, {self.bottom_radius:.10g} m"
+            raise ParameterError("top_radius", self.top_radius, allowed)
+
+
+#: Key of the table of the radii.
+SHELL: Final = Field(
+    name="shell",
+    label="shell",
+    help="Radii of the atmosphere.",
+    kind="table",
+    table=Shell,
+    example="a table [shell] with bottom_radius and top_radius",
+    mode="standard",
+    required=True,
+)
 
 
 @parameters
@@ -77,118 +148,86 @@ class Planet(TomlModel):
     airlight.errors.ParameterError: top_radius is 6300000.0; allowed: 6360000.636 to 63600000 m
     """
 
-    name: Annotated[
-        str,
-        Field(
-            label="name",
-            help="Name of the planet.",
-            note="1 to 60 letters.",
-            kind="text",
-            range=(1.0, 60.0),
-            example="the planet's name",
-        ),
-    ]
-    description: Annotated[
-        str,
-        Field(
-            label="description",
-            help="Short description, with the source of the data.",
-            note="Listed by `airlight planets`.",
-            kind="text",
-            example="a sentence",
-            offered=always,
-        ),
-    ] = ""
-    default_wavelengths: (
-        Annotated[
-            tuple[float, ...],
-            dataclasses.replace(
-                WAVELENGTHS,
-                help="Default wavelengths of the planet.",
-                note="Without them: 680, 550, 440 nm; if the planet is not known there, those of"
-                " its first constituent that names any.",
-            ),
-        ]
-        | None
-    ) = None
-    body: (
-        Annotated[
-            str,
-            Field(
-                label="body",
-                help="World whose sky it has by place and time.",
-                note="For `airlight render --at --time` and `airlight.Scene.at`.",
-                kind="choice",
-                choices=lambda: tuple(WORLDS),
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    refraction: Annotated[
-        str,
-        Field(
-            label="refraction",
-            help="Refraction by the gases, which lifts and flattens the low star.",
-            note="Rejected where rays would be trapped by super-refraction, as on Venus.",
-            kind="choice",
-            choices=lambda: ("none", "bouguer"),
-            offered=always,
-        ),
-    ] = "none"
-    bottom_radius: Annotated[
-        float,
-        Field(
-            label="radius of the ground",
-            help="Radius of the ground; the atmosphere keeps its thickness when it is edited.",
-            unit="m",
-            range=(1e3, 1e12),
-            example="6360 km",
-            shown="km",
-            slider=(10.0, 1e5),
-            scale="log",
-            within="shell",
-        ),
-    ]
-    top_radius: Annotated[
-        float,
-        Field(
-            label="radius of the top of the air",
-            help="Radius of the top of the atmosphere, up to ten times that of the ground.",
-            unit="m",
-            range=(1e3, 1e13),
-            example="6460 km",
-            shown="km",
-            slider=(10.0, 1e5),
-            within="shell",
-        ),
-    ]
-    ground: Annotated[
-        Ground,
-        instance_of(Ground),
-        Field(
-            label="ground",
-            help="Surface of the planet.",
-            kind="table",
-            table="ground",
-            required=True,
-        ),
-    ] = Ground()
-    star: Annotated[
-        Star,
-        instance_of(Star),
-        Field(label="star", help="Star that lights the planet.", kind="table", table="star"),
-    ]
-    constituents: Annotated[
-        tuple[Annotated[Constituent, instance_of(Constituent)], ...],
-        Field(
-            label="constituents",
-            help="Constituents of the atmosphere.",
-            note="1 to 64 of them, each with a name of its own.",
-            kind="table",
-            table="constituent",
-        ),
-    ]
+    name: str = key(
+        help="Name of the planet.",
+        note="1 to 60 letters.",
+        range=(1.0, 60.0),
+        example="the planet's name",
+    )
+    description: str = key(
+        help="Short description, with the source of the data.",
+        note="Listed by `airlight planets`.",
+        example="a sentence",
+        offered=always,
+        default="",
+    )
+    default_wavelengths: tuple[float, ...] | None = key(
+        WAVELENGTHS,
+        help="Default wavelengths of the planet.",
+        note="Without them: 680, 550, 440 nm; if the planet is not known there, those of"
+        " its first constituent that names any.",
+        default=None,
+    )
+    body: str | None = key(
+        help="World whose sky it has by place and time.",
+        note="For `airlight render --at --time` and `airlight.Scene.at`.",
+        choices=lambda: tuple(WORLDS),
+        mode="advanced",
+        default=None,
+    )
+    refraction: str = key(
+        help="Refraction by the gases, which lifts and flattens the low star.",
+        note="Rejected where rays would be trapped by super-refraction, as on Venus.",
+        choices=lambda: ("none", "bouguer"),
+        offered=always,
+        default="none",
+    )
+    bottom_radius: Annotated[float, between(1e3, 1e12, "m")]
+    top_radius: Annotated[float, between(1e3, 1e13, "m")]
+    ground: Ground = key(
+        help="Surface of the planet.",
+        table=Ground,
+        example="a table [ground] with an albedo",
+        required=True,
+        default=Ground(),
+    )
+    star: Star = key(
+        help="Star that lights the planet.",
+        table=Star,
+        example="a table [star] with a spectrum and an angular_radius",
+    )
+    constituents: tuple[Annotated[Constituent, instance_of(Constituent)], ...] = key(
+        help="Constituents of the atmosphere.",
+        note="1 to 64 of them, each with a name of its own.",
+        table=Constituent,
+        example="a list of tables [[constituents]]",
+    )
+
+    @classmethod
+    def declared(cls, table: FileTable | None = None) -> tuple[Field, ...]:
+        """Keys of a whole file, the radii in a nested table."""
+        own = super().declared(table)
+        first = next(i for i, key in enumerate(own) if key.kind == "table")
+        return (*own[:first], SHELL, *own[first:])
+
+    @classmethod
+    def read_values(
+        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+    ) -> dict[str, Any]:
+        """Values of the file; without a valid shell, over which depths are spread, no air."""
+        found: dict[str, Any] = {"default_wavelengths": None, "constituents": None}
+        collector = Collector()
+        with collector:
+            found["default_wavelengths"] = section.wavelengths()
+        with collector:
+            shell: Shell = SHELL.read_from(section, None)
+            section.thickness = shell.top_radius - shell.bottom_radius
+            found |= {"bottom_radius": shell.bottom_radius, "top_radius": shell.top_radius}
+            del found["constituents"]
+        with collector:
+            found |= super().read_values(section, None, **found)
+        collector.raise_all()
+        return found
 
     def __repr__(self) -> str:
         air = ", ".join(one.name for one in self.constituents)
@@ -229,6 +268,28 @@ class Planet(TomlModel):
         if self.default_wavelengths is not None:
             check_wavelength_list(self.default_wavelengths)
             self.check_wavelengths(self.default_wavelengths)
+
+    @cached_property
+    def media(self) -> Cache[bytes, Any]:
+        """Media that ``Medium.from_planet`` made last, by their wavelengths."""
+        return Cache(MEDIA)
+
+    @cached_property
+    def relative_densities(self) -> DensitySegments:
+        """Density profiles of the constituents over the shell.
+
+        Raises
+        ------
+        ParameterError
+            If a profile is impossible: the constituent is named.
+        """
+        rows = []
+        for index, one in enumerate(self.constituents):
+            try:
+                rows.append(one.profile.row(self.thickness))
+            except ParameterError as error:
+                raise error.named(f"constituents[{index}].profile.{error.field}") from None
+        return DensitySegments.from_rows(rows)
 
     @property
     def thickness(self) -> float:

@@ -6,7 +6,7 @@ import dataclasses
 import math
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any, Final
+from typing import Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -15,7 +15,7 @@ from airlight.errors import ConflictError, ParameterError
 from airlight.physics.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.physics.units import Measure, quantity, with_powers
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Wavelengths, key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import TomlTable, spectral_of
 from airlight.planets.spectral import (
@@ -68,9 +68,10 @@ def _spectrum_of_file(section: TomlTable, name: str, field: str) -> PerWavelengt
         here = section.optional_number("distance", "m")
         if here is None:
             raise ParameterError(
-                section.name_of("distance"), MISSING,
+                section.name_of("distance"),
+                MISSING,
                 f"a length: the spectrum is for {spectrum.distance}",
-            )  # fmt: skip
+            )
         if not (there > 0.0 and here > 0.0):
             raise ParameterError(f"distance of {file.name}", spectrum.distance, "a length above 0")
         factor *= (there / here) ** 2
@@ -110,111 +111,72 @@ class Star(TomlModel):
 
     has_wavelengths = True
 
-    spectrum: (
-        Annotated[
-            str,
-            Field(
-                label="spectrum",
-                help="Measured solar spectrum at 1 au, or a black body.",
-                note="`distance` scales it.",
-                kind="choice",
-                read=_read_spectrum,
-                choices=lambda: (SUN,),
-                synonyms=("sunlight", "colour", "color", "kind of star", "red dwarf"),
-                placeholder=BLACK_BODY,
-                offered=lambda star: "temperature" in star,
-            ),
-        ]
-        | None
-    ) = None
-    irradiance: (
-        Annotated[
-            Spectral,
-            Field(
-                label="irradiance",
-                help="Spectral irradiance at the planet, on a plane facing the star.",
-                note="One value or a list, or the path to a CSV file.",
-                unit=IRRADIANCE,
-                read=_read_irradiance,
-                range=(0.0, 1e9),
-                spectral=True,
-                example="1 W/m^2/nm",
-                slider=(1e-3, 1e2),
-                scale="log",
-                per="wavelengths",
-            ),
-        ]
-        | None
-    ) = None
-    temperature: (
-        Annotated[
-            float,
-            Field(
-                label="temperature",
-                help="Effective temperature of the star, a black body.",
-                synonyms=("colour", "color", "red dwarf", "hot", "cool"),
-                note="Needs `radius` and `distance`.",
-                unit="K",
-                range=(100.0, 1e6),
-                example="5772 K",
-                slider=(1000.0, 40000.0),
-                scale="log",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    radius: (
-        Annotated[
-            float,
-            Field(
-                label="radius of the star",
-                help="Radius; with the distance it gives irradiance and angular radius.",
-                unit="m",
-                range=(1e3, 1e13),
-                example="695700 km",
-                shown="km",
-                slider=(1e4, 1e8),
-                scale="log",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    distance: (
-        Annotated[
-            float,
-            Field(
-                label="distance",
-                help="Distance from the star to the planet.",
-                unit="m",
-                range=(1e6, 1e16),
-                example="1 au",
-                default="1 au",
-                shown="au",
-                slider=(0.01, 50.0),
-                scale="log",
-                offered=lambda star: "spectrum" in star,
-            ),
-        ]
-        | None
-    ) = None
-    angular_radius: (
-        Annotated[
-            float,
-            Field(
-                label="angular radius",
-                help="Angular radius of the star's disc; 0 for a point.",
-                note="From radius and distance where those are known; required beside an"
-                " `irradiance`.",
-                unit="deg",
-                range=(0.0, 30.0),
-                example="0.2678 deg",
-                slider=(0.0, 5.0),
-            ),
-        ]
-        | None
-    ) = None
+    spectrum: str | None = key(
+        help="Measured solar spectrum at 1 au, or a black body.",
+        note="`distance` scales it.",
+        read=_read_spectrum,
+        choices=lambda: (SUN,),
+        synonyms=("sunlight", "colour", "color", "kind of star", "red dwarf"),
+        placeholder=BLACK_BODY,
+        offered=lambda star: "temperature" in star,
+        default=None,
+    )
+    irradiance: Spectral | None = key(
+        help="Spectral irradiance at the planet, on a plane facing the star.",
+        note="One value or a list, or the path to a CSV file.",
+        unit=IRRADIANCE,
+        read=_read_irradiance,
+        range=(0.0, 1e9),
+        example="1 W/m^2/nm",
+        slider=(1e-3, 1e2),
+        scale="log",
+        default=None,
+    )
+    temperature: float | None = key(
+        help="Effective temperature of the star, a black body.",
+        synonyms=("colour", "color", "red dwarf", "hot", "cool"),
+        note="Needs `radius` and `distance`.",
+        unit="K",
+        range=(100.0, 1e6),
+        example="5772 K",
+        slider=(1000.0, 40000.0),
+        scale="log",
+        mode="advanced",
+        default=None,
+    )
+    radius: float | None = key(
+        label="radius of the star",
+        help="Radius; with the distance it gives irradiance and angular radius.",
+        unit="m",
+        range=(1e3, 1e13),
+        example="695700 km",
+        shown="km",
+        slider=(1e4, 1e8),
+        scale="log",
+        mode="advanced",
+        default=None,
+    )
+    distance: float | None = key(
+        help="Distance from the star to the planet.",
+        unit="m",
+        range=(1e6, 1e16),
+        example="1 au",
+        left_out="1 au",
+        shown="au",
+        slider=(0.01, 50.0),
+        scale="log",
+        offered=lambda star: "spectrum" in star,
+        default=None,
+    )
+    angular_radius: float | None = key(
+        help="Angular radius of the star's disc; 0 for a point.",
+        note="From radius and distance where those are known; required beside an `irradiance`.",
+        unit="deg",
+        range=(0.0, 30.0),
+        example="0.2678 deg",
+        slider=(0.0, 5.0),
+        default=None,
+    )
 
     def __post_init__(self) -> None:
         kinds = {

@@ -40,8 +40,9 @@ def truncated_constituents(planet: Planet) -> list[str]:
     rows = [one.profile.row(thickness) for one in planet.constituents]
     heights = np.append(np.linspace(0.0, 1.0 - _STEP, 400), 1.0) * thickness
     lines = []
-    for one, density in zip(planet.constituents, DensitySegments.from_rows(rows).at(heights),
-                            strict=True):  # fmt: skip
+    for one, density in zip(
+        planet.constituents, DensitySegments.from_rows(rows).at(heights), strict=True
+    ):
         below, top, largest = float(density[-2]), float(density[-1]), float(density.max())
         if not 0.0 < top < below or math.log(largest / top) >= ENOUGH - 1e-6:
             continue
@@ -49,6 +50,6 @@ def truncated_constituents(planet: Planet) -> list[str]:
         column = float(one.profile.column(thickness))
         share = top * height / (column + top * height)
         up = f"{math.log(largest / top):.2g} of its scale heights up"
-        lines.append(f"{one.name} ends at {thickness / 1e3:.4g} km, {up}: {100.0 * share:.2g} % of "
-                     "its column is truncated")  # fmt: skip
+        lost = f"{100.0 * share:.2g} % of its column is truncated"
+        lines.append(f"{one.name} ends at {thickness / 1e3:.4g} km, {up}: {lost}")
     return lines

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -15,6 +13,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.refraction import apparent_sun
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, vectorized
+from airlight.kernel.cache import Cache
 from airlight.physics.cubic_curves import cubic_curve, monotone_slopes
 from airlight.physics.optics.refracting_shell import RefractingShell
 from airlight.planets.medium import Medium
@@ -26,8 +25,7 @@ FloatArray = NDArray[np.float64]
 
 #: Number of refraction tables in the cache.
 _CACHE_SIZE: Final = 4
-_refraction_tables: OrderedDict[tuple[Any, ...], FloatArray] = OrderedDict()
-_lock = threading.Lock()
+_TABLES: Final[Cache[Any, FloatArray]] = Cache(_CACHE_SIZE)
 #: Newton steps from a true length to a length by optical radius; each squares the error.
 _STEPS: Final = 6
 _QUICK_STEPS: Final = 3
@@ -153,16 +151,8 @@ def _refraction_table_of(shell: RefractingShell) -> FloatArray:
     """Refraction table of a shell, from a cache: edits of haze do not change it."""
     refraction_row = (shell.density.edges[-1].tobytes(), shell.density.coefficients[-1].tobytes())
     key = (shell.bottom, shell.top, shell.refraction_strength, *refraction_row)
-    with _lock:
-        if key in _refraction_tables:
-            _refraction_tables.move_to_end(key)
-            return _refraction_tables[key]
-    made = refraction_table(shell.bottom, shell.top, shell.density, shell.refraction_strength)
-    with _lock:
-        _refraction_tables[key] = made
-        while len(_refraction_tables) > _CACHE_SIZE:
-            _refraction_tables.popitem(last=False)
-    return made
+    parts = shell.bottom, shell.top, shell.density, shell.refraction_strength
+    return _TABLES.of(key, lambda: refraction_table(*parts))
 
 
 @compiled_loop

@@ -17,7 +17,7 @@ from airlight.solver import solve
 from airlight.studies.sweep import Grid, sweep
 from airlight.studies.sweep import grid as grids
 from airlight.studies.sweep.store import SweepStore
-from airlight.studies.sweep.varied_axis import varied_axis
+from airlight.studies.sweep.store_layout import varied_axis
 
 pytest.importorskip("zarr")
 NM = (680.0, 550.0, 440.0)

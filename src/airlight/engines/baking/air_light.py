@@ -159,10 +159,8 @@ class AirLight:
         rows = lines.to_ground
         if self.separates_ground:
             return np.empty((0, medium.wavelengths.size))
-        depth = columns(
-            lines.r[rows], lines.mu[rows], lines.length[rows],
-            medium.bottom_radius, medium.density, nodes=16, panels=3,
-        )  # fmt: skip
+        ends = lines.r[rows], lines.mu[rows], lines.length[rows]
+        depth = columns(*ends, medium.bottom_radius, medium.density, nodes=16, panels=3)
         return np.exp(-(depth @ medium.extinction))
 
     def _of_order(

@@ -9,9 +9,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.engines.baking import table_errors
 from airlight.engines.baking.air_light import AirLight, described_orders, lines_of_sight
-from airlight.engines.baking.labelled_tables import Labels, facts, transmittance, unscattered
+from airlight.engines.baking.labelled_tables import Labels, facts, unscattered
 from airlight.engines.baking.packing import (
     FIT_AZIMUTHS,
     ScatteringGroups,
@@ -23,7 +22,13 @@ from airlight.engines.baking.packing import (
     separate_orders,
 )
 from airlight.engines.baking.smooth_light import smooth_phases
-from airlight.engines.baking.table_errors import ERROR_POINTS, SEED, TableErrors
+from airlight.engines.baking.table_errors import (
+    ERROR_POINTS,
+    SEED,
+    ErrorSample,
+    TableErrors,
+    measured_errors,
+)
 from airlight.engines.baking.texel_values import balanced, fill_angles, of_views
 from airlight.errors import ConflictError, ParameterError
 from airlight.kernel import vectorized
@@ -47,8 +52,6 @@ FloatArray = NDArray[np.float64]
 LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
 #: Texels per block of work.
 _BLOCK: Final = 1 << 13
-#: Largest number of points at which the sky's irradiance is compared.
-_SKIES: Final = 256
 #: Divisors of the smooth light, by the name of the phase function.
 _DIVISORS: Final = {
     "smooth": "the phase function smooth",
@@ -194,7 +197,7 @@ def bake(
     orders = described_orders(order, cumulative)
     label = Labels(medium, {"solver": solution.report.provenance, "orders": orders})
     tables = unscattered(solution, label, precision)
-    for name, values, quantity, unit in _scattering(
+    scattering = _Scattering(
         air,
         where,
         groups,
@@ -203,15 +206,16 @@ def bake(
         packing,
         (colours, reference),
         step,
-        higher_orders=higher_orders,
-        balance=balance,
-    ):
+        higher_orders,
+        balance,
+    )
+    for name, values, quantity, unit in scattering.tables():
         tables[name] = label.table(name, quantity, unit, where, values, precision)
     light = ScatteredLight(
         packing=packing, tables=tables, phases=phases, colours=colours, reference=reference
     )
     azimuth_of = azimuth if packing == "phase-included" else None
-    errors = _errors(air, light, azimuth_of, points, seed, step)
+    errors = measured_errors(air, light, azimuth_of, ErrorSample(points, seed, step.run))
     return Baked(light=light, tables=tables, about=facts(solution, orders), errors=errors)
 
 
@@ -288,212 +292,144 @@ class _Steps:
         return out
 
 
-def _scattering(
-    air: AirLight,
-    where: TableLayout,
-    groups: ScatteringGroups,
-    phases: PhaseFunctions,
-    rest_shape: FloatArray,
-    packing: str,
-    colours: tuple[FloatArray, int],
-    step: _Steps,
-    *,
-    higher_orders: bool,
-    balance: bool,
-) -> list[tuple[str, FloatArray, str, str]]:
-    """Name, values, quantity and unit of each scattering table."""
-    medium = air.solution.medium
-    positions = where.positions()
-    smooth_is = f"{_AIR}, divided by {_DIVISORS[phases.names[0]]}"
-    dust_is = f"{_AIR}: the particles' part, divided by their phase function"
-    if packing == "phase-included":
-        values = step.run(
-            positions, lambda p: [air.at_sun_angles(lines_of_sight(p, medium))], "scattering"
-        )[0]
-        return [("scattering", values, _AIR, "sr-1")]
-    if isinstance(where, AtmospherePlusLayout):
-        grey = packing == "rgba"
+@dataclass(frozen=True, eq=False)
+class _Scattering:
+    """Tables of scattered light.
+
+    Attributes
+    ----------
+    air : AirLight
+        Light of the solution.
+    where : TableLayout
+        Layout of the tables.
+    groups : ScatteringGroups
+        Constituents by their phase functions.
+    phases : PhaseFunctions
+        Phase functions of a look-up, that of the smooth light first.
+    rest_shape : array
+        Shape over the scattering angle of the smooth light that is not the gas's. [sr⁻¹]
+    packing : str
+        See ``bake``.
+    colours : (array, int)
+        See ``packing.colours_of``, and the index of the reference wavelength.
+    step : _Steps
+        Runner of the blocks.
+    higher_orders, balance : bool
+        See ``bake``.
+    """
+
+    air: AirLight
+    where: TableLayout
+    groups: ScatteringGroups
+    phases: PhaseFunctions
+    rest_shape: FloatArray
+    packing: str
+    colours: tuple[FloatArray, int]
+    step: _Steps
+    higher_orders: bool
+    balance: bool
+
+    def tables(self) -> list[tuple[str, FloatArray, str, str]]:
+        """Name, values, quantity and unit of each table."""
+        medium = self.air.solution.medium
+        smooth_is = f"{_AIR}, divided by {_DIVISORS[self.phases.names[0]]}"
+        dust_is = f"{_AIR}: the particles' part, divided by their phase function"
+        if self.packing == "phase-included":
+
+            def light(block: Positions) -> list[FloatArray]:
+                return [self.air.at_sun_angles(lines_of_sight(block, medium))]
+
+            (values,) = self.step.run(self.where.positions(), light, "scattering")
+            return [("scattering", values, _AIR, "sr-1")]
+        if isinstance(self.where, AtmospherePlusLayout):
+            return self._fitted(smooth_is, dust_is)
+        return self._separated(smooth_is, f"{dust_is}, scattered once")
+
+    def _fitted(self, smooth_is: str, dust_is: str) -> list[tuple[str, FloatArray, str, str]]:
+        """Tables without the azimuth, fitted over it."""
+        grey = self.packing == "rgba"
 
         def fit(block: Positions) -> list[FloatArray]:
-            smooth, mie = fit_azimuths(air, block, groups, grey=grey)
+            smooth, mie = fit_azimuths(self.air, block, self.groups, grey=grey)
             return [np.concatenate([smooth, mie], axis=-1)] if grey else [smooth, mie]
 
-        fitted = step.run(positions, fit, "scattering")
+        fitted = self.step.run(self.where.positions(), fit, "scattering")
         note = f"; best fit over {FIT_AZIMUTHS} azimuths"
         if grey:
             return [("scattering", fitted[0], f"{smooth_is}; {dust_is}, grey{note}", "1")]
         out = [("scattering", fitted[0], smooth_is + note, "1")]
-        if groups.particles:
+        if self.groups.particles:
             out.append(("particles", fitted[1], dust_is + note, "1"))
         return out
 
-    def apart(block: Positions) -> list[FloatArray]:
-        separated: SeparatedLight = separate_orders(air, block, groups, each=packing == "separate")
-        mie = (separated.mie[:, k] for k in range(separated.mie.shape[1]))
+    def _separated(self, smooth_is: str, dust_is: str) -> list[tuple[str, FloatArray, str, str]]:
+        """Tables over all angles, with the particles' single light apart."""
+        groups, phases, positions = self.groups, self.phases, self.where.positions()
+
+        def apart(block: Positions) -> list[FloatArray]:
+            each = self.packing == "separate"
+            separated: SeparatedLight = separate_orders(self.air, block, groups, each=each)
+            mie = (separated.mie[:, k] for k in range(separated.mie.shape[1]))
+            return [
+                separated.rayleigh,
+                separated.remainder,
+                *([separated.multiple] if self.higher_orders else []),
+                *mie,
+            ]
+
+        shapes = PhaseFunctions(
+            (*phases.names, "gas", "rest"),
+            np.stack([*phases.values, groups.phases.values[0], self.rest_shape]),
+        )
+        # A texel whose angle no view and sun can have holds the light at the nearest possible
+        # angle, brought to its own by the light's shape.
+        angles = np.linspace(-1.0, 1.0, self.where.shape[-1])
+        by_rayleigh = vectorized(rayleigh)(angles, 0.0)[:, None]
+        divisor, of_gas, of_rest = (
+            shapes.at(name, angles) for name in (phases.names[0], "gas", "rest")
+        )
+
+        def texels(
+            nu: FloatArray, gas: FloatArray, rest: FloatArray, *others: FloatArray
+        ) -> list[FloatArray]:
+            shape = shapes.at("rest", nu)
+            near = rest / shape
+            there = fill_angles(near, nu)
+            turned = np.divide(there, near, out=np.ones_like(near), where=near > 0.0)
+            turned = turned * of_rest / shape
+            smooth = kept((gas * of_gas + rest * turned) / divisor)
+            made = [smooth]
+            if self.higher_orders:
+                higher, others = others[0], others[1:]
+                # Where the first order ends, the smooth light is shifted by more than the higher
+                # orders in it, which are no more than all of it.
+                made.append(
+                    np.minimum(kept(higher * turned / by_rayleigh), smooth * divisor / by_rayleigh)
+                )
+            return [*made, *(kept(values) for values in others)]
+
+        def kept(values: FloatArray) -> FloatArray:
+            return balanced(values) if self.balance else values
+
+        made = self.step.run(positions, apart, "scattering")
+        smooth, *mie = of_views(texels, self.where.shape, positions.nu, *made)
+        apart_too = []
+        if self.higher_orders:
+            part, *mie = mie
+            quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
+            apart_too.append(("higher-order", part, quantity, "1"))
+        if self.packing == "combined":
+            if not mie:
+                mie = [np.zeros_like(smooth)]
+            p_mie = shapes.at(phases.names[-1], angles)
+            light = smooth * divisor + mie[0] * p_mie
+            values = combine(light, mie[0], divisor, p_mie, *self.colours)
+            nm = self.air.solution.medium.wavelengths[self.colours[1]]
+            quantity = f"{smooth_is}; {dust_is}, at {nm:g} nm"
+            return [("scattering", values, quantity, "1"), *apart_too]
+        names = groups.phases.names[1:]
         return [
-            separated.rayleigh,
-            separated.remainder,
-            *([separated.multiple] if higher_orders else []),
-            *mie,
+            ("scattering", smooth, smooth_is, "1"),
+            *((name, values, dust_is, "1") for name, values in zip(names, mie, strict=True)),
+            *apart_too,
         ]
-
-    shapes = PhaseFunctions(
-        (*phases.names, "gas", "rest"),
-        np.stack([*phases.values, groups.phases.values[0], rest_shape]),
-    )
-    # A texel whose angle no view and sun can have holds the light at the nearest possible angle,
-    # brought to its own by the light's shape.
-    angles = np.linspace(-1.0, 1.0, where.shape[-1])
-    by_rayleigh = vectorized(rayleigh)(angles, 0.0)[:, None]
-    divisor, of_gas, of_rest = (
-        shapes.at(name, angles) for name in (phases.names[0], "gas", "rest")
-    )
-
-    def texels(
-        nu: FloatArray, gas: FloatArray, rest: FloatArray, *others: FloatArray
-    ) -> list[FloatArray]:
-        shape = shapes.at("rest", nu)
-        near = rest / shape
-        there = fill_angles(near, nu)
-        turned = np.divide(there, near, out=np.ones_like(near), where=near > 0.0) * of_rest / shape
-        smooth = kept((gas * of_gas + rest * turned) / divisor)
-        made = [smooth]
-        if higher_orders:
-            higher, others = others[0], others[1:]
-            # Where the first order ends, the smooth light is shifted by more than the higher orders
-            # in it, which are no more than all of it.
-            made.append(
-                np.minimum(kept(higher * turned / by_rayleigh), smooth * divisor / by_rayleigh)
-            )
-        return [*made, *(kept(values) for values in others)]
-
-    def kept(values: FloatArray) -> FloatArray:
-        return balanced(values) if balance else values
-
-    made = step.run(positions, apart, "scattering")
-    smooth, *mie = of_views(texels, where.shape, positions.nu, *made)
-    apart_too = []
-    if higher_orders:
-        part, *mie = mie
-        quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
-        apart_too.append(("higher-order", part, quantity, "1"))
-    if packing == "combined":
-        if not mie:
-            mie = [np.zeros_like(smooth)]
-        p_mie = shapes.at(phases.names[-1], angles)
-        light = smooth * divisor + mie[0] * p_mie
-        values = combine(light, mie[0], divisor, p_mie, *colours)
-        nm = medium.wavelengths[colours[1]]
-        quantity = f"{smooth_is}; {dust_is}, scattered once, at {nm:g} nm"
-        return [("scattering", values, quantity, "1"), *apart_too]
-    out = [("scattering", smooth, smooth_is, "1")]
-    out += [
-        (name, values, f"{dust_is}, scattered once", "1")
-        for name, values in zip(groups.phases.names[1:], mie, strict=True)
-    ]
-    return out + apart_too
-
-
-def _peaked(
-    air: AirLight, light: ScatteredLight, points: int, seed: int, step: _Steps
-) -> dict[str, TableErrors]:
-    """Errors in regions of peaked radiance, with a search for the largest of each."""
-    medium = air.solution.medium
-    shell = (medium.bottom_radius, medium.top_radius)
-
-    def compared(where: Positions) -> list[FloatArray]:
-        own, whole = air.path_and_total_radiance(lines_of_sight(where, medium))
-        return [light.relative_radiance(where), own, whole]
-
-    def size(made: FloatArray, exact: FloatArray, whole: FloatArray) -> FloatArray:
-        off = np.abs(made - exact) / np.maximum(whole, table_errors.DIM)
-        return np.asarray(np.where(whole > table_errors.DIM, off, 0.0).max(axis=-1))
-
-    positions = table_errors.peaked_positions(*shell, table_errors.PEAKED * points, seed)
-    sample = step.run(positions, compared, "errors")
-    errors = {}
-    for name, rows in table_errors.regions(positions, shell[0]).items():
-        if not rows.any():
-            continue
-
-        def belongs(where: Positions, name: str = name) -> NDArray[np.bool_]:
-            return table_errors.regions(where, shell[0])[name]
-
-        own = [values[rows] for values in sample]
-        worse = table_errors.search_worst(
-            positions[rows], size(*own), belongs, lambda where: size(*compared(where)), *shell, seed
-        )
-        made, exact, whole = (
-            np.concatenate(both) for both in zip(own, compared(worse), strict=True)
-        )
-        errors[name] = table_errors.judge(
-            made, exact, positions[rows].joined(worse), medium, seed=seed,
-            quantity="radiance of the air; relative to all light", floor=table_errors.DIM,
-            per=whole, sampled=int(rows.sum()),
-            where="views dense about the sun and the horizon, half of the suns from 75 to "
-            f"{table_errors.LOWEST_SUN:g} deg; the largest error by a search about the worst",
-        )  # fmt: skip
-    return errors
-
-
-def _errors(
-    air: AirLight,
-    light: ScatteredLight,
-    azimuth: float | None,
-    points: int,
-    seed: int,
-    step: _Steps,
-) -> dict[str, TableErrors]:
-    medium, solution = air.solution.medium, air.solution
-    drawn = (
-        "altitude: thickness times the square of an even x; zenith angles even, view 0 to 180, "
-        f"sun 0 to {table_errors.LOWEST_SUN:g} deg"
-    )
-    errors = {}
-    for name, given in (("sky", None), ("sky at its azimuth", azimuth)):
-        if name != "sky" and given is None:
-            continue
-        positions = table_errors.random_positions(medium, points, seed, given)
-        exact, whole = step.run(
-            positions, lambda p: [*air.path_and_total_radiance(lines_of_sight(p, medium))], "errors"
-        )
-        turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
-        made = light.relative_radiance(positions)
-        for of, rows, quantity in (
-            ("", ~positions.to_ground, "radiance of the air in views of the sky; relative"),
-            (
-                " before the ground",
-                positions.to_ground,
-                "radiance of the air in views of the ground; relative to the ground's and its own",
-            ),
-        ):
-            seen = positions[rows]
-            if not len(seen):  # of a few points none may look that way
-                continue
-            errors[name.replace("sky", "air") + of if of else name] = table_errors.judge(
-                made[rows], exact[rows], seen, medium, quantity=quantity, seed=seed,
-                floor=table_errors.DARK, per=whole[rows], where=f"{drawn}; azimuth {turned}",
-            )  # fmt: skip
-    if azimuth is None:
-        errors |= _peaked(air, light, points, seed, step)
-    # Some solvers integrate the sky for each sun.
-    positions = table_errors.random_positions(medium, min(points, _SKIES), seed)
-    for name, r in (
-        ("irradiance on the ground", np.full(len(positions), medium.bottom_radius)),
-        ("irradiance aloft", positions.r),
-    ):
-        spots = Positions(r, positions.mu, positions.mu_s, positions.nu, positions.to_ground)
-        errors[name] = table_errors.judge(
-            light.tables["irradiance"].at(spots),
-            solution.relative_sky_irradiance(spots.r, spots.mu_s), spots, medium,
-            quantity="irradiance of level ground by the sky; relative", seed=seed,
-            floor=table_errors.DARK_GROUND, where=drawn,
-        )  # fmt: skip
-    positions = table_errors.random_positions(medium, points, seed)
-    up = table_errors.above_horizon(positions, medium)
-    errors["transmittance"] = table_errors.judge(
-        light.tables["transmittance"].at(up), transmittance(solution, up), up, medium,
-        quantity="transmittance to the top; absolute", seed=seed, relative=False,
-        where="altitude as for light; zenith angle even from 0 to the horizon",
-    )  # fmt: skip
-    return errors

@@ -51,16 +51,23 @@ class Labels:
         channels = names if values.shape[-1] == len(names) else (*names, "particles")
         kept, scale = stored(values.reshape(*where.shape, len(channels)), precision)
         return Table(
-            name=name, quantity=quantity, unit=unit, layout=where, channels=channels,
-            values=kept, scale=scale, provenance=self.provenance,
-        )  # fmt: skip
+            name=name,
+            quantity=quantity,
+            unit=unit,
+            layout=where,
+            channels=channels,
+            values=kept,
+            scale=scale,
+            provenance=self.provenance,
+        )
 
 
 def unscattered(solution: Solution, label: Labels, precision: str) -> dict[str, Table]:
     """Tables of transmittance and of diffuse irradiance."""
     shell: dict[str, Any] = {
-        "bottom_radius": solution.medium.bottom_radius, "top_radius": solution.medium.top_radius
-    }  # fmt: skip
+        "bottom_radius": solution.medium.bottom_radius,
+        "top_radius": solution.medium.top_radius,
+    }
     to_top, level = TransmittanceLayout(**shell), IrradianceLayout(**shell)
     spots = level.positions()
     return {

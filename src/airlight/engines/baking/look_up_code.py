@@ -105,10 +105,8 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
             found = emitter.add(scattering_at, table, *ray, bundle, name="stored_light")
             parts.append(f"{found.name}({given})")
             continue
-        found = emitter.add(
-            light_at, table, phases, *ray, Constant(row), scale, bundle,
-            name=f"light_of_{table.name}",
-        )  # fmt: skip
+        given_too = (phases, *ray, Constant(row), scale, bundle)
+        found = emitter.add(light_at, table, *given_too, name=f"light_of_{table.name}")
         parts.append(f"{found.name}({given})")
     for name, function in (
         ("transmittance", transmittance_at),
@@ -213,9 +211,8 @@ def _readers(baked: Baked, shape: TextureShape, dialect: ShaderDialect) -> list[
         readers.append(
             dialect.function(f"read_{texture_name(name)}", [("index", I32)], VEC4, lines)
         )
-    for name, width in (
-        ("transmittance", shape.columns), ("irradiance", shape.heights), (PHASES, shape.nodes)
-    ):  # fmt: skip
+    images = {"transmittance": shape.columns, "irradiance": shape.heights, PHASES: shape.nodes}
+    for name, width in images.items():
         lines = [
             dialect.let("x", I32, f"index % {width}"),
             dialect.let("y", I32, f"index / {width}"),

@@ -274,8 +274,8 @@ def fit_azimuths(
     alone = (weight * p_mie * light).sum(axis=0) / mie_mie
     if grey:
         alone = alone.min(axis=-1, keepdims=True)
-    mie = np.where((smooth < 0.0).any(axis=-1, keepdims=True) if grey else smooth < 0.0,
-                    np.minimum(mie, alone), mie)  # fmt: skip
+    negative = (smooth < 0.0).any(axis=-1, keepdims=True) if grey else smooth < 0.0
+    mie = np.where(negative, np.minimum(mie, alone), mie)
     smooth = np.maximum((gas_light - gas_mie * mie) / gas_gas, 0.0)
     return smooth, mie
 

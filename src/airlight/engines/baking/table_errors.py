@@ -8,15 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.engines.baking.air_light import AirLight, lines_of_sight
+from airlight.engines.baking.labelled_tables import transmittance
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.planets.medium import Medium
 from airlight.solver.tables.layout import Positions
+from airlight.solver.tables.scattered_light import ScatteredLight
 
 FloatArray = NDArray[np.float64]
 
@@ -43,6 +46,10 @@ _STEPS: Final = ((3.0, 0.03), (1.0, 0.01), (0.3, 0.003), (0.1, 0.001))
 #: Distances from the sun and from the horizon that count as near. [deg]
 _NEAR_SUN: Final = 45.0
 _NEAR_HORIZON: Final = 10.0
+
+
+#: Largest number of points at which the sky's irradiance is compared.
+_SKIES: Final = 256
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -222,29 +229,43 @@ def above_horizon(positions: Positions, medium: Medium) -> Positions:
     )  # fmt: skip
 
 
+class Compared(NamedTuple):
+    """Values of a table and of the solver at points, each of shape (n, nl).
+
+    Attributes
+    ----------
+    positions : Positions
+        Points.
+    table, solver : array
+        Values of both.
+    whole : array or None
+        What errors are relative to; None for absolute errors.
+    """
+
+    positions: Positions
+    table: FloatArray
+    solver: FloatArray
+    whole: FloatArray | None
+
+
 def judge(
-    table: FloatArray,
-    solver: FloatArray,
-    positions: Positions,
+    compared: Compared,
     medium: Medium,
     *,
     quantity: str,
     where: str,
     seed: int,
     floor: float = 0.0,
-    relative: bool = True,
-    per: FloatArray | None = None,
     sampled: int | None = None,
 ) -> TableErrors:
-    """Errors of a table's values against the solver's, both of shape (n, nl).
+    """Errors of a table; relative ones only where the whole is above the floor.
 
-    Relative errors are over the solver's values, or over ``per``, where above the floor. Statistics
-    except the largest are those of the first ``sampled`` points.
+    Statistics but the largest are of the first ``sampled`` points.
     """
-    whole = solver if per is None else per
-    judged = whole > floor if relative else np.ones(solver.shape, bool)
+    positions, table, solver, whole = compared
+    judged = np.ones(solver.shape, bool) if whole is None else whole > floor
     error = table - solver
-    if relative:
+    if whole is not None:
         error = error / np.where(judged, whole, 1.0)
     largest = float(np.abs(error[judged]).max(initial=0.0))
     judged_all, judged = judged, judged[:sampled]
@@ -275,3 +296,135 @@ def judge(
         bias=float(values.mean()),
         worst={name: float(value) for name, value in worst.items()},
     )
+
+
+class ErrorSample(NamedTuple):
+    """Points at which errors are measured.
+
+    Attributes
+    ----------
+    points, seed : int
+        Number of random points, and seed.
+    run : callable
+        ``run(positions, make, message)``: values of ``make`` at all points, on all cores.
+    """
+
+    points: int
+    seed: int
+    run: Callable[[Positions, Callable[[Positions], list[FloatArray]], str], list[FloatArray]]
+
+
+def measured_errors(
+    air: AirLight, light: ScatteredLight, azimuth: float | None, sample: ErrorSample
+) -> dict[str, TableErrors]:
+    """Errors of baked tables by the name of what is compared.
+
+    Parameters
+    ----------
+    air : AirLight
+        Light of the solution.
+    light : ScatteredLight
+        Tables.
+    azimuth : float or None
+        Azimuth of tables that hold a single one. [deg]
+    sample : ErrorSample
+        Points.
+    """
+    medium, solution, seed = air.solution.medium, air.solution, sample.seed
+    drawn = (
+        "altitude: thickness times the square of an even x; zenith angles even, view 0 to 180, "
+        f"sun 0 to {LOWEST_SUN:g} deg"
+    )
+    errors = {}
+    for name, given in (("sky", None), ("sky at its azimuth", azimuth)):
+        if name != "sky" and given is None:
+            continue
+        positions = random_positions(medium, sample.points, seed, given)
+        exact, whole = sample.run(
+            positions, lambda p: [*air.path_and_total_radiance(lines_of_sight(p, medium))], "errors"
+        )
+        turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
+        made = light.relative_radiance(positions)
+        for of, rows, quantity in (
+            ("", ~positions.to_ground, "radiance of the air in views of the sky; relative"),
+            (
+                " before the ground",
+                positions.to_ground,
+                "radiance of the air in views of the ground; relative to the ground's and its own",
+            ),
+        ):
+            seen = Compared(positions[rows], made[rows], exact[rows], whole[rows])
+            if not len(seen.positions):  # of a few points none may look that way
+                continue
+            where = f"{drawn}; azimuth {turned}"
+            errors[name.replace("sky", "air") + of if of else name] = judge(
+                seen, medium, quantity=quantity, seed=seed, floor=DARK, where=where
+            )
+    if azimuth is None:
+        errors |= _peaked(air, light, sample)
+    # Some solvers integrate the sky for each sun.
+    positions = random_positions(medium, min(sample.points, _SKIES), seed)
+    for name, r in (
+        ("irradiance on the ground", np.full(len(positions), medium.bottom_radius)),
+        ("irradiance aloft", positions.r),
+    ):
+        spots = Positions(r, positions.mu, positions.mu_s, positions.nu, positions.to_ground)
+        sky = solution.relative_sky_irradiance(spots.r, spots.mu_s)
+        errors[name] = judge(
+            Compared(spots, light.tables["irradiance"].at(spots), sky, sky),
+            medium,
+            quantity="irradiance of level ground by the sky; relative",
+            seed=seed,
+            floor=DARK_GROUND,
+            where=drawn,
+        )
+    up = above_horizon(random_positions(medium, sample.points, seed), medium)
+    errors["transmittance"] = judge(
+        Compared(up, light.tables["transmittance"].at(up), transmittance(solution, up), None),
+        medium,
+        quantity="transmittance to the top; absolute",
+        seed=seed,
+        where="altitude as for light; zenith angle even from 0 to the horizon",
+    )
+    return errors
+
+
+def _peaked(air: AirLight, light: ScatteredLight, sample: ErrorSample) -> dict[str, TableErrors]:
+    """Errors where light is peaked, by region, with a search for the largest of each."""
+    medium, seed = air.solution.medium, sample.seed
+    shell = (medium.bottom_radius, medium.top_radius)
+
+    def compared(where: Positions) -> list[FloatArray]:
+        own, whole = air.path_and_total_radiance(lines_of_sight(where, medium))
+        return [light.relative_radiance(where), own, whole]
+
+    def size(made: FloatArray, exact: FloatArray, whole: FloatArray) -> FloatArray:
+        off = np.abs(made - exact) / np.maximum(whole, DIM)
+        return np.asarray(np.where(whole > DIM, off, 0.0).max(axis=-1))
+
+    positions = peaked_positions(*shell, PEAKED * sample.points, seed)
+    found = sample.run(positions, compared, "errors")
+    errors = {}
+    for name, rows in regions(positions, shell[0]).items():
+        if not rows.any():
+            continue
+
+        def belongs(where: Positions, name: str = name) -> NDArray[np.bool_]:
+            return regions(where, shell[0])[name]
+
+        own = [values[rows] for values in found]
+        worse = search_worst(
+            positions[rows], size(*own), belongs, lambda where: size(*compared(where)), *shell, seed
+        )
+        values = (np.concatenate(both) for both in zip(own, compared(worse), strict=True))
+        errors[name] = judge(
+            Compared(positions[rows].joined(worse), *values),
+            medium,
+            quantity="radiance of the air; relative to all light",
+            seed=seed,
+            floor=DIM,
+            sampled=int(rows.sum()),
+            where="views dense about the sun and the horizon, half of the suns from 75 to "
+            f"{LOWEST_SUN:g} deg; the largest error by a search about the worst",
+        )
+    return errors

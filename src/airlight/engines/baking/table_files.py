@@ -171,8 +171,9 @@ def _described(table: Table) -> dict[str, Any]:
         "precision": table.precision,
         "scale": table.scale,
         "channels": list(table.channels),
-        "axes": [{**asdict(axis), "parameters": dict(axis.parameters)} for axis in
-                 table.layout.axes],
+        "axes": [
+            {**asdict(axis), "parameters": dict(axis.parameters)} for axis in table.layout.axes
+        ],
         "layout": {"kind": table.layout.kind, **table.layout.parameters()},
         "texture": {
             "width": width,
@@ -183,7 +184,7 @@ def _described(table: Table) -> dict[str, Any]:
             "that share one, the second runs fastest",
         },
         "provenance": dict(table.provenance),
-    }  # fmt: skip
+    }
 
 
 def texture_size(table: Table) -> tuple[int, int, int]:

@@ -11,6 +11,7 @@ atmosphere/demo/webgl/demo.js and precompute.cc, atmosphere/constants.h, commit 
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from importlib import resources
 from math import log
 from pathlib import Path
@@ -25,12 +26,11 @@ from airlight.engines.targets.bruneton_tables import (
     check_halves,
     check_lowest_sun,
     fill_tables,
-    opaque,
-    sliced,
-    unsliced,
+    tables_of,
+    textures_of,
 )
 from airlight.engines.targets.fits.sky_colour import SkyColour, fit_sky_colour
-from airlight.engines.targets.sky_errors import level_errors, sky_errors
+from airlight.engines.targets.sky_errors import table_errors
 from airlight.engines.targets.target import ExportReport, Target
 from airlight.errors import FileError
 from airlight.files.input_files import LARGEST_MAP, read_bytes, read_text
@@ -65,11 +65,7 @@ def fill(
     check_lowest_sun(lowest_sun)
     filled = fill_tables(solution, combined=True, lowest_sun=lowest_sun, progress=progress)
     tables = filled.tables
-    textures = {
-        "transmittance": opaque(tables.transmittance),
-        "irradiance": opaque(tables.irradiance),
-        "scattering": sliced(tables.scattering),
-    }
+    textures = textures_of(tables)
     check_halves(textures)
     for name, values in textures.items():
         (folder / f"{name}.dat").write_bytes(np.ascontiguousarray(values, "<f4").tobytes())
@@ -79,9 +75,7 @@ def fill(
         (folder / name).write_text(text, encoding="utf-8")
     text = json.dumps(constants, indent=2, allow_nan=False) + "\n"
     (folder / _PLANET).write_text(text, encoding="utf-8")
-    read = read_tables(folder)
-    errors = sky_errors(solution, read.radiance)
-    errors += level_errors(solution, read.irradiance_at, read.transmittance_at)
+    errors = table_errors(solution, read_tables(folder))
     presses = round(log(_EARTH / solution.medium.lights[0].irradiance[1]) / log(_KEY))
     notes = ["ground without relief, of one albedo; the demo's sphere is not drawn"]
     if presses > 0:
@@ -89,9 +83,11 @@ def fill(
             f"the demo's exposures are the Earth's: {presses} times + makes up for a dimmer star"
         )
     return ExportReport(
-        fitted=(*filled.lobe.fitted, *colour.fitted), errors=tuple(errors), notes=tuple(notes),
+        fitted=(*filled.lobe.fitted, *colour.fitted),
+        errors=errors,
+        notes=tuple(notes),
         about={"planet_constants": constants},
-    )  # fmt: skip
+    )
 
 
 def _constants(solution: Solution, tables: SkyTables, colour: SkyColour) -> dict[str, Any]:
@@ -177,15 +173,15 @@ def read_tables(folder: str | Path) -> SkyTables:
             top_radius=1e3 * said["TOP_RADIUS"],
             mu_s_min=said["MU_S_MIN"],
         )
-        return SkyTables(
-            layout=layout,
-            scattering=_half(unsliced(_read(path, "scattering"), layout)),
-            single_mie=None,
-            transmittance=_read(path, "transmittance").reshape(64, 256, 4)[..., :3].copy(),
-            irradiance=_half(_read(path, "irradiance").reshape(16, 64, 4)[..., :3]),
+        tables = tables_of(
+            lambda name: _read(path, name),
+            layout,
+            combined=True,
             g=said["MIE_PHASE_FUNCTION_G"],
             mie_colours=np.array(said["MIE_COLOURS"]),
         )
+        scattering, irradiance = (_half(one) for one in (tables.scattering, tables.irradiance))
+        return replace(tables, scattering=scattering, irradiance=irradiance)
     except (FileError, ValueError, KeyError, TypeError) as error:
         raise FileError(path, f"is not a folder of layout bruneton-demo: {error}") from error
 

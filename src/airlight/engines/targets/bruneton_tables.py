@@ -8,6 +8,7 @@ to this form; ``SkyTables`` is the look-up of the program.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -197,6 +198,35 @@ def fill_tables(
     orders = baked.tables["higher-order"].physical[..., ::every, :] * light
     higher = np.minimum(orders, packed[..., :3])
     return Filled(tables=tables, higher=higher, lobe=lobe)
+
+
+def textures_of(tables: SkyTables) -> dict[str, Stored]:
+    """Values of the files that both programs load, rows of all slices one after another."""
+    textures = {
+        "transmittance": opaque(tables.transmittance),
+        "irradiance": opaque(tables.irradiance),
+        "scattering": sliced(tables.scattering),
+    }
+    if tables.single_mie is not None:
+        textures["single_mie_scattering"] = sliced(opaque(tables.single_mie))
+    return textures
+
+
+def tables_of(
+    read: Callable[[str], Stored], layout: BrunetonLayout, *, combined: bool, **more: Any
+) -> SkyTables:
+    """Tables of the files that both programs load, by ``read(name)``; see ``textures_of``."""
+    single = None
+    if not combined:
+        single = unsliced(read("single_mie_scattering"), layout)[..., :3].copy()
+    return SkyTables(
+        layout=layout,
+        scattering=unsliced(read("scattering"), layout),
+        single_mie=single,
+        transmittance=read("transmittance").reshape(64, 256, 4)[..., :3].copy(),
+        irradiance=read("irradiance").reshape(16, 64, 4)[..., :3].copy(),
+        **more,
+    )
 
 
 def check_lowest_sun(lowest_sun: float | None) -> None:

@@ -18,7 +18,6 @@ from scipy.optimize import brentq
 
 from airlight.engines.targets.fits.fit_errors import findings
 from airlight.engines.targets.fits.formula_planet import (
-    ABSORBER,
     MOLECULES,
     PARTICLES,
     FormulaPlanet,
@@ -27,16 +26,20 @@ from airlight.engines.targets.fits.formula_planet import (
     name_of,
 )
 from airlight.engines.targets.fits.lobe import LobeForm
-from airlight.engines.targets.kilometres import per_km, per_metre, rounded, scale_height_km
+from airlight.engines.targets.kilometres import (
+    exponential_layer,
+    per_km,
+    per_metre,
+    planet_of,
+    rounded,
+    scale_height_km,
+)
 from airlight.engines.targets.target import ExportReport, Target
 from airlight.errors import ParameterError
 from airlight.kernel import kernel, vectorized
 from airlight.kernel.threads import Progress
 from airlight.physics.optics.phase_functions import INV_4PI
-from airlight.planets.constituent import Constituent
-from airlight.planets.ground import Ground
 from airlight.planets.matter.phases import Rayleigh, TabulatedPhase
-from airlight.planets.matter.profiles import Exponential
 from airlight.planets.planet import RED_GREEN_BLUE, Planet
 from airlight.planets.spectral import PerWavelength
 from airlight.planets.star import Star
@@ -134,21 +137,18 @@ def atmosphere_of(fit: FormulaPlanet) -> dict[str, Value]:
         Fit at 680, 550 and 440 nm by exponentials and Schlick's lobe, with grey particles.
     """
     planet = fit.planet
-    parts = {one.name: one for one in planet.constituents}
-    molecules, particles = parts.get(MOLECULES), parts.get(PARTICLES)
-    absorber = parts.get(ABSORBER)
-    mie = 0.0 if particles is None else per_km(particles.scattering)[1]
+    molecules, particles, absorber = fit.parts
     g = rounded(fit.g)
     takes = particles if absorber is None else absorber
     return {
         "Height": rounded(planet.thickness / 1e3),
-        "Rayleigh": [0.0] * 3 if molecules is None else per_km(molecules.scattering),
+        "Rayleigh": per_km(molecules, "scattering"),
         "RayleighScaleHeight": scale_height_km(molecules),
-        "Mie": mie,
+        "Mie": per_km(particles, "scattering")[1],
         "MieScaleHeight": scale_height_km(takes),
         "MieAsymmetry": -g,
         "MieHGAnisotropy": g,
-        "Absorption": [0.0] * 3 if takes is None else per_km(takes.absorption),
+        "Absorption": per_km(takes, "absorption"),
     }
 
 
@@ -178,32 +178,14 @@ def planet_from_celestia(
     constituents = []
     if any(rayleigh.values):
         constituents.append(
-            Constituent(
-                name=MOLECULES,
-                profile=Exponential(scale_height=1e3 * gas_height),
-                scattering=rayleigh,
-                phase_function=Rayleigh(),
-            )
+            exponential_layer(MOLECULES, 1e3 * gas_height, rayleigh, phase=Rayleigh())
         )
     if mie > 0.0 or any(absorbed.values):
+        lobe = schlick_table(g)
         constituents.append(
-            Constituent(
-                name=PARTICLES,
-                profile=Exponential(scale_height=1e3 * mie_height),
-                scattering=1e-3 * mie,
-                absorption=absorbed,
-                phase_function=schlick_table(g),
-            )
+            exponential_layer(PARTICLES, 1e3 * mie_height, 1e-3 * mie, absorbed, lobe)
         )
-    return Planet(
-        name=name,
-        bottom_radius=radius,
-        top_radius=radius + height,
-        ground=Ground(albedo=albedo),
-        star=star,
-        constituents=tuple(constituents),
-        default_wavelengths=RED_GREEN_BLUE,
-    )
+    return planet_of(name, star, (radius, radius + height), albedo, constituents)
 
 
 def ssc_of(atmosphere: dict[str, Value], planet: Planet | None) -> str:
@@ -262,10 +244,10 @@ def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) 
     atmosphere = atmosphere_of(fit)
     text = ssc_of(atmosphere, solution.planet)
     (folder / FILE).write_text(text, encoding="utf-8")
+    planet = fit.planet
     held = planet_from_celestia(
-        read_atmosphere(text), fit.planet.star, fit.planet.bottom_radius,
-        fit.planet.ground.albedo, own,
-    )  # fmt: skip
+        read_atmosphere(text), planet.star, planet.bottom_radius, planet.ground.albedo, own
+    )
     notes = (
         "Celestia draws light scattered once, and none from the ground",
         *_of_older(atmosphere),

@@ -24,14 +24,18 @@ from airlight.engines.targets.fits.formula_planet import (
     name_of,
 )
 from airlight.engines.targets.fits.lobe import CORNETTE_SHANKS
-from airlight.engines.targets.kilometres import per_km, per_metre, rounded, scale_height_km
+from airlight.engines.targets.kilometres import (
+    exponential_layer,
+    per_km,
+    per_metre,
+    planet_of,
+    rounded,
+    scale_height_km,
+)
 from airlight.engines.targets.target import ExportReport, Target
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Progress
-from airlight.planets.constituent import Constituent
-from airlight.planets.ground import Ground
 from airlight.planets.matter.phases import CornetteShanks, Rayleigh
-from airlight.planets.matter.profiles import Exponential
 from airlight.planets.planet import RED_GREEN_BLUE, Planet
 from airlight.planets.spectral import PerWavelength
 from airlight.planets.star import Star
@@ -70,13 +74,9 @@ def renderable_of(fit: FormulaPlanet) -> dict[str, Any]:
         Fit at 680, 550 and 440 nm by exponentials and a Cornette-Shanks lobe.
     """
     planet = fit.planet
-    parts = {one.name: one for one in planet.constituents}
-    molecules, particles = parts.get(MOLECULES), parts.get(PARTICLES)
-    scattering, extinction = [0.0] * 3, [0.0] * 3
-    if particles is not None:
-        scattering = per_km(particles.scattering)
-        absorption = per_km(particles.absorption)
-        extinction = [rounded(s + a) for s, a in zip(scattering, absorption, strict=True)]
+    molecules, particles, absorber = fit.parts
+    scattering, absorption = (per_km(particles, one) for one in ("scattering", "absorption"))
+    extinction = [rounded(s + a) for s, a in zip(scattering, absorption, strict=True)]
     table: dict[str, Any] = {
         "Type": "RenderableAtmosphere",
         "AtmosphereHeight": rounded(planet.thickness / 1e3),
@@ -89,7 +89,7 @@ def renderable_of(fit: FormulaPlanet) -> dict[str, Any]:
         "Rayleigh": {
             "Coefficients": {
                 "Wavelengths": list(RED_GREEN_BLUE),
-                "Scattering": [0.0] * 3 if molecules is None else per_km(molecules.scattering),
+                "Scattering": per_km(molecules, "scattering"),
             },
             "H_R": scale_height_km(molecules),
         },
@@ -99,9 +99,8 @@ def renderable_of(fit: FormulaPlanet) -> dict[str, Any]:
             "G": rounded(fit.g),
         },
     }
-    absorber = parts.get(ABSORBER)
     if absorber is not None:
-        ozone = [rounded(one / OZONE_UNIT) for one in per_km(absorber.absorption)]
+        ozone = [rounded(one / OZONE_UNIT) for one in per_km(absorber, "absorption")]
         table["Ozone"] = {"Coefficients": {"Extinction": ozone}}
     return table
 
@@ -129,14 +128,7 @@ def planet_from_openspace(renderable: Mapping[str, Any], star: Star, name: str) 
         g = float(mie["G"])
     except KeyError as error:
         raise ParameterError(str(error.args[0]), "missing", "a value in Renderable") from None
-    constituents = [
-        Constituent(
-            name=MOLECULES,
-            profile=Exponential(scale_height=heights[0]),
-            scattering=gas,
-            phase_function=Rayleigh(),
-        )
-    ]
+    constituents = [exponential_layer(MOLECULES, heights[0], gas, phase=Rayleigh())]
     if any(scattering.values):
         share = float(renderable.get("MieScatteringExtinctionPropCoefficient", 1.0))
         if share == 1.0:
@@ -144,35 +136,16 @@ def planet_from_openspace(renderable: Mapping[str, Any], star: Star, name: str) 
                 red = (scattering.values[0], extinction.values[0])
                 raise ParameterError("Mie, red", red, "scattering above 0, at most the extinction")
             share = scattering.values[0] / extinction.values[0]
-        absorbed = tuple(value * (1.0 / share - 1.0) for value in scattering.values)
-        constituents.append(
-            Constituent(
-                name=PARTICLES,
-                profile=Exponential(scale_height=heights[1]),
-                scattering=scattering,
-                absorption=PerWavelength(wavelengths=RED_GREEN_BLUE, values=absorbed),
-                phase_function=CornetteShanks(asymmetry=g),
-            )
-        )
+        values = tuple(value * (1.0 / share - 1.0) for value in scattering.values)
+        absorbed = PerWavelength(wavelengths=RED_GREEN_BLUE, values=values)
+        lobe = CornetteShanks(asymmetry=g)
+        constituents.append(exponential_layer(PARTICLES, heights[1], scattering, absorbed, lobe))
     ozone = renderable.get("Ozone", {})
     if "H_O" in ozone:
         taken = [OZONE_UNIT * float(one) for one in ozone["Coefficients"]["Extinction"]]
-        constituents.append(
-            Constituent(
-                name=ABSORBER,
-                profile=Exponential(scale_height=1e3 * float(ozone["H_O"])),
-                absorption=per_metre(taken),
-            )
-        )
-    return Planet(
-        name=name,
-        bottom_radius=radius,
-        top_radius=radius + height,
-        ground=Ground(albedo=albedo),
-        star=star,
-        constituents=tuple(constituents),
-        default_wavelengths=RED_GREEN_BLUE,
-    )
+        thickness = 1e3 * float(ozone["H_O"])
+        constituents.append(exponential_layer(ABSORBER, thickness, 0.0, per_metre(taken)))
+    return planet_of(name, star, (radius, radius + height), albedo, constituents)
 
 
 def asset_of(renderable: Mapping[str, Any], planet: Planet | None) -> str:

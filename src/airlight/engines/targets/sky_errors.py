@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from airlight.engines.baking.air_light import AirLight, lines_of_sight
 from airlight.engines.baking.labelled_tables import transmittance
 from airlight.engines.baking.table_errors import SEED, above_horizon, random_positions
+from airlight.engines.targets.bruneton_tables import SkyTables
 from airlight.engines.targets.target import ErrorRow
 from airlight.planets.medium import Medium
 from airlight.solver.solution import Solution
@@ -53,14 +55,7 @@ def sky_positions(medium: Medium, count: int = _POINTS, seed: int = SEED) -> Pos
         np.cos(psi),
         bottom_radius=medium.bottom_radius,
     )
-    join = np.concatenate
-    return Positions(
-        join([even.r, near.r]),
-        join([even.mu, near.mu]),
-        join([even.mu_s, near.mu_s]),
-        join([even.nu, near.nu]),
-        join([even.to_ground, near.to_ground]),
-    )
+    return even.joined(near)
 
 
 def sky_errors(
@@ -107,17 +102,14 @@ def level_errors(
     medium = solution.medium
     positions = random_positions(medium, count, SEED)
     light = medium.lights[0].irradiance
-    spots = Positions(
-        np.full(count, medium.bottom_radius),
-        positions.mu, positions.mu_s, positions.nu, positions.to_ground,
-    )  # fmt: skip
+    spots = replace(positions, r=np.full(count, medium.bottom_radius))
     exact = solution.relative_sky_irradiance(spots.r, spots.mu_s)
     day = (spots.mu_s > DAY) & (exact > DARK_GROUND).all(axis=-1)
     rows = []
     if day.any():
         error = (irradiance_at(spots) / light)[day] / exact[day] - 1.0
-        rows.append(ErrorRow.of("irradiance of the ground by the sky", error,
-                                where="sun above -2 deg"))  # fmt: skip
+        where = "sun above -2 deg"
+        rows.append(ErrorRow.of("irradiance of the ground by the sky", error, where=where))
     up = above_horizon(positions, medium)
     rows.append(
         ErrorRow.of(
@@ -128,6 +120,12 @@ def level_errors(
         )
     )
     return rows
+
+
+def table_errors(solution: Solution, tables: SkyTables) -> tuple[ErrorRow, ...]:
+    """Errors of Bruneton's tables as a program looks them up."""
+    level = level_errors(solution, tables.irradiance_at, tables.transmittance_at)
+    return (*sky_errors(solution, tables.radiance), *level)
 
 
 def half_losses(arrays: dict[str, NDArray[Any]]) -> tuple[str, ...]:

@@ -27,12 +27,12 @@ from airlight.engines.targets.bruneton_tables import (
     check_lowest_sun,
     coefficients,
     fill_tables,
-    opaque,
     sliced,
-    unsliced,
+    tables_of,
+    textures_of,
 )
 from airlight.engines.targets.fits.sky_colour import SkyColour, fit_sky_colour
-from airlight.engines.targets.sky_errors import half_losses, level_errors, sky_errors
+from airlight.engines.targets.sky_errors import half_losses, table_errors
 from airlight.engines.targets.target import ExportReport, Target
 from airlight.errors import FileError, ParameterError
 from airlight.files.input_files import LARGEST_MAP, read_bytes, read_text
@@ -89,11 +89,10 @@ def fill(
     with resources.as_file(script) as source:
         shutil.copyfile(source, folder / _SCRIPT)
     tables = read_tables(folder)
-    errors = sky_errors(solution, tables.radiance)
-    errors += level_errors(solution, tables.irradiance_at, tables.transmittance_at)
+    errors = table_errors(solution, tables)
     return ExportReport(
         fitted=(*filled.lobe.fitted, *colour.fitted),
-        errors=tuple(errors),
+        errors=errors,
         notes=(*half_losses(textures), *_notes(mie)),
         about={"mie": mie, "atmosphere": about},
     )
@@ -113,14 +112,7 @@ def _notes(mie: str) -> tuple[str, ...]:
 
 def _textures(filled: Filled) -> dict[str, NDArray[Any]]:
     """Values of each file, shape (rows, width, 4), with concatenated slices."""
-    tables = filled.tables
-    out = {
-        "transmittance": opaque(tables.transmittance),
-        "irradiance": opaque(tables.irradiance),
-        "scattering": sliced(tables.scattering),
-    }
-    if tables.single_mie is not None:
-        out["single_mie_scattering"] = sliced(opaque(tables.single_mie))
+    out = textures_of(filled.tables)
     higher = np.zeros((*filled.higher.shape[:-1], 4))
     higher[..., :3] = filled.higher
     out["higher_order_scattering"] = sliced(higher)
@@ -174,17 +166,11 @@ def read_tables(folder: str | Path) -> SkyTables:
             top_radius=about["topRadius"],
             mu_s_min=about["muSMin"],
         )
-        combined = about["combinedScattering"]
         ratio = np.array(about["mieScattering"]) / np.array(about["rayleighScattering"])
-        single = None
-        if not combined:
-            single = unsliced(_read(path, "single_mie_scattering"), layout)[..., :3].copy()
-        return SkyTables(
-            layout=layout,
-            scattering=unsliced(_read(path, "scattering"), layout),
-            single_mie=single,
-            transmittance=_read(path, "transmittance").reshape(64, 256, 4)[..., :3].copy(),
-            irradiance=_read(path, "irradiance").reshape(16, 64, 4)[..., :3].copy(),
+        return tables_of(
+            lambda name: _read(path, name),
+            layout,
+            combined=about["combinedScattering"],
             g=about["miePhaseFunctionG"],
             mie_colours=ratio / ratio[0],
             darkest=_DARKEST,

@@ -25,7 +25,14 @@ from airlight.engines.targets.fits.formula_planet import (
     per_wavelength,
 )
 from airlight.engines.targets.fits.lobe import HENYEY_GREENSTEIN
-from airlight.engines.targets.kilometres import per_km, per_metre, rounded, scale_height_km
+from airlight.engines.targets.kilometres import (
+    exponential_layer,
+    per_km,
+    per_metre,
+    planet_of,
+    rounded,
+    scale_height_km,
+)
 from airlight.engines.targets.target import ExportReport, Target
 from airlight.errors import ParameterError
 from airlight.image.encoding import srgb_decode, srgb_encode
@@ -33,9 +40,8 @@ from airlight.image.spectral import sun_color
 from airlight.image.xyz import luminance
 from airlight.kernel.threads import Progress
 from airlight.planets.constituent import Constituent
-from airlight.planets.ground import Ground
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
-from airlight.planets.matter.profiles import Exponential, Profile, Tent
+from airlight.planets.matter.profiles import Tent
 from airlight.planets.planet import RED_GREEN_BLUE, Planet
 from airlight.planets.spectral import PerWavelength
 from airlight.planets.star import Star
@@ -100,10 +106,8 @@ def properties_of(fit: FormulaPlanet) -> dict[str, Property]:
         Fit at 680, 550 and 440 nm by exponentials, a tent and a Henyey-Greenstein lobe.
     """
     planet = fit.planet
-    parts = {one.name: one for one in planet.constituents}
-    molecules, particles = parts.get(MOLECULES), parts.get(PARTICLES)
+    molecules, particles, absorber = fit.parts
     albedo = np.rint(255.0 * srgb_encode(planet.ground.albedos(RED_GREEN_BLUE)))
-    absorber = parts.get(ABSORBER)
     tent = TentDistribution(0.0, 0.0, 1.0)
     if absorber is not None:
         assert isinstance(absorber.profile, Tent)
@@ -153,35 +157,22 @@ def planet_from_unreal(properties: Mapping[str, Any], star: Star, name: str) -> 
         anisotropy = float(properties["mie_anisotropy"])
     except KeyError as error:
         raise ParameterError(str(error.args[0]), "missing", "a property") from None
-    made: list[tuple[str, Profile, PerWavelength | float, PerWavelength | float, Any]] = []
+    parts = []
     if any(gas.values):
-        made.append((MOLECULES, Exponential(scale_height=heights[0]), gas, 0.0, Rayleigh()))
+        parts.append(exponential_layer(MOLECULES, heights[0], gas, phase=Rayleigh()))
     if any(scattered.values) or any(taken.values):
         lobe = HenyeyGreenstein(asymmetry=anisotropy)
-        made.append((PARTICLES, Exponential(scale_height=heights[1]), scattered, taken, lobe))
+        parts.append(exponential_layer(PARTICLES, heights[1], scattered, taken, lobe))
     if any(other.values) and tent.tip_value > 0.0:
         density = Tent(center=1e3 * tent.tip_altitude, half_width=1e3 * tent.width)
         peak = PerWavelength(
             wavelengths=RED_GREEN_BLUE,
             values=tuple(float(tent.tip_value) * one for one in other.values),
         )
-        made.append((ABSORBER, density, 0.0, peak, None))
+        parts.append(Constituent(name=ABSORBER, profile=density, absorption=peak))
     encoded = np.array([ground.r, ground.g, ground.b]) / 255.0
-    return Planet(
-        name=name,
-        bottom_radius=radius,
-        top_radius=radius + height,
-        ground=Ground(albedo=per_wavelength(np.array(RED_GREEN_BLUE), srgb_decode(encoded))),
-        star=star,
-        constituents=tuple(
-            Constituent(
-                name=label, profile=profile, scattering=scatters, absorption=absorbs,
-                phase_function=phase,
-            )
-            for label, profile, scatters, absorbs, phase in made
-        ),
-        default_wavelengths=RED_GREEN_BLUE,
-    )  # fmt: skip
+    albedo = per_wavelength(np.array(RED_GREEN_BLUE), srgb_decode(encoded))
+    return planet_of(name, star, (radius, radius + height), albedo, parts)
 
 
 def script_of(properties: Mapping[str, Property], name: str) -> str:
@@ -235,7 +226,7 @@ def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) 
 
 def _coefficient(name: str, part: Constituent | None, field: str) -> dict[str, Property]:
     """Colour of at most 1 and scale [km⁻¹] of one coefficient."""
-    values = np.zeros(3) if part is None else np.array(per_km(getattr(part, field)))
+    values = np.array(per_km(part, field))
     largest = float(values.max())
     color = LinearColor(*(rounded(one) for one in values / (largest or 1.0)))
     return {name: color, f"{name}_scale": rounded(largest)}

@@ -11,11 +11,12 @@ import numpy.typing as npt
 from airlight.errors import ConflictError, ParameterError
 from airlight.physics.optics.gas_absorption import reference_coefficient, small_particle_absorption
 from airlight.planets.matter.matter import Absorber
-from airlight.planets.matter.state_keys import density_key, radius_key
+from airlight.planets.matter.particle_index import INDICES
+from airlight.planets.matter.state_keys import DENSITY, RADIUS
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.field import Field, FileTable, Wavelengths
+from airlight.planets.schema.field import Field, Wavelengths, key
 from airlight.planets.schema.measures import DOBSON, column_of_gas
-from airlight.planets.schema.tagged_union import Alternatives
+from airlight.planets.schema.tagged_union import Alternatives, NestedTable
 from airlight.planets.schema.toml_table import TomlTable, spectral_of, suggestion
 from airlight.planets.spectral import (
     Limits,
@@ -37,10 +38,16 @@ def _column(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
     return column_of_gas(section.required(name, "a column such as '345 DU'"), section.name_of(name))
 
 
-def _column_key(label: str, text: str, most: float, **more: Any) -> Field:
-    return Field(label=label, help=text, unit="1/m^2", range=(0.0, most), read=_column,
-               example="345 DU", shown=DOBSON, slider=(1.0, 2000.0), scale="log",
-               mode="advanced", **more)  # fmt: skip
+_COLUMN: Final = Field(
+    help="All of the gas above the ground.",
+    unit="1/m^2",
+    range=(0.0, 1e33),
+    read=_column,
+    example="345 DU",
+    shown=DOBSON,
+    slider=(1.0, 2000.0),
+    scale="log",
+)
 
 
 @parameters
@@ -55,17 +62,15 @@ class OzoneAbsorption(Absorber):
 
     keyword = "ozone"
 
-    column: Annotated[
-        float,
-        _column_key(
-            "ozone column",
-            "All the ozone above the ground.",
-            1e25,
-            name="ozone",
-            note="In DU, atm-cm, mol/m^2 or molecules over an area. Spread over the profile, times"
-            " the cross-section at 293 K.",
-        ),
-    ]
+    column: float = key(
+        _COLUMN,
+        label="ozone column",
+        help="All the ozone above the ground.",
+        range=(0.0, 1e25),
+        name="ozone",
+        note="In DU, atm-cm, mol/m^2 or molecules over an area. Spread over the profile, times"
+        " the cross-section at 293 K.",
+    )
 
     @property
     def limits(self) -> Limits:
@@ -160,48 +165,34 @@ class CrossSectionAbsorption(Absorber):
 
     keyword = "cross_section"
 
-    cross_section: Annotated[
-        Any,
-        Field(
-            label="cross-section",
-            help="Absorption cross-section of one molecule.",
-            note="One value or a list, the name of a table, or the path to a CSV file.",
-            unit="m^2",
-            range=(0.0, 1e-10),
-            spectral=True,
-            read=_read_cross_section,
-            shown="cm^2",
-            slider=(1e-26, 1e-16),
-            scale="log",
-            per="wavelengths",
-            choices=_areas,
-            mode="advanced",
-        ),
-    ]
-    column: (
-        Annotated[float, _column_key("column", "All of the gas above the ground.", 1e33)] | None
-    ) = None
-    number_density: (
-        Annotated[
-            float,
-            density_key(
-                text="Molecules of the air in a cubic metre, where the profile is 1.",
-                least=0.0,
-                note="Instead of the column.",
-            ),
-        ]
-        | None
-    ) = None
-    fraction: Annotated[
-        float,
-        Field(
-            label="share",
-            help="Fraction of the number density.",
-            range=(0.0, 1.0),
-            offered=lambda table: "number_density" in table,
-            mode="advanced",
-        ),
-    ] = 1.0
+    cross_section: Any = key(
+        label="cross-section",
+        help="Absorption cross-section of one molecule.",
+        note="One value or a list, the name of a table, or the path to a CSV file.",
+        unit="m^2",
+        range=(0.0, 1e-10),
+        spectral=True,
+        read=_read_cross_section,
+        shown="cm^2",
+        slider=(1e-26, 1e-16),
+        scale="log",
+        choices=_areas,
+    )
+    column: float | None = key(_COLUMN, default=None)
+    number_density: float | None = key(
+        DENSITY,
+        help="Molecules of the air in a cubic metre, where the profile is 1.",
+        note="Instead of the column.",
+        range=(0.0, 1e29),
+        default=None,
+    )
+    fraction: float = key(
+        label="share",
+        help="Fraction of the number density.",
+        range=(0.0, 1.0),
+        offered=lambda table: "number_density" in table,
+        default=1.0,
+    )
 
     def __post_init__(self) -> None:
         if (self.column is None) == (self.number_density is None):
@@ -253,68 +244,46 @@ class SmallParticleAbsorption(Absorber):
     circumference 2πr are refused.
     """
 
-    keyword = "small_particles"
     extra_keys = (
         Field(
             name="index",
             label="refractive index",
             help="n + ik.",
             kind="table",
-            table="index",
-            mode="advanced",
+            table=INDICES,
             required=True,
         ),
     )
 
-    radius: Annotated[
-        float,
-        radius_key(
-            "radius",
-            "Of the particles.",
-            range=(1e-10, 1e-5),
-            shown="nm",
-            slider=(1.0, 100.0),
-            example="10 nm",
-        ),
-    ]
-    number_density: Annotated[
-        float,
-        density_key(
-            text="Particles in a cubic metre.", least=0.0, slider=(1e6, 1e18), example="1e9 /m^3"
-        ),
-    ]
+    radius: float = key(
+        RADIUS,
+        help="Of the particles.",
+        range=(1e-10, 1e-5),
+        shown="nm",
+        slider=(1.0, 100.0),
+        example="10 nm",
+    )
+    number_density: float = key(
+        DENSITY,
+        help="Particles in a cubic metre.",
+        slider=(1e6, 1e18),
+        example="1e9 /m^3",
+        range=(0.0, 1e29),
+    )
     real: Annotated[Spectral, spectral(0.01, 20.0)]
     imaginary: Annotated[Spectral, spectral(0.0, 20.0)]
 
     @classmethod
-    def declared(cls, table: FileTable | None = None) -> tuple[Field, ...]:
-        """Single key of an absorber's table, which holds a nested table."""
-        return (
-            Field(
-                name=cls.keyword,
-                label="small particles",
-                help="Absorbing particles much smaller than the wavelength.",
-                note="Their scattering is neglected: 8π²r³N/λ · Im[(m²-1)/(m²+2)], m = n + ik."
-                " 5 % too small at 2πr = 0.3 λ; refused at wavelengths below 2πr.",
-                kind="table",
-                table=cls.keyword,
-                prefix="absorption",
-                mode="advanced",
-            ),
-        )
-
-    @classmethod
-    def read(cls, section: TomlTable, wavelengths: Wavelengths = None) -> SmallParticleAbsorption:
-        """Read the table within the absorber's; see ``TomlModel.read``."""
-        within = section.section(cls.keyword, "a table with radius, number_density and index")
-        section.finish()
-        values = cls.read_values(within, wavelengths)
-        index = within.section("index", "a table such as { real = 1.5, imaginary = 0.1 }")
-        within.finish()
-        for part in ("real", "imaginary"):
-            values[part] = index.spectral(part, "1", "1.5", wavelengths)
+    def read_values(
+        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+    ) -> dict[str, Any]:
+        """Fields, with both parts of the index; see ``TomlModel.read_values``."""
+        index = section.section("index", "a table such as { real = 1.5, imaginary = 0.1 }")
+        parts = {
+            part: index.spectral(part, "1", "1.5", wavelengths) for part in ("real", "imaginary")
+        }
         index.finish()
-        return cls.from_values(within, values)
+        return super().read_values(section, wavelengths, **parts)
 
     @property
     def limits(self) -> Limits:
@@ -336,9 +305,23 @@ class SmallParticleAbsorption(Absorber):
 
 #: Kinds of ``absorption = { … }``, distinguished by a key.
 ABSORBERS: Final[Alternatives[Absorber]] = Alternatives(
+    Absorber,
     (
         OzoneAbsorption,
         CrossSectionAbsorption,
-        SmallParticleAbsorption,
-    )
+        NestedTable(
+            Field(
+                name="small_particles",
+                label="small particles",
+                help="Absorbing particles much smaller than the wavelength.",
+                note="Their scattering is neglected: 8π²r³N/λ · Im[(m²-1)/(m²+2)], m = n + ik."
+                " 5 % too small at 2πr = 0.3 λ; refused at wavelengths below 2πr.",
+                kind="table",
+                table=SmallParticleAbsorption,
+                prefix="absorption",
+                mode="advanced",
+                example="a table with radius, number_density and index",
+            )
+        ),
+    ),
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Annotated, Any, Final
 
 import numpy as np
@@ -18,14 +19,15 @@ from airlight.planets.matter.gases import density_of_state, rayleigh_of
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.state_keys import (
-    density_key,
-    depolarisation_key,
-    pressure_key,
-    refractivity_key,
-    temperature_key,
+    DENSITY,
+    DEPOLARISATION,
+    GRAVITY,
+    PRESSURE,
+    REFRACTIVITY,
+    TEMPERATURE,
 )
 from airlight.planets.parameters import finite, parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Field, FileTable, Wavelengths, key
 from airlight.planets.schema.toml_table import TomlTable, suggestion
 from airlight.planets.spectral import (
     Limits,
@@ -77,18 +79,26 @@ def _depolarisation(value: Any) -> Any:
         raise ParameterError(error.field, error.value, allowed) from None
 
 
-def _read_composition(
-    section: TomlTable, name: str, wavelengths: Wavelengths
-) -> tuple[tuple[str, float], ...]:
-    """Read formula and mole fraction of each gas; errors suggest the nearest formula."""
-    table = section.section(name, "a table such as { N2 = 0.79, O2 = 0.21 }")
-    fractions = []
-    for formula in table.names:
-        if formula not in MOLECULES:
-            allowed = suggestion(formula, tuple(MOLECULES))
-            raise ParameterError(f"a gas of {table.path}", formula, allowed)
-        fractions.append((formula, table.number(formula, SHARE.unit, SHARE.example)))
-    return tuple(fractions)
+class _Shares:
+    """Table ``composition``, whose keys are the formulas of gases."""
+
+    base = object
+
+    @staticmethod
+    def declared(table: FileTable | None = None) -> tuple[Field, ...]:
+        """Key of any gas."""
+        return (SHARE,)
+
+    @staticmethod
+    def read(table: TomlTable, wavelengths: Wavelengths = None) -> tuple[tuple[str, float], ...]:
+        """Formula and fraction of each gas; the nearest to a misspelt formula is suggested."""
+        fractions = []
+        for formula in table.names:
+            if formula not in MOLECULES:
+                allowed = suggestion(formula, tuple(MOLECULES))
+                raise ParameterError(f"a gas of {table.path}", formula, allowed)
+            fractions.append((formula, table.number(formula, SHARE.unit, SHARE.example)))
+        return tuple(fractions)
 
 
 #: Key of any gas in the table ``composition``: its formula.
@@ -165,69 +175,48 @@ class GasMixture(Matter):
     example = "{ composition = { N2 = 0.79, … }, … }"
     bends = True
 
-    composition: Annotated[
-        Any,
-        BeforeValidator(_composition),
-        Field(
-            label="composition",
-            help="Mole fractions.",
-            note="The sum must be 1 within 1 %; the fractions are normalised.",
-            kind="table",
-            table="composition",
-            read=_read_composition,
-            mode="advanced",
-        ),
-    ]
-    temperature: Annotated[float, temperature_key(note="Required beside a pressure.")] | None = None
-    pressure: (
-        Annotated[
-            float,
-            pressure_key(note="It or a number density is required; both if they agree within 1 %."),
-        ]
-        | None
-    ) = None
-    reference_density: Annotated[float, density_key(name="number_density")] | None = None
-    gravity: (
-        Annotated[
-            float,
-            Field(
-                label="gravity",
-                help="Gravity, from which the scale height RT/(Mg) follows.",
-                note="Required without a `profile`.",
-                unit="m/s^2",
-                range=(1e-3, 1e4),
-                example="9.80665 m/s^2",
-                slider=(0.1, 100.0),
-                scale="log",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
+    composition: Annotated[Any, BeforeValidator(_composition)] = key(
+        help="Mole fractions.",
+        note="The sum must be 1 within 1 %; the fractions are normalised.",
+        kind="table",
+        table=_Shares,
+        example="a table such as { N2 = 0.79, O2 = 0.21 }",
+    )
+    temperature: float | None = key(TEMPERATURE, note="Required beside a pressure.", default=None)
+    pressure: float | None = key(
+        PRESSURE,
+        note="It or a number density is required; both if they agree within 1 %.",
+        default=None,
+    )
+    reference_density: float | None = key(DENSITY, name="number_density", default=None)
+    gravity: float | None = key(
+        GRAVITY,
+        help="Gravity, from which the scale height RT/(Mg) follows.",
+        note="Required without a `profile`.",
+        default=None,
+    )
     depolarisation: (
         Annotated[
             Any,
-            depolarisation_key(note="That of a rod is 0.5; instead of the gases' King factors."),
+            replace(
+                DEPOLARISATION, note="That of a rod is 0.5; instead of the gases' King factors."
+            ),
             BeforeValidator(_depolarisation),  # the last is asked first: its error says why
         ]
         | None
     ) = None
-    refractivity: (
-        Annotated[
-            Any,
-            refractivity_key(
-                note="Instead of the gases' own. Refused if it is off the composition's by more"
-                " than 10 % at its state: n and the number density belong together."
-            ),
-        ]
-        | None
-    ) = None
-    refractivity_temperature: (
-        Annotated[float, temperature_key("refractivity temperature", _MEASURED)] | None
-    ) = None
-    refractivity_pressure: (
-        Annotated[float, pressure_key("refractivity pressure", _MEASURED)] | None
-    ) = None
+    refractivity: Any | None = key(
+        REFRACTIVITY,
+        note="Instead of the gases' own. Refused if it is off the composition's by more"
+        " than 10 % at its state: n and the number density belong together.",
+        default=None,
+    )
+    refractivity_temperature: float | None = key(
+        TEMPERATURE,
+        help=f"Temperature {_MEASURED}.",
+        default=None,
+    )
+    refractivity_pressure: float | None = key(PRESSURE, help=f"Pressure {_MEASURED}.", default=None)
 
     def __post_init__(self) -> None:
         if self.pressure is not None and self.temperature is None:

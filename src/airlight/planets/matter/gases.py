@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any, Final, NamedTuple
+from dataclasses import replace
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -15,14 +16,15 @@ from airlight.physics.units import values_in
 from airlight.planets.matter.matter import Scatterer
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.state_keys import (
-    density_key,
-    depolarisation_key,
-    pressure_key,
-    refractivity_key,
-    temperature_key,
+    DENSITY,
+    DEPOLARISATION,
+    MOLAR_MASS,
+    PRESSURE,
+    REFRACTIVITY,
+    TEMPERATURE,
 )
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Field, Wavelengths, key
 from airlight.planets.schema.tagged_union import Alternatives
 from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import (
@@ -110,7 +112,6 @@ def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayl
 _MASS_KEYS: Final = (
     Field(
         name="mass_density",
-        label="mass density",
         help="Mass density of the gas where its profile is 1.",
         note="Together with the molar mass, an alternative to the number density.",
         unit="kg/m^3",
@@ -120,20 +121,8 @@ _MASS_KEYS: Final = (
         slider=(1e-4, 100.0),
         input_range=(1e-12, 1e6),
         scale="log",
-        mode="advanced",
     ),
-    Field(
-        name="molar_mass",
-        label="molar mass",
-        help="Molar mass of the gas.",
-        unit="kg/mol",
-        range=(1e-4, 1.0),
-        example="28.9644 g/mol",
-        shown="g/mol",
-        slider=(1.0, 100.0),
-        scale="log",
-        mode="advanced",
-    ),
+    replace(MOLAR_MASS, name="molar_mass"),
 )
 
 
@@ -143,9 +132,11 @@ class _Molecules(Scatterer):
     extra_keys = _MASS_KEYS
 
     @classmethod
-    def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
+    def read_values(
+        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+    ) -> dict[str, Any]:
         """Values of the fields; the number density from mass density and molar mass if given."""
-        values = super().read_values(section, wavelengths)
+        values = super().read_values(section, wavelengths, **known)
         if not any(key.name in section for key in _MASS_KEYS):
             return values
         density, molar_mass = (
@@ -182,22 +173,17 @@ class GasScattering(_Molecules):
 
     keyword = "rayleigh"
 
-    gas: Annotated[
-        str,
-        Field(
-            name="rayleigh",
-            label="gas",
-            help="Gas with tabulated refractivity and depolarisation.",
-            note="`air`: refractivity of Peck & Reeder (1972), King factor of Bates (1984), 230 to"
-            " 1690 nm; `co2`: Bideau-Mehu et al. (1973), Alms et al. (1975), 180.7 to 1694.5 nm.",
-            kind="choice",
-            choices=lambda: tuple(GASES),
-            mode="advanced",
-        ),
-    ]
-    number_density: Annotated[float, density_key()] | None = None
-    temperature: Annotated[float, temperature_key()] | None = None
-    pressure: Annotated[float, pressure_key()] | None = None
+    gas: str = key(
+        name="rayleigh",
+        label="gas",
+        help="Gas with tabulated refractivity and depolarisation.",
+        note="`air`: refractivity of Peck & Reeder (1972), King factor of Bates (1984), 230 to"
+        " 1690 nm; `co2`: Bideau-Mehu et al. (1973), Alms et al. (1975), 180.7 to 1694.5 nm.",
+        choices=lambda: tuple(GASES),
+    )
+    number_density: float | None = key(DENSITY, default=None)
+    temperature: float | None = key(TEMPERATURE, default=None)
+    pressure: float | None = key(PRESSURE, default=None)
 
     def __post_init__(self) -> None:
         density_of_state(self.number_density, self.temperature, self.pressure)
@@ -263,36 +249,25 @@ class RefractiveScattering(_Molecules):
 
     keyword = "refractivity"
 
-    refractivity: Annotated[Spectral, refractivity_key("Of any gas, at the state given beside it.")]
-    number_density: Annotated[float, density_key()] | None = None
-    temperature: Annotated[float, temperature_key()] | None = None
-    pressure: Annotated[float, pressure_key()] | None = None
-    ground_number_density: (
-        Annotated[
-            float,
-            density_key(
-                "number density at the ground",
-                "Where the planet's own is another than that of the refractivity.",
-            ),
-        ]
-        | None
-    ) = None
-    king_factor: Annotated[
-        Spectral,
-        Field(
-            label="King factor",
-            help="1 for round molecules.",
-            range=(1.0, 2.0),
-            spectral=True,
-            example="1.049",
-            slider=(1.0, 1.3),
-            per="wavelengths",
-            mode="advanced",
-        ),
-    ] = 1.0
-    depolarisation: Annotated[Spectral, depolarisation_key(note="Instead of the King factor.")] = (
-        0.0
+    refractivity: Spectral = key(REFRACTIVITY, help="Of any gas, at the state given beside it.")
+    number_density: float | None = key(DENSITY, default=None)
+    temperature: float | None = key(TEMPERATURE, default=None)
+    pressure: float | None = key(PRESSURE, default=None)
+    ground_number_density: float | None = key(
+        DENSITY,
+        label="number density at the ground",
+        help="Where the planet's own is another than that of the refractivity.",
+        default=None,
     )
+    king_factor: Spectral = key(
+        label="King factor",
+        help="1 for round molecules.",
+        range=(1.0, 2.0),
+        example="1.049",
+        slider=(1.0, 1.3),
+        default=1.0,
+    )
+    depolarisation: Spectral = key(DEPOLARISATION, note="Instead of the King factor.", default=0.0)
 
     def __post_init__(self) -> None:
         density_of_state(self.number_density, self.temperature, self.pressure)
@@ -342,4 +317,6 @@ class RefractiveScattering(_Molecules):
 
 
 #: Kinds of ``scattering = { … }``, distinguished by a key.
-SCATTERERS: Final[Alternatives[Scatterer]] = Alternatives((GasScattering, RefractiveScattering))
+SCATTERERS: Final[Alternatives[Scatterer]] = Alternatives(
+    Scatterer, (GasScattering, RefractiveScattering)
+)

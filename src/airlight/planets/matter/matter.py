@@ -23,6 +23,8 @@ FloatArray = npt.NDArray[np.float64]
 class Absorber(TomlModel, ABC):
     """Absorption of a constituent, as a parameter object."""
 
+    mode = "advanced"
+
     @property
     @abstractmethod
     def limits(self) -> Limits:
@@ -44,6 +46,7 @@ class Absorber(TomlModel, ABC):
 class Scatterer(TomlModel, ABC):
     """Scattering and refraction by molecules, as a parameter object."""
 
+    mode = "advanced"
     bends: ClassVar[bool] = True
 
     @property
@@ -77,6 +80,7 @@ class Matter(TomlModel, ABC):
         Whether it refracts.
     """
 
+    mode = "advanced"
     label: ClassVar[str]
     help: ClassVar[str]
     example: ClassVar[str]

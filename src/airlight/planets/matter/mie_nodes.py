@@ -15,7 +15,6 @@ from dataclasses import replace
 from functools import cache
 from importlib import metadata
 from pathlib import Path
-from threading import Lock
 from typing import Final
 
 import numpy as np
@@ -23,6 +22,7 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.kernel import disk
+from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LONG, announce, duration, expected_seconds, timed
 from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress, run_blocks, thread_count
@@ -58,8 +58,7 @@ _INTEGRAL_TOLERANCE: Final = 5e-3
 #: Largest number of nodes kept in memory.
 _MOST_KEPT: Final = 2000
 
-_kept: dict[str, Scattering] = {}
-_lock = Lock()
+_kept: Cache[str, Scattering] = Cache(_MOST_KEPT)
 
 
 @cache
@@ -247,9 +246,9 @@ def _key(sizes: ParticleSizes, index: complex, wavelength: float) -> str:
 
 
 def _load(key: str) -> Scattering | None:
-    with _lock:
-        if key in _kept:
-            return _kept[key]
+    known = _kept.get(key)
+    if known is not None:
+        return known
     arrays = disk.load(key)
     if arrays is None or not {"phase", "ratios"} <= set(arrays):
         return None
@@ -257,18 +256,10 @@ def _load(key: str) -> Scattering | None:
         return None
     extinction, scattering, asymmetry = arrays["numbers"].tolist()
     found = Scattering(extinction, scattering, asymmetry, arrays["phase"], arrays["ratios"])
-    _remember(key, found)
-    return found
+    return _kept.put(key, found)
 
 
 def _keep(key: str, found: Scattering) -> None:
-    _remember(key, found)
+    _kept.put(key, found)
     numbers = np.array([found.extinction, found.scattering, found.asymmetry])
     disk.save(key, {"numbers": numbers, "phase": found.phase, "ratios": found.ratios})
-
-
-def _remember(key: str, found: Scattering) -> None:
-    with _lock:
-        while len(_kept) >= _MOST_KEPT:
-            _kept.pop(next(iter(_kept)))
-        _kept[key] = found

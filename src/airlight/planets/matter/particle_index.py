@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from functools import cache
-from typing import Annotated, Any, Final
+from typing import Annotated, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,7 @@ import numpy.typing as npt
 from airlight.physics.optics.effective_medium import maxwell_garnett
 from airlight.physics.optics.index_table import read_index
 from airlight.planets.parameters import instance_of, parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Field, Wavelengths, key
 from airlight.planets.schema.tagged_union import Alternatives
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import TomlTable
@@ -34,6 +34,8 @@ _LONGEST_OWN: Final = 40
 
 class ParticleIndex(TomlModel, ABC):
     """Complex refractive index n + ik."""
+
+    mode = "advanced"
 
     @property
     @abstractmethod
@@ -71,10 +73,17 @@ def read_particle_index(section: TomlTable, name: str, wavelengths: Wavelengths)
     return kind.read(within, wavelengths)
 
 
-def index_key(label: str, text: str, **more: Any) -> Field:
-    """Key of a refractive index."""
-    return Field(label=label, help=text, kind="choice", table="index", choices=index_words,
-               read=read_particle_index, mode="advanced", **more)  # fmt: skip
+#: Kinds of ``index = { … }``, distinguished by a key; the name of a table is a word.
+INDICES: Final[Alternatives[ParticleIndex]] = Alternatives(ParticleIndex)
+#: Key whose value is a refractive index.
+INDEX: Final = Field(
+    label="material",
+    help="What the particles are made of: their refractive index n + ik.",
+    kind="choice",
+    table=INDICES,
+    choices=index_words,
+    read=read_particle_index,
+)
 
 
 @parameters
@@ -91,34 +100,23 @@ class GivenIndex(ParticleIndex):
 
     keyword = "real"
 
-    real: Annotated[
-        Spectral,
-        Field(
-            label="index, real part",
-            help="Real part n of the refractive index.",
-            range=(0.1, 10.0),
-            spectral=True,
-            example="1.52",
-            slider=(1.0, 3.0),
-            per="wavelengths",
-            mode="advanced",
-        ),
-    ]
-    imaginary: Annotated[
-        Spectral,
-        Field(
-            label="index, imaginary part",
-            help="Imaginary part k of the refractive index.",
-            range=(0.0, 10.0),
-            spectral=True,
-            example="0.006",
-            slider=(1e-6, 1.0),
-            scale="log",
-            per="wavelengths",
-            mode="advanced",
-            offered=lambda table: "real" in table,
-        ),
-    ] = 0.0
+    real: Spectral = key(
+        label="index, real part",
+        help="Real part n of the refractive index.",
+        range=(0.1, 10.0),
+        example="1.52",
+        slider=(1.0, 3.0),
+    )
+    imaginary: Spectral = key(
+        label="index, imaginary part",
+        help="Imaginary part k of the refractive index.",
+        range=(0.0, 10.0),
+        example="0.006",
+        slider=(1e-6, 1.0),
+        scale="log",
+        offered=lambda table: "real" in table,
+        default=0.0,
+    )
 
     @property
     def limits(self) -> Limits:
@@ -184,26 +182,18 @@ class MixedIndex(ParticleIndex):
 
     keyword = "matrix"
 
-    matrix: Annotated[
-        GivenIndex | TableIndex,
-        instance_of(GivenIndex, TableIndex),
-        index_key("matrix", "What the grains lie in.", prefix="matrix"),
-    ]
-    inclusions: Annotated[
-        GivenIndex | TableIndex,
-        instance_of(GivenIndex, TableIndex),
-        index_key("grains", "What lies in the matrix.", prefix="grains"),
-    ]
-    fraction: Annotated[
-        float,
-        Field(
-            label="share of the grains",
-            help="Volume fraction of the inclusions (Maxwell Garnett).",
-            range=(0.0, 1.0),
-            example="0.02",
-            mode="advanced",
-        ),
-    ]
+    matrix: Annotated[GivenIndex | TableIndex, instance_of(GivenIndex, TableIndex)] = key(
+        INDEX, label="matrix", help="What the grains lie in.", prefix="matrix"
+    )
+    inclusions: Annotated[GivenIndex | TableIndex, instance_of(GivenIndex, TableIndex)] = key(
+        INDEX, label="grains", help="What lies in the matrix.", prefix="grains"
+    )
+    fraction: float = key(
+        label="share of the grains",
+        help="Volume fraction of the inclusions (Maxwell Garnett).",
+        range=(0.0, 1.0),
+        example="0.02",
+    )
 
     @property
     def limits(self) -> Limits:
@@ -223,5 +213,4 @@ class MixedIndex(ParticleIndex):
         return maxwell_garnett(*parts, self.fraction)
 
 
-#: Kinds of ``index = { … }``, distinguished by a key; the name of a table is a word.
-INDICES: Final[Alternatives[ParticleIndex]] = Alternatives((GivenIndex, MixedIndex))
+INDICES.classes = (GivenIndex, MixedIndex)  # the second holds indices itself

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 from airlight.physics.optics import size_distribution as distribution
 from airlight.physics.optics.size_distribution import SizeNodes
-from airlight.planets.matter.state_keys import radius_key
+from airlight.planets.matter.state_keys import RADIUS
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import key
 from airlight.planets.schema.tagged_union import TaggedUnion
 from airlight.planets.schema.toml_model import TomlModel
 
 
 class ParticleSizes(TomlModel, ABC):
     """Size distribution of particles."""
+
+    mode = "advanced"
 
     @abstractmethod
     def moment(self, power: int) -> float:
@@ -51,23 +53,16 @@ class GammaSizes(ParticleSizes):
 
     keyword = "gamma"
 
-    effective_radius: Annotated[
-        float, radius_key("effective radius", "Mean radius, weighted by area.")
-    ]
-    effective_variance: Annotated[
-        float,
-        Field(
-            label="effective variance",
-            help="Width of the size distribution.",
-            range=(0.0, 0.5),
-            open_ends=True,
-            example="0.3",
-            slider=(0.01, 0.49),
-            input_range=(1e-3, 0.499),
-            mode="advanced",
-            initial=0.2,
-        ),
-    ]
+    effective_radius: float = key(RADIUS, help="Mean radius, weighted by area.")
+    effective_variance: float = key(
+        help="Width of the size distribution.",
+        range=(0.0, 0.5),
+        open_ends=True,
+        example="0.3",
+        slider=(0.01, 0.49),
+        input_range=(1e-3, 0.499),
+        initial=0.2,
+    )
 
     def moment(self, power: int) -> float:
         """Mean of r^power. [m^power]"""
@@ -92,22 +87,14 @@ class LogNormalSizes(ParticleSizes):
 
     keyword = "log-normal"
 
-    median_radius: Annotated[
-        float,
-        radius_key("median radius", "Half of the particles are larger.", example="0.5 um"),
-    ]
-    geometric_deviation: Annotated[
-        float,
-        Field(
-            label="geometric deviation",
-            help="Geometric standard deviation, a factor about the median radius.",
-            range=(1.0, 5.0),
-            example="1.6",
-            slider=(1.0, 3.0),
-            mode="advanced",
-            initial=1.5,
-        ),
-    ]
+    median_radius: float = key(RADIUS, help="Half of the particles are larger.", example="0.5 um")
+    geometric_deviation: float = key(
+        help="Geometric standard deviation, a factor about the median radius.",
+        range=(1.0, 5.0),
+        example="1.6",
+        slider=(1.0, 3.0),
+        initial=1.5,
+    )
 
     def moment(self, power: int) -> float:
         """Mean of r^power. [m^power]"""
@@ -134,7 +121,7 @@ class SingleSize(ParticleSizes):
 
     keyword = "single"
 
-    radius: Annotated[float, radius_key("radius", "The same for all.")]
+    radius: float = key(RADIUS, help="The same for all.")
 
     def moment(self, power: int) -> float:
         """Mean of r^power. [m^power]"""
@@ -147,6 +134,7 @@ class SingleSize(ParticleSizes):
 
 #: Kinds of ``sizes = { kind = … }``.
 SIZES: Final[TaggedUnion[ParticleSizes]] = TaggedUnion(
+    ParticleSizes,
     (GammaSizes, LogNormalSizes, SingleSize),
     label="sizes",
     help="Size distribution of the radii.",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Annotated, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -23,13 +23,12 @@ from airlight.planets.matter.mie_nodes import (
     node_wavelengths,
     phase_angles,
 )
-from airlight.planets.matter.particle_index import ParticleIndex, index_key
+from airlight.planets.matter.particle_index import INDEX, ParticleIndex
 from airlight.planets.matter.particle_sizes import SIZES, ParticleSizes
 from airlight.planets.matter.phases import TabulatedPhase
-from airlight.planets.matter.state_keys import depth_key
-from airlight.planets.parameters import MISSING, instance_of, parameters
-from airlight.planets.schema.field import Field, Wavelengths, always
-from airlight.planets.schema.toml_table import TomlTable
+from airlight.planets.matter.state_keys import DEPTH
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.field import always, key
 from airlight.planets.spectral import Limits, narrowest
 
 FloatArray = npt.NDArray[np.float64]
@@ -40,10 +39,6 @@ _RADII: Final = 400
 
 #: Exact theory, and the approximation of van de Hulst.
 METHODS: Final = ("mie", "anomalous-diffraction")
-
-
-def _sizes(section: TomlTable, name: str, wavelengths: Wavelengths) -> ParticleSizes:
-    return SIZES.read(section.section(name, "a table such as { kind = 'gamma', … }"))
 
 
 @parameters
@@ -89,82 +84,50 @@ class Particles(Matter):
     help = "Particles by what they are made of and how large they are."
     example = "{ index = 'water', … }"
 
-    index: Annotated[
-        ParticleIndex,
-        instance_of(ParticleIndex),
-        index_key(
-            "material",
-            "What the particles are made of: their refractive index n + ik.",
-            note="The name of a table, the path to a CSV file, `{ real, imaginary }`, or"
-            " `{ matrix, inclusions, fraction }`.",
-        ),
-    ]
-    sizes: Annotated[
-        ParticleSizes,
-        instance_of(ParticleSizes),
-        Field(
-            label="sizes",
-            help="Sizes of the particles.",
-            kind="table",
-            table="sizes",
-            read=_sizes,
-            mode="advanced",
-        ),
-    ]
-    optical_depth: (
-        Annotated[
-            float,
-            depth_key(
-                "Of all of them straight up, at the wavelength below.",
-                note="Or a number density.",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    number_density: (
-        Annotated[
-            float,
-            Field(
-                label="number density",
-                help="Number density where the profile is 1.",
-                unit="1/m^3",
-                range=(0.0, 1e25),
-                example="1e6 /m^3",
-                shown="/cm^3",
-                slider=(1e-2, 1e6),
-                scale="log",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    at: Annotated[
-        float,
-        Field(
-            label="wavelength of the optical depth",
-            help="Wavelength at which the optical depth is given.",
-            unit="nm",
-            range=WIDEST,
-            example="550 nm",
-            slider=(300.0, 1000.0),
-            mode="advanced",
-            offered=lambda table: "optical_depth" in table,
-        ),
-    ] = 550.0
-    method: Annotated[
-        str,
-        Field(
-            label="method",
-            help="Method: exact Mie theory for spheres, or van de Hulst's anomalous diffraction.",
-            note="The latter needs a `phase_function` and takes 9 to 13 % off the extinction of"
-            " Martian dust.",
-            kind="choice",
-            choices=lambda: METHODS,
-            mode="advanced",
-            offered=always,
-        ),
-    ] = "mie"
+    index: ParticleIndex = key(
+        INDEX,
+        note="The name of a table, the path to a CSV file, `{ real, imaginary }`, or"
+        " `{ matrix, inclusions, fraction }`.",
+    )
+    sizes: ParticleSizes = key(
+        help="Sizes of the particles.",
+        table=SIZES,
+        example="a table such as { kind = 'gamma', … }",
+    )
+    optical_depth: float | None = key(
+        DEPTH,
+        help="Of all of them straight up, at the wavelength below.",
+        note="Or a number density.",
+        default=None,
+    )
+    number_density: float | None = key(
+        help="Number density where the profile is 1.",
+        unit="1/m^3",
+        range=(0.0, 1e25),
+        example="1e6 /m^3",
+        shown="/cm^3",
+        slider=(1e-2, 1e6),
+        scale="log",
+        default=None,
+    )
+    at: float = key(
+        label="wavelength of the optical depth",
+        help="Wavelength at which the optical depth is given.",
+        unit="nm",
+        range=WIDEST,
+        example="550 nm",
+        slider=(300.0, 1000.0),
+        offered=lambda table: "optical_depth" in table,
+        default=550.0,
+    )
+    method: str = key(
+        help="Method: exact Mie theory for spheres, or van de Hulst's anomalous diffraction.",
+        note="The latter needs a `phase_function` and takes 9 to 13 % off the extinction of"
+        " Martian dust.",
+        choices=lambda: METHODS,
+        offered=always,
+        default="mie",
+    )
 
     def __post_init__(self) -> None:
         if (self.optical_depth is None) == (self.number_density is None):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -11,9 +11,9 @@ from airlight.errors import ConflictError, ParameterError
 from airlight.physics.units import values_in
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PhaseFunction
-from airlight.planets.matter.state_keys import albedo_key, depth_key
+from airlight.planets.matter.state_keys import ALBEDO, DEPTH
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.field import Field, always
+from airlight.planets.schema.field import Field, always, key
 from airlight.planets.spectral import EVERYWHERE, Limits
 
 FloatArray = npt.NDArray[np.float64]
@@ -31,10 +31,12 @@ def _no_phase_function() -> ParameterError:
     return ConflictError("phase_function", "is required with turbidity")
 
 
-def _turbidity_key(**more: Any) -> Field:
-    return Field(label="turbidity", help="1 is clear air, 2 clean, 10 thick haze.",
-               range=(1.0, 100.0), example="2", slider=(1.0, 10.0), mode="advanced",
-               **more)  # fmt: skip
+_TURBIDITY: Final = Field(
+    help="1 is clear air, 2 clean, 10 thick haze.",
+    range=(1.0, 100.0),
+    example="2",
+    slider=(1.0, 10.0),
+)
 
 
 class _Haze(Matter):
@@ -85,61 +87,38 @@ class Turbidity(_Haze):
     help = "Haze by one number; it needs a `phase_function`."
     example = "{ optical_depth = 0.1, … }"
 
-    turbidity: Annotated[float, _turbidity_key(note="τ(550 nm) = (T-1) τ_R of the gas.")] | None = (
-        None
+    turbidity: float | None = key(
+        _TURBIDITY, note="τ(550 nm) = (T-1) τ_R of the gas.", default=None
     )
-    rayleigh_optical_depth: (
-        Annotated[
-            float,
-            Field(
-                label="optical depth of the gas",
-                help="Vertical optical depth of the clear air at 550 nm.",
-                range=(0.0, 1e3),
-                slider=(1e-3, 10.0),
-                scale="log",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    optical_depth: (
-        Annotated[
-            float,
-            depth_key(
-                "Of the haze straight up, at 550 nm.",
-                note="Instead of the turbidity.",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    junge: (
-        Annotated[
-            float,
-            Field(
-                label="Junge exponent",
-                help="Junge exponent of the size distribution; 4 makes the haze vary as λ^-2.",
-                note="Scattering and absorption vary as λ^-(v-2).",
-                range=(2.0, 6.0),
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    angstrom: (
-        Annotated[
-            float,
-            Field(
-                label="Ångström exponent",
-                help="Exponent of the haze's decrease with wavelength.",
-                note="Alternative to the Junge exponent.",
-                range=(0.0, 4.0),
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    single_scattering_albedo: Annotated[float, albedo_key(mode="advanced", offered=always)] = 1.0
+    rayleigh_optical_depth: float | None = key(
+        label="optical depth of the gas",
+        help="Vertical optical depth of the clear air at 550 nm.",
+        range=(0.0, 1e3),
+        slider=(1e-3, 10.0),
+        scale="log",
+        default=None,
+    )
+    optical_depth: float | None = key(
+        DEPTH,
+        help="Of the haze straight up, at 550 nm.",
+        note="Instead of the turbidity.",
+        default=None,
+    )
+    junge: float | None = key(
+        label="Junge exponent",
+        help="Junge exponent of the size distribution; 4 makes the haze vary as λ^-2.",
+        note="Scattering and absorption vary as λ^-(v-2).",
+        range=(2.0, 6.0),
+        default=None,
+    )
+    angstrom: float | None = key(
+        label="Ångström exponent",
+        help="Exponent of the haze's decrease with wavelength.",
+        note="Alternative to the Junge exponent.",
+        range=(0.0, 4.0),
+        default=None,
+    )
+    single_scattering_albedo: float = key(ALBEDO, offered=always, default=1.0)
 
     def __post_init__(self) -> None:
         if (self.turbidity is None) == (self.optical_depth is None):
@@ -218,18 +197,13 @@ class LiteralTurbidity(_Haze):
     help = "Haze as OpenSpace has it; it needs a `phase_function`."
     example = "{ turbidity = 2 }"
 
-    turbidity: Annotated[
-        float, _turbidity_key(note="Eq. 17 as printed: 1.064e-4 /m at T = 2 and 550 nm.")
-    ]
-    junge: Annotated[
-        float,
-        Field(
-            label="Junge exponent",
-            help="The published equation holds for 4 only.",
-            range=(4.0, 4.0),
-            mode="advanced",
-        ),
-    ] = 4.0
+    turbidity: float = key(_TURBIDITY, note="Eq. 17 as printed: 1.064e-4 /m at T = 2 and 550 nm.")
+    junge: float = key(
+        label="Junge exponent",
+        help="The published equation holds for 4 only.",
+        range=(4.0, 4.0),
+        default=4.0,
+    )
 
     @property
     def limits(self) -> Limits:

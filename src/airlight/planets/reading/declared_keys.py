@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
+from airlight.planets.planet import Planet
 from airlight.planets.reading.nested_tables import Tables, joined, steps_of
-from airlight.planets.reading.tables import keys_of
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import Field, KindOfTable
 from airlight.planets.schema.measures import listed
 from airlight.planets.schema.toml_table import suggestion
 
@@ -16,7 +16,8 @@ from airlight.planets.schema.toml_table import suggestion
 def key_at(tables: Tables, path: str) -> Field:
     """Declaration of the key at a path; items of a list have the list's key."""
     cursor: Any = tables
-    kind, found = "planet", None
+    kind: KindOfTable | None = Planet
+    found = None
     for step in steps_of(path):
         if isinstance(step, str):
             kind = kind if found is None else found.table
@@ -43,10 +44,10 @@ def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
     >>> spelled_out({"wavelengths": "680, 550, 440 nm"})["wavelengths"]
     ['680 nm', '550 nm', '440 nm']
     """
-    return _spelled(tables, "planet", "", folder)  # type: ignore[no-any-return]
+    return _spelled(tables, Planet, "", folder)  # type: ignore[no-any-return]
 
 
-def _spelled(value: Any, kind: str, path: str, folder: Path | None) -> Any:
+def _spelled(value: Any, kind: KindOfTable, path: str, folder: Path | None) -> Any:
     if isinstance(value, list):
         return [_spelled(one, kind, joined(path, i), folder) for i, one in enumerate(value)]
     if not isinstance(value, dict):
@@ -54,7 +55,7 @@ def _spelled(value: Any, kind: str, path: str, folder: Path | None) -> Any:
     result = {}
     for name, one in value.items():
         key = declared_key(kind, name, joined(path, name), value)
-        if isinstance(one, (dict, list)) and key.table and not is_flat(one):
+        if isinstance(one, (dict, list)) and key.table is not None and not is_flat(one):
             one = _spelled(one, key.table, joined(path, name), folder)
         elif isinstance(one, str) and key.kind == "number" and "," in one:
             one = listed(one, key.unit)
@@ -69,12 +70,12 @@ def is_flat(value: Any) -> bool:
     return isinstance(value, list) and not any(isinstance(one, dict) for one in value)
 
 
-def declared_key(kind: str, name: str, path: str, table: Tables | None) -> Field:
+def declared_key(kind: KindOfTable | None, name: str, path: str, table: Tables | None) -> Field:
     """Declaration of a key: from the table's own variant, else from any that has the key."""
-    for declared in (keys_of(kind, table), keys_of(kind)) if kind else ():
-        for key in declared:
-            if key.name in (name, "*"):
-                return key
-    names = tuple(key.name for key in keys_of(kind, table)) if kind else ()
+    own = () if kind is None else kind.declared(table)
+    for key in (*own, *(() if kind is None else kind.declared())):
+        if key.name in (name, "*"):
+            return key
     where = path.rpartition(".")[0] or "the file"
-    raise ParameterError(f"a key of {where}", name, suggestion(name, names) or "none")
+    allowed = suggestion(name, tuple(key.name for key in own)) or "none"
+    raise ParameterError(f"a key of {where}", name, allowed)

@@ -11,16 +11,12 @@ from typing import Any, Final, Protocol, TypeAlias
 
 from numpy.typing import ArrayLike
 
-from airlight.errors import Collector, ConflictError, FileError, ParameterError
+from airlight.errors import ConflictError, FileError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
-from airlight.planets.reading.constituent_reader import read_constituent
 from airlight.planets.reading.overrides import overridden, with_hint
-from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.schema.toml_table import TomlTable, suggestion
-from airlight.planets.star import Star
 
 #: Largest size of a planet file. [byte]
 LARGEST_FILE: Final = 4_000_000
@@ -217,7 +213,7 @@ def read_tables(
     """
     try:
         changed = tables if overrides is None else overridden(tables, overrides)
-        planet = _planet(TomlTable(changed, folder=folder))
+        planet = declared_planet(changed, folder)
         # Refuse here, where the file is known.
         Medium.from_planet(planet, wavelengths(planet), progress=progress, cancel=cancel)
         return planet
@@ -229,7 +225,7 @@ def read_tables(
 
 def declared_planet(tables: Mapping[str, Any], folder: Path | None = None) -> Planet:
     """Planet from the nested tables of a file, without validation of its medium."""
-    return _planet(TomlTable(tables, folder=folder))
+    return Planet.read(TomlTable(tables, folder=folder))
 
 
 def nested_tables(text: str, file: str) -> dict[str, Any]:
@@ -240,52 +236,3 @@ def nested_tables(text: str, file: str) -> dict[str, Any]:
         raise FileError(file, "is not TOML: nested too deeply") from None
     except ValueError as error:  # TOMLDecodeError, and integers of thousands of digits
         raise FileError(file, f"is not TOML: {error}") from None
-
-
-def _planet(root: TomlTable) -> Planet:
-    keys = fields_of(Planet)
-    collector = Collector()
-    own: dict[str, Any] = {}
-    wavelengths = None
-    with collector:
-        wavelengths = root.wavelengths()
-    for field, key in keys.items():
-        if key.kind != "table" and not key.within:
-            with collector:
-                own[field] = key.read_from(root, wavelengths)
-    with collector:
-        shell = root.section("shell", "a table [shell] with bottom_radius and top_radius")
-        for field, key in keys.items():
-            if key.within == "shell":
-                with collector:
-                    own[field] = key.read_from(shell, None)
-        shell.finish()
-    with collector:
-        own["ground"] = Ground.read(root.section("ground", "a table [ground] with an albedo"))
-    with collector:
-        allowed = "a table [star] with a spectrum and an angular_radius"
-        own["star"] = Star.read(root.section("star", allowed))
-    sections: list[TomlTable] = []
-    with collector:
-        sections = root.sections("constituents", "a list of tables [[constituents]]")
-    if {"bottom_radius", "top_radius"} <= set(own):
-        with collector:
-            _check_shell(own["bottom_radius"], own["top_radius"])
-            thickness = own["top_radius"] - own["bottom_radius"]
-            constituents = []
-            for section in sections:
-                with collector:
-                    constituents.append(read_constituent(section, thickness))
-            own["constituents"] = tuple(constituents)
-    with collector:
-        root.finish()
-    collector.raise_all()
-    return Planet(**{field: value for field, value in own.items() if value is not None})
-
-
-def _check_shell(bottom: float, top: float) -> None:
-    """Raise an error for invalid radii, before columns are converted to densities."""
-    if not bottom > 0.0:
-        raise ParameterError("shell.bottom_radius", bottom, "more than 0 m")
-    if not bottom < top:
-        raise ParameterError("shell.top_radius", top, f"more than bottom_radius, {bottom:.10g} m")

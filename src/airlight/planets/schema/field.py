@@ -6,20 +6,23 @@ controls and the key tables of the documentation follow from it.
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from types import NoneType, UnionType
+from typing import Any, Protocol, Union, get_args, get_origin
 
+import pydantic
 from pydantic import BeforeValidator, GetCoreSchemaHandler, ValidationInfo
 from pydantic_core import CoreSchema
 
-from airlight.errors import ParameterError
+from airlight.errors import Collector, ParameterError
 from airlight.plain_text import is_plain
 from airlight.planets.parameters import inside, numbers
 from airlight.planets.schema.measures import converted
 from airlight.planets.schema.toml_table import TomlTable
-from airlight.planets.spectral import LONGEST, SHORTEST, check_spectral
+from airlight.planets.spectral import LONGEST, SHORTEST, PerWavelength, check_spectral
 
 Wavelengths = tuple[float, ...] | None
 #: A table of a planet file, as the TOML parser gives it.
@@ -36,8 +39,14 @@ def never(table: FileTable) -> bool:
     return False
 
 
-class Prebuilt:
-    """Base of parameter objects that are valid values of a key."""
+class KindOfTable(Protocol):
+    """Class, or union of classes, whose objects are read from one kind of table."""
+
+    def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
+        """Keys that this table may have, or any table of the kind."""
+
+    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Any:
+        """Read the object from a table of a planet file."""
 
 
 def _no_choices() -> tuple[str, ...]:
@@ -50,15 +59,17 @@ class Field:
 
     Attributes
     ----------
-    label, help : str
-        Label of a few words; help of one sentence.
+    help : str
+        Help of one sentence.
+    label : str
+        Label of a few words; the name in the file by default.
     name : str
         Name in the file, if different from the field's; ``*`` in a table whose keys are names.
     note : str
         Further sentences for the handbook, after ``help``.
     kind : str
         ``number`` (also lists of numbers, and ``words`` instead), ``choice``, ``text``, ``switch``,
-        ``table``.
+        ``table``; by default that of the field's type.
     unit : str
         Unit of the field, of ``range``, and of a number without a unit.
     range : (float, float)
@@ -66,16 +77,16 @@ class Field:
     open_ends : bool
         Whether the ends are excluded.
     example : str
-        Example of a value in a file, for errors.
+        Value as a file may write it, for errors; of a table, the form itself.
     spectral : bool
-        Whether a list over ``wavelengths`` is allowed.
+        Whether a list beside ``wavelengths`` is allowed, as for a field of type ``Spectral``.
     listed : bool
-        Whether the value is a list of numbers.
+        Whether the value is a list of numbers or tables, as for a field that is a tuple.
     read : callable, optional
         ``read(section, name, wavelengths)``, if the form in the file differs from the field's.
     required : bool, optional
         Whether the key is required; default: whether the field has no default.
-    default : object
+    left_out : object
         Value of an omitted key, if different from the field's default.
     offered : callable
         Whether an editor shows the key for a table that omits it.
@@ -95,22 +106,21 @@ class Field:
         Allowed words, looked up at each use.
     placeholder : str
         Word shown by an editor if the key has to be omitted.
-    table : str
+    table : class or union of classes, optional
         Kind of the table, or of the tables of a list, under the key.
     prefix : str
         Prefix of the labels of the keys within that table.
     per, per_unit : str
         Key of the list that this list belongs to, and unit in which that list is shown.
     mode : str
-        ``standard`` (coefficients) or ``advanced`` (composition).
-    within : str
-        Table of the file that contains the key, if not at the top.
+        ``standard`` or ``advanced``: by coefficients, or by composition; that of the class by
+        default.
     synonyms : tuple of str
         Synonyms for an editor's search.
     """
 
-    label: str
     help: str
+    label: str = ""
     name: str = ""
     note: str = ""
     kind: str = "number"
@@ -122,7 +132,7 @@ class Field:
     listed: bool = False
     read: Callable[[TomlTable, str, Wavelengths], Any] | None = None
     required: bool | None = None
-    default: Any = None
+    left_out: Any = None
     offered: Callable[[FileTable], bool] = never
     shown: str = ""
     slider: tuple[float, float] | None = None
@@ -132,12 +142,11 @@ class Field:
     initial_fraction: float | None = None
     choices: Callable[[], tuple[str, ...]] = _no_choices
     placeholder: str = ""
-    table: str = ""
+    table: KindOfTable | None = None
     prefix: str = ""
     per: str = ""
     per_unit: str = "nm"
-    mode: str = "standard"
-    within: str = ""
+    mode: str = ""
     synonyms: tuple[str, ...] = ()
 
     # --- of the field -------------------------------------------------------------------------
@@ -145,16 +154,53 @@ class Field:
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        return BeforeValidator(self._validated).__get_pydantic_core_schema__(source, handler)
+        whole = self.of_type(source)
+        optional = NoneType in get_args(source)
 
-    def _validated(self, value: Any, info: ValidationInfo) -> Any:
-        return self.checked(value, info.field_name or "value")
+        def validated(value: Any, info: ValidationInfo) -> Any:
+            if optional and value is None:
+                return None
+            return whole.checked(value, info.field_name or "value")
+
+        return BeforeValidator(validated).__get_pydantic_core_schema__(source, handler)
+
+    def of_type(self, source: Any) -> Field:
+        """Declaration completed by the type of the field."""
+        types = get_args(source) if get_origin(source) in (Union, UnionType) else (source,)
+        items = [get_args(one)[0] for one in types if get_origin(one) is tuple]
+        kind = self.kind
+        if kind == "number" and float not in types:
+            if bool in types:
+                kind = "switch"
+            elif str in types:
+                kind = "text" if self.choices is _no_choices else "choice"
+            elif self.table is not None and Any not in types:
+                kind = "table"
+        spectral = self.spectral or PerWavelength in types
+        return replace(
+            self,
+            kind=kind,
+            spectral=spectral,
+            listed=self.listed or float in items or (kind == "table" and bool(items)),
+            per=self.per or ("wavelengths" if spectral else ""),
+        )
+
+    def named(self, name: str, mode: str) -> Field:
+        """Declaration under a name in the file, with label and mode filled in."""
+        label = self.label or name.replace("_", " ")
+        return replace(self, name=name, label=label, mode=self.mode or mode)
 
     def checked(self, value: Any, field: str) -> Any:
         """Validated value of the field."""
         low, high = self.range
-        if self.table and isinstance(value, Prebuilt):
-            return value
+        if self.table is not None and not self.listed:
+            base: Any = getattr(self.table, "base", self.table)
+            if isinstance(value, base):
+                return value
+            if self.kind != "number" or (
+                dataclasses.is_dataclass(value) and not isinstance(value, PerWavelength)
+            ):
+                raise ParameterError(field, value, f"one of {base.__name__}")
         if self.kind == "choice" and self.choices is not _no_choices:
             if value not in self.choices():
                 raise ParameterError(field, value, " or ".join(map(repr, self.choices())))
@@ -205,6 +251,8 @@ class Field:
             return None
         if self.read is not None:
             return self.read(section, name, wavelengths)
+        if self.table is not None and (self.kind == "table" or isinstance(section.raw(name), dict)):
+            return self._table_from(section, wavelengths)
         if self.kind == "choice":
             return section.choice(name, self.choices())
         if self.kind == "text":
@@ -216,6 +264,18 @@ class Field:
         if self.spectral:
             return section.spectral(name, self.unit, self.example, wavelengths)
         return section.number(name, self.unit, self.example)
+
+    def _table_from(self, section: TomlTable, wavelengths: Wavelengths) -> Any:
+        """Object of the key's table, or one for each table of its list."""
+        assert self.table is not None
+        if not self.listed:
+            return self.table.read(section.section(self.name, self.example), wavelengths)
+        made, collector = [], Collector()
+        for one in section.sections(self.name, self.example):
+            with collector:
+                made.append(self.table.read(one, wavelengths))
+        collector.raise_all()
+        return tuple(made)
 
     # --- of an editor -------------------------------------------------------------------------
 
@@ -244,6 +304,23 @@ def _inverse(unit: str) -> str:
     """Inverse of a unit: ``s⁻²`` for ``s^2``."""
     name, _, power = unit.partition("^")
     return f"{name}⁻{'¹²³'[int(power or 1) - 1]}"
+
+
+def key(base: Field | None = None, *, default: Any = ..., **declared: Any) -> Any:
+    """Field of a parameter object with its declaration, as its default value.
+
+    Parameters
+    ----------
+    base : Field, optional
+        Declaration that the following change; none by default.
+    default : object
+        Default value of the field; without it the field is required.
+    **declared
+        Attributes of ``Field``.
+    """
+    info = pydantic.Field(default, kw_only=True)
+    info.metadata.append(Field(**declared) if base is None else replace(base, **declared))
+    return info
 
 
 #: List of wavelengths that the other lists of a table belong to.

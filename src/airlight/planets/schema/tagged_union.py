@@ -14,77 +14,67 @@ Kind = TypeVar("Kind", bound=TomlModel)
 
 
 @dataclass(frozen=True)
-class TaggedUnion(Generic[Kind]):
-    """Union of kinds of a table, tagged by the key ``kind``.
+class NestedTable:
+    """Kind of table that is a single key with a table of its own.
 
     Attributes
     ----------
-    classes : tuple of type
-        Classes in the order in which they are listed; each has a ``keyword``.
-    label, help : str
-        Label and help of the choice among them.
-    mode : str
-        See ``Field``.
+    field : Field
+        Declaration of the key.
     """
 
-    classes: tuple[type[Kind], ...]
-    label: str
-    help: str
-    mode: str = "standard"
+    field: Field
 
     @property
-    def keywords(self) -> tuple[str, ...]:
-        """Words allowed after ``kind``."""
-        return tuple(one.keyword for one in self.classes)
-
-    def of(self, keyword: Any) -> type[Kind] | None:
-        """Class of a kind by its keyword."""
-        return next((one for one in self.classes if one.keyword == keyword), None)
+    def keyword(self) -> str:
+        """Key that distinguishes the kind."""
+        return self.field.name
 
     def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
-        """``kind`` and the keys of the table's kind; those of all kinds without ``kind``."""
-        choice = Field(name="kind", label=self.label, help=self.help, kind="choice",
-                     choices=lambda: self.keywords, mode=self.mode, required=True)  # fmt: skip
-        kind = self.of((table or {}).get("kind"))
-        return (choice, *(kind.declared(table) if kind else merged(self.classes)))
+        """Single key of the table."""
+        return (self.field,)
 
-    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Kind:
-        """Read the object from a table of a planet file."""
-        kind = self.of(section.choice("kind", self.keywords))
-        assert kind is not None
-        with section.prefix_errors():
-            return kind.read(section, wavelengths)
-
-    def default_table(self, keyword: str, old: FileTable, thickness: float) -> dict[str, Any]:
-        """Default table of a kind; see ``TomlModel.default_table``."""
-        kind = self.of(keyword)
-        assert kind is not None
-        return {"kind": keyword, **kind.default_table(old, thickness)}
+    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Any:
+        """Read the object from the table within a table of a planet file."""
+        section.note((self.keyword,))
+        section.finish()
+        return self.field.read_from(section, wavelengths)
 
 
-@dataclass(frozen=True)
+@dataclass
 class Alternatives(Generic[Kind]):
     """Union of kinds of a table, distinguished by a key, the keyword.
 
     Attributes
     ----------
+    base : type
+        Class that all kinds derive from.
     classes : tuple of type
-        Classes, each with a ``keyword``.
+        Classes in the order in which they are listed, each with a ``keyword``.
     """
 
-    classes: tuple[type[Kind], ...]
+    base: Any
+    classes: tuple[type[Kind] | NestedTable, ...] = ()
 
     @property
     def keywords(self) -> tuple[str, ...]:
-        """Keys that distinguish the kinds."""
-        return tuple(one.keyword for one in self.classes)
+        """Words that distinguish the kinds."""
+        return tuple(str(one.keyword) for one in self.classes)
+
+    def of(self, keyword: Any) -> Any:
+        """Kind of this word."""
+        return next((one for one in self.classes if one.keyword == keyword), None)
 
     def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
-        """Keys of the table's kind; those of all kinds if it has none of the keywords."""
+        """Keys of the table's kind; those of all kinds, each name once, if it has no keyword."""
         for one in self.classes:
             if one.keyword in (table or {}):
                 return one.declared(table)
-        return merged(self.classes)
+        found: dict[str, Field] = {}
+        for one in self.classes:
+            for key in one.declared():
+                found.setdefault(key.name, key)
+        return tuple(found.values())
 
     def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Kind:
         """Read the object from a table of a planet file."""
@@ -96,10 +86,42 @@ class Alternatives(Generic[Kind]):
         )
 
 
-def merged(classes: tuple[type[Any], ...]) -> tuple[Field, ...]:
-    """Keys of several kinds of table, without repetitions of a name."""
-    found: dict[str, Field] = {}
-    for one in classes:
-        for key in one.declared():
-            found.setdefault(key.name, key)
-    return tuple(found.values())
+@dataclass
+class TaggedUnion(Alternatives[Kind]):
+    """Union of kinds of a table, tagged by the key ``kind``.
+
+    Attributes
+    ----------
+    label, help : str
+        Label and help of the choice among them.
+    mode : str
+        See ``Field``.
+    """
+
+    label: str = ""
+    help: str = ""
+    mode: str = "standard"
+
+    def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
+        """``kind`` and the keys of the table's kind; those of all kinds if it names none."""
+        choice = Field(
+            name="kind",
+            label=self.label,
+            help=self.help,
+            kind="choice",
+            choices=lambda: self.keywords,
+            mode=self.mode,
+            required=True,
+        )
+        kind = self.of((table or {}).get("kind"))
+        return (choice, *(kind.declared(table) if kind else super().declared()))
+
+    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Kind:
+        """Read the object from a table of a planet file."""
+        kind = self.of(section.choice("kind", self.keywords))
+        with section.prefix_errors():
+            return kind.read(section, wavelengths)  # type: ignore[no-any-return]
+
+    def default_table(self, keyword: str, old: FileTable, thickness: float) -> dict[str, Any]:
+        """Default table of a kind; see ``TomlModel.default_table``."""
+        return {"kind": keyword, **self.of(keyword).default_table(old, thickness)}

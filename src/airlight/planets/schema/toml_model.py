@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Final, Self, get_args, get_origin
 
 from airlight.errors import Collector, ParameterError, changed
-from airlight.planets.schema.field import WAVELENGTHS, Field, FileTable, Prebuilt, Wavelengths
+from airlight.planets.schema.field import WAVELENGTHS, Field, FileTable, Wavelengths
 from airlight.planets.schema.measures import converted, text_of
 from airlight.planets.schema.toml_table import TomlTable
 
 
-class TomlModel(Prebuilt):
+class TomlModel:
     """Base of parameter objects whose fields are declared by ``Field``.
 
     Attributes
@@ -23,17 +23,20 @@ class TomlModel(Prebuilt):
         Whether the table has its own list of wavelengths.
     extra_keys : tuple of Field
         Keys of the table that are alternatives to fields.
+    mode : str
+        See ``Field``.
     """
 
     keyword: ClassVar[str] = ""
     has_wavelengths: ClassVar[bool] = False
     extra_keys: ClassVar[tuple[Field, ...]] = ()
+    mode: ClassVar[str] = "standard"
 
     @classmethod
     def declared(cls, table: FileTable | None = None) -> tuple[Field, ...]:
         """Keys of its table, in the order of the fields."""
-        own = tuple(key for key in fields_of(cls).values() if not key.within)
-        return (*own, *([WAVELENGTHS] if cls.has_wavelengths else []), *cls.extra_keys)
+        extra = [key.named(key.name, cls.mode) for key in cls.extra_keys]
+        return (*fields_of(cls).values(), *([WAVELENGTHS] if cls.has_wavelengths else []), *extra)
 
     @classmethod
     def read(cls, section: TomlTable, wavelengths: Wavelengths = None) -> Self:
@@ -60,15 +63,26 @@ class TomlModel(Prebuilt):
         return made
 
     @classmethod
-    def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
-        """Values of the table by field; omitted keys are absent."""
+    def read_values(
+        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+    ) -> dict[str, Any]:
+        """Values of the table, by field; keys that it leaves out are absent.
+
+        Parameters
+        ----------
+        section, wavelengths
+            See ``read``.
+        **known
+            Values by field that are not read.
+        """
         if cls.has_wavelengths:
             wavelengths = section.wavelengths()
-        found: dict[str, Any] = {}
+        found: dict[str, Any] = dict(known)
         collector = Collector()
         for field, key in fields_of(cls).items():
-            with collector:
-                found[field] = key.read_from(section, wavelengths)
+            if field not in known:
+                with collector:
+                    found[field] = key.read_from(section, wavelengths)
         collector.raise_all()
         return {field: value for field, value in found.items() if value is not None}
 
@@ -124,18 +138,15 @@ def fields_of(cls: type[Any]) -> dict[str, Field]:
 
 
 def _declared_fields(cls: type[Any]) -> dict[str, Field]:
-    annotated = cls.__pydantic_fields__
     found = {}
-    for field in dataclasses.fields(cls):
-        info = annotated[field.name]
+    for name, info in cls.__pydantic_fields__.items():
         key = _key_in(Annotated[info.annotation, *info.metadata, None])
         if key is not None:
-            given = field.default is not dataclasses.MISSING
-            found[field.name] = dataclasses.replace(
-                key,
-                name=key.name or field.name,
-                default=field.default if key.default is None and given else key.default,
-                required=not given if key.required is None else key.required,
+            required = info.is_required()
+            found[name] = dataclasses.replace(
+                key.of_type(info.annotation).named(key.name or name, cls.mode),
+                left_out=info.default if key.left_out is None and not required else key.left_out,
+                required=required if key.required is None else key.required,
             )
     return found
 

@@ -34,15 +34,24 @@ class TomlTable:
         Path for errors: ``constituents[1].profile``; empty for the file.
     folder : Path, optional
         Folder of the planet file and of files named in it.
+    thickness : float, optional
+        Thickness of the shell, over which optical depths are spread. [m]
     """
 
-    def __init__(self, values: Any, path: str = "", folder: Path | None = None) -> None:
+    def __init__(
+        self,
+        values: Any,
+        path: str = "",
+        folder: Path | None = None,
+        thickness: float | None = None,
+    ) -> None:
         if not isinstance(values, dict):
             raise ParameterError(path, values, "a table with keys and values")
         self._values: dict[str, Any] = values
         self._read: list[str] = []
         self.path = path
         self.folder = folder
+        self.thickness = thickness
 
     def name_of(self, key: str) -> str:
         """Full path of a key."""
@@ -131,7 +140,7 @@ class TomlTable:
         value = self.required(key, allowed)
         if not isinstance(value, dict):
             raise ParameterError(self.name_of(key), value, allowed)
-        return TomlTable(value, self.name_of(key), self.folder)
+        return TomlTable(value, self.name_of(key), self.folder, self.thickness)
 
     def sections(self, key: str, allowed: str) -> list[TomlTable]:
         """List of tables within this table."""
@@ -139,7 +148,10 @@ class TomlTable:
         if not isinstance(value, list) or len(value) > LONGEST_LIST:
             raise ParameterError(self.name_of(key), value, allowed)
         names = [f"{self.name_of(key)}[{i}]" for i in range(len(value))]
-        return [TomlTable(item, name, self.folder) for item, name in zip(value, names, strict=True)]
+        return [
+            TomlTable(item, name, self.folder, self.thickness)
+            for item, name in zip(value, names, strict=True)
+        ]
 
     def beside(self, file: str) -> Path:
         """Path of a file named in this file, relative to its folder."""

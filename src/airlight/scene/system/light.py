@@ -9,17 +9,12 @@ import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters, replace
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Field
 from airlight.planets.schema.toml_model import TomlModel
-from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.star import Star
 from airlight.scene.system.vectors import POSITION, unit
 
 FloatArray = npt.NDArray[np.float64]
-
-
-def _read_star(section: TomlTable, name: str, wavelengths: Wavelengths) -> Star:
-    return Star.read(section.section(name, "a table such as { spectrum = 'astm-g173' }"))
 
 
 @parameters
@@ -56,7 +51,8 @@ class Light(TomlModel):
         Annotated[
             Star,
             Field(label="star", help="Spectrum and size of a star, as in a planet file.",
-                kind="table", table="star", read=_read_star),
+                kind="table", table=Star,
+                example="a table such as { spectrum = 'astm-g173' }"),
         ]
         | None
     ) = None  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -236,15 +237,15 @@ def solve(
         scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
         media = [alone(medium, int(i)) for i in scatterers]
     parts = []
-    computed = False
+    computed: list[Medium] = []
     for one in media:
-        key = _key(one, settings)
-        orders = _from_arrays(one, settings, disk.load(key)) if cache else None
-        if orders is None:
-            computed = True
-            orders = solve_orders(one, settings, progress=progress, cancel=cancel)
-            if cache:
-                disk.save(key, _to_arrays(orders))
+
+        def solved(one: Medium = one) -> Orders:
+            computed.append(one)
+            return solve_orders(one, settings, progress=progress, cancel=cancel)
+
+        restored = partial(_from_arrays, one, settings)
+        orders = disk.cached(_key(one, settings), solved, _to_arrays, restored, use=cache)
         parts.append((one, orders))
     seconds = perf_counter() - started if computed else 0.0
     return DirectSolution(medium, settings, parts, seconds, note)
@@ -267,11 +268,9 @@ def _to_arrays(orders: Orders) -> dict[str, NDArray[Any]]:
 
 
 def _from_arrays(
-    medium: Medium, settings: DirectSettings, arrays: dict[str, NDArray[Any]] | None
+    medium: Medium, settings: DirectSettings, arrays: dict[str, NDArray[Any]]
 ) -> Orders | None:
     """Orders from the arrays of a cache file; None if they do not fit."""
-    if arrays is None:
-        return None
     axes = layout_for(medium, settings)
     scatterers = int((medium.scattering.max(axis=1) > 0.0).sum())
     shape = axes_shape(axes, scatterers * medium.wavelengths.size)

@@ -120,12 +120,13 @@ def eclipsed_field(
     end = float(coarse.middle * np.sinh(coarse.width))
     if coarse.axis > solution.medium.top_radius + end:
         return coarse  # penumbra alone, in which there is no deviation
-    key = _key(solution, star)
-    stored = disk.load(key) if cache else None
-    if stored is None or stored["field"].size != coarse.field.size:
-        stored = _iterate(solution, coarse, progress, cancel)
-        if cache:
-            disk.save(key, stored)
+    stored = disk.cached(
+        _key(solution, star),
+        lambda: _iterate(solution, coarse, progress, cancel),
+        dict,
+        lambda found: found if found["field"].size == coarse.field.size else None,
+        use=cache,
+    )
     return _refined(coarse, stored["field"], stored["sky"])
 
 

@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from dataclasses import dataclass
 from functools import cached_property
 from math import acos, pi
@@ -15,6 +13,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.kernel.cache import Cache
 from airlight.kernel.lanes import HALF_LANES
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
@@ -61,8 +60,7 @@ _MORE_DIRECTIONS: Final = 8
 #: Number of column tables in the cache: edits of coefficients do not change them.
 _CACHE_SIZE: Final = 4
 
-_tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
-_lock = threading.Lock()
+_TABLES: Final[Cache[Any, tuple[ColumnTable, FloatArray]]] = Cache(_CACHE_SIZE)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -363,14 +361,9 @@ def _columns(
     """Column table and its form for rational interpolation, from a cache."""
     profiles = density.edges.tobytes(), density.coefficients.tobytes()
     key = (bottom, top, directions, radii.tobytes(), *profiles)
-    with _lock:
-        if key in _tables:
-            _tables.move_to_end(key)
-            return _tables[key]
-    table = ColumnTable.build(bottom, top, density, (radii.size, directions), radii)
-    made = table, rational_mean_density(table)
-    with _lock:
-        _tables[key] = made
-        while len(_tables) > _CACHE_SIZE:
-            _tables.popitem(last=False)
-    return made
+
+    def made() -> tuple[ColumnTable, FloatArray]:
+        table = ColumnTable.build(bottom, top, density, (radii.size, directions), radii)
+        return table, rational_mean_density(table)
+
+    return _TABLES.of(key, made)

@@ -101,7 +101,7 @@ class MomentsSolution(Solution):
         )
         other = super().with_light(source, secondary=secondary)
         other.geometry = replace(self.geometry, medium=self.geometry.medium.with_light(source))
-        vars(other)["tables"] = tables  # all else is independent of the source
+        other.tables = tables  # all else is independent of the source
         return other
 
     @cached_property

@@ -58,13 +58,13 @@ def solve(
     keys = {False: key, True: _resolved_key(key)}
 
     def obtained(one: Medium) -> MomentsSolution:
-        stored = _stored(keys[one.resolve_layers], one, settings) if cache else None
-        if stored is not None:
-            return stored
-        computed = _computed(one, settings, progress=progress, cancel=cancel)
-        if cache:
-            _keep(keys[one.resolve_layers], computed.moments)
-        return computed
+        return disk.cached(
+            keys[one.resolve_layers],
+            lambda: _computed(one, settings, progress=progress, cancel=cancel),
+            _to_arrays,
+            lambda stored: _stored(stored, one, settings),
+            use=cache,
+        )
 
     try:
         solution = obtained(medium)
@@ -89,28 +89,25 @@ def _computed(
     return MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
 
 
-def _stored(key: str, medium: Medium, settings: MomentsSettings) -> MomentsSolution | None:
-    """Solution from the cache, or None."""
-    stored = disk.load(key)
-    if stored is None:
-        return None
+def _stored(
+    stored: dict[str, NDArray[Any]], medium: Medium, settings: MomentsSettings
+) -> MomentsSolution | None:
+    """Solution of arrays of the cache, or None."""
     geometry = RefractedGeometry.of(medium)
     moments = _from_arrays(Setup(geometry=geometry, settings=settings), stored)
     return None if moments is None else MomentsSolution(medium, settings, moments, 0.0, geometry)
 
 
-def _keep(key: str, moments: Moments) -> None:
-    disk.save(
-        key,
-        {
-            "field": moments.field,
-            "sky": moments.sky,
-            "columns": moments.columns,
-            "residual": moments.residual,
-            "energy": moments.energy,
-            "counts": np.array([moments.degree, moments.sweeps, moments.scheme]),
-        },
-    )
+def _to_arrays(solution: MomentsSolution) -> dict[str, NDArray[Any]]:
+    moments = solution.moments
+    return {
+        "field": moments.field,
+        "sky": moments.sky,
+        "columns": moments.columns,
+        "residual": moments.residual,
+        "energy": moments.energy,
+        "counts": np.array([moments.degree, moments.sweeps, moments.scheme]),
+    }
 
 
 def _largest_imbalance(solution: MomentsSolution) -> float:

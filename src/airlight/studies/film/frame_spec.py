@@ -8,6 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
+from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 #: Cost of a sky-view LUT, in pixels times wavelengths. [1]
 _TABLE: Final = 1.5e6
 #: Solution of the last rendered frame, which the next frame usually shares.
-_SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
+_SOLUTIONS: Final[Cache[str, MomentsSolution]] = Cache(1)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -146,12 +147,10 @@ class PlanetFrameSpec:
     def _solution(self, progress: Progress | None = None) -> MomentsSolution:
         how, place = self.how, self.scene.place
         key = digest((self.planet, place, how), self.files)
-        if key not in _SOLUTIONS:
-            nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
-            found = solve_planet(self._ground(), nm, how.quality, progress=progress)
-            _SOLUTIONS.clear()
-            _SOLUTIONS[key] = found
-        return _SOLUTIONS[key]
+        nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
+        return _SOLUTIONS.of(
+            key, lambda: solve_planet(self._ground(), nm, how.quality, progress=progress)
+        )
 
     def _ground(self) -> Planet:
         names = ("latitude", "longitude", "altitude")

@@ -6,17 +6,12 @@ from typing import Annotated, Any, Final
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Field
 from airlight.planets.schema.toml_model import TomlModel
-from airlight.planets.schema.toml_table import TomlTable
 from airlight.studies.film.key_frames import KeyFrames
 
 #: Largest number of frames: five digits of their names.
 MOST_FRAMES: Final = 99_999
-
-
-def _read_keys(section: TomlTable, name: str, wavelengths: Wavelengths) -> tuple[KeyFrames, ...]:
-    return tuple(KeyFrames.read(one) for one in section.sections(name, "[[film.keys]] tables"))
 
 
 @parameters
@@ -72,8 +67,8 @@ class FilmPlan(TomlModel):
     ) = None  # fmt: skip
     keys: Annotated[
         tuple[KeyFrames, ...],
-        Field(label="keys", help="Numbers that change, below.", kind="table", table="keys",
-            read=_read_keys),
+        Field(label="keys", help="Numbers that change, below.", kind="table",
+            table=KeyFrames, example="[[film.keys]] tables"),
     ] = ()  # fmt: skip
 
     def __post_init__(self) -> None:

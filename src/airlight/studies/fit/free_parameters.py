@@ -162,7 +162,7 @@ def _number(name: str, path: str, tables: Tables) -> FreeParameter:
         raise ParameterError("free", name, "the path of a number")
     given = get(tables, path)
     if given is None:
-        given = key.default
+        given = key.left_out
     if given is None:
         raise ParameterError("free", name, "a number that the planet's file has")
     start = number_in(given, key.shown_unit, key.unit, path)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Final, Literal
 
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import Cancelled
 from airlight.kernel import disk
+from airlight.kernel.cache import Cache
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
@@ -122,9 +124,13 @@ class SkyModel:
     cancel: Cancel | None = None
     expected: int = 1
     solves: int = field(default=0, init=False)
-    _predictions: dict[bytes, FloatArray] = field(default_factory=dict, init=False)
-    _solutions: dict[bytes, Solution] = field(default_factory=dict, init=False)
-    _kept: dict[bytes, FloatArray] = field(default_factory=dict, init=False)
+    _predictions: Cache[bytes, FloatArray] = field(
+        default_factory=lambda: Cache(_MOST_PREDICTIONS), init=False
+    )
+    _solutions: Cache[bytes, Solution] = field(
+        default_factory=lambda: Cache(_MOST_SOLUTIONS), init=False
+    )
+    _turned: Cache[bytes, FloatArray] = field(default_factory=lambda: Cache(1), init=False)
 
     @property
     def all_parameters(self) -> tuple[FitParameter, ...]:
@@ -153,9 +159,8 @@ class SkyModel:
 
     def _turning(self, values: FloatArray, kind: str) -> FloatArray:
         """Derivative by an offset of pointing, computed for all scans at once."""
-        key = kind.encode() + values.tobytes()
-        if key not in self._kept:
-            self._kept.clear()
+
+        def made() -> FloatArray:
             count = len(self.parameters)
             sides = []
             for sign in (1.0, -1.0):
@@ -165,8 +170,9 @@ class SkyModel:
                         moved[count + k] += sign * one.parameter.least_step
                 sides.append(self(moved))
             step = next(o.parameter.least_step for o in self.nuisances if o.kind == kind)
-            self._kept[key] = (sides[0] - sides[1]) / (2.0 * step)
-        return self._kept[key]
+            return (sides[0] - sides[1]) / (2.0 * step)
+
+        return self._turned.of(kind.encode() + values.tobytes(), made)
 
     def _offsets(self, values: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Offsets of zenith angle and azimuth of each scan. [deg]"""
@@ -179,13 +185,8 @@ class SkyModel:
 
     def _seen(self, physical: FloatArray, zenith: FloatArray, azimuth: FloatArray) -> FloatArray:
         key = physical.tobytes() + zenith.tobytes() + azimuth.tobytes()
-        if key not in self._predictions:
-            while len(self._predictions) >= _MOST_PREDICTIONS:
-                self._predictions.pop(next(iter(self._predictions)))
-            self._predictions[key] = self._from_disk(
-                key, lambda: self._computed(physical, zenith, azimuth)
-            )
-        return self._predictions[key]
+        computed = partial(self._computed, physical, zenith, azimuth)
+        return self._predictions.of(key, lambda: self._from_disk(key, computed))
 
     def _from_disk(self, key: bytes, compute: Callable[[], FloatArray]) -> FloatArray:
         if not self.identity:
@@ -194,12 +195,9 @@ class SkyModel:
         seen = self.directions.fingerprint(), self.wavelengths.tobytes()
         parts = (b"fit", sources, self.identity, *seen, str(self.quality).encode(), key)
         name = hashlib.sha256(b"\0".join(parts)).hexdigest()[:40]
-        stored = disk.load(name)
-        if stored is not None and set(stored) == {"predicted"}:
-            return np.asarray(stored["predicted"], dtype=np.float64)
-        found = compute()
-        disk.save(name, {"predicted": found})
-        return found
+        return disk.cached(
+            name, compute, lambda found: {"predicted": found}, lambda kept: kept.get("predicted")
+        )
 
     def _computed(
         self, physical: FloatArray, zenith: FloatArray, azimuth: FloatArray
@@ -213,17 +211,18 @@ class SkyModel:
         return self.combine(np.asarray(radiance.values, dtype=np.float64), solution)
 
     def _solution(self, physical: FloatArray) -> Solution:
-        key = physical.tobytes()
-        if key not in self._solutions:
+        def made() -> Solution:
             if self.cancel is not None and self.cancel():
                 raise Cancelled("cancelled")
             self._report(physical)
-            while len(self._solutions) >= _MOST_SOLUTIONS:
-                self._solutions.pop(next(iter(self._solutions)))
-            planet, nm = self.planet_of(physical), self.wavelengths
-            self._solutions[key] = solve(planet, nm, self.quality, cache=False, cancel=self.cancel)
+            planet = self.planet_of(physical)
+            solution = solve(
+                planet, self.wavelengths, self.quality, cache=False, cancel=self.cancel
+            )
             self.solves += 1
-        return self._solutions[key]
+            return solution
+
+        return self._solutions.of(physical.tobytes(), made)
 
     def _report(self, physical: FloatArray) -> None:
         if self.progress is None:

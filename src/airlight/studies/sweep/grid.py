@@ -158,21 +158,14 @@ class Grid:
     @property
     def blocks(self) -> tuple[int, ...]:
         """Numbers of blocks along planets, paths, altitudes, suns and views."""
-        suns, views = self.steps
-        return (
-            *self.variants, len(self.altitude), -(-len(self.sun_zenith) // suns),
-            -(-len(self.view_zenith) // views),
-        )  # fmt: skip
+        angles = zip((self.sun_zenith, self.view_zenith), self.steps, strict=True)
+        return (*self.variants, len(self.altitude), *(-(-len(one) // step) for one, step in angles))
 
     def region(self, block: tuple[int, ...]) -> tuple[Any, ...]:
         """Indices and slices of a block in the array of radiances."""
-        *fixed, sun, view = block
-        suns, views = self.steps
-        return (
-            *fixed, slice(sun * suns, min((sun + 1) * suns, len(self.sun_zenith))),
-            slice(view * views, min((view + 1) * views, len(self.view_zenith))),
-            slice(None), slice(None),
-        )  # fmt: skip
+        parts = zip(block[-2:], self.steps, (self.sun_zenith, self.view_zenith), strict=True)
+        angles = [slice(k * step, min((k + 1) * step, len(one))) for k, step, one in parts]
+        return (*block[:-2], *angles, slice(None), slice(None))
 
 
 def varied(values: Any, path: str) -> list[Any]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.kernel.cache import Cache
 from airlight.planets.planet import Planet
 from airlight.solver import solve
 from airlight.solver.stokes_frame import (
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from airlight.solver.moments.solution import MomentsSolution
 
 #: Solution of the last task, which the next one mostly shares.
-_CACHED: Final[dict[str, MomentsSolution]] = {}
+_CACHED: Final[Cache[str, MomentsSolution]] = Cache(1)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,43 +46,11 @@ class RadianceTask:
         Whether the solution is looked for on disk, and kept there.
     """
 
-    planet: Planet
-    wavelengths: tuple[float, ...]
-    quality: str = "default"
-    polarisation: bool = True
-    stokes: bool = False
-    cache: bool = True
+    key = digest((planet, tuple(wavelengths), quality, polarisation))
 
-    def solution(self, progress: Progress | None = None) -> MomentsSolution:
-        """Solution of the planet; the last is cached in memory."""
-        key = digest((self.planet, self.wavelengths, self.quality, self.polarisation))
-        if key not in _CACHED:
-            found = solve(
-                self.planet,
-                wavelengths=self.wavelengths,
-                quality=self.quality,
-                polarisation=self.polarisation,
-                cache=self.cache,
-                progress=progress,
-            )
-            _CACHED.clear()
-            _CACHED[key] = found
-        return _CACHED[key]
+    def solved() -> MomentsSolution:
+        return solve(
+            planet, wavelengths, quality, polarisation=polarisation, cache=cache, progress=progress
+        )
 
-    def layers(self, **where: Any) -> list[NDArray[np.float64]]:
-        """Radiance of lines of sight, or ``stokes_layers``; arguments of ``radiance``."""
-        found = self.solution().radiance(**where, stokes=self.stokes)
-        return stokes_layers(found) if self.stokes else [np.asarray(found, np.float64)]
-
-
-def stokes_layers(found: xarray.DataArray) -> list[NDArray[np.float64]]:
-    """I, Q and U, degree and angle of polarisation.
-
-    Parameters
-    ----------
-    found : xarray.DataArray, with the dimension ``stokes``
-        I, Q and U. [W m⁻² sr⁻¹ nm⁻¹]
-    """
-    parts = [found.sel(stokes=name) for name in STOKES]
-    parts += [degree_of_polarisation(found), angle_of_polarisation(found)]
-    return [np.asarray(part, np.float64) for part in parts]
+    return _CACHED.of(key, solved)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ConflictError
 from airlight.files.output_lock import output_lock
+from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES, announce_all
 from airlight.kernel.memory import check_memory
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
@@ -169,10 +170,9 @@ def sweep(
                     store.write(block, values, marks[block])
                     if progress is not None:
                         progress(done + 1, len(missing), "radiances")
-    return Swept(
-        path=Path(path), computed=len(missing), kept=len(marks) - len(missing), damaged=damaged,
-        radiances=int(np.prod(grid.shape)),
-    )  # fmt: skip
+    counts = {"computed": len(missing), "kept": len(marks) - len(missing)}
+    count = int(np.prod(grid.shape))
+    return Swept(path=Path(path), **counts, damaged=damaged, radiances=count)
 
 
 def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:
@@ -214,9 +214,10 @@ def _announce(
     grid: Grid,
     variants: Collection[tuple[int, ...]],
     missing: list[tuple[int, ...]],
-    task: RadianceTask,
+    how: tuple[str, bool, bool],
 ) -> None:
-    """Announce the work, and emit warnings here, as those of workers are lost."""
+    """Announce the work, and emit the warnings that would be lost in a worker."""
+    quality, _, stokes = how
     for one in sorted({variant[0] for variant in variants}):
         warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
     lines = sum(_lines(grid, block) for block in missing)
@@ -247,30 +248,25 @@ def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
     return itertools.product(*(range(count) for count in shape))
 
 
-_PLANETS: Final[dict[tuple[Any, ...], Planet]] = {}
+_PLANETS: Final[Cache[tuple[Any, ...], Planet]] = Cache(1)
 
 
-def _task(grid: Grid, variant: tuple[int, ...], task: RadianceTask) -> RadianceTask:
-    """Task of a planet of the grid."""
-    key = (id(grid), *variant)
-    if key not in _PLANETS:
-        _PLANETS.clear()
-        _PLANETS[key] = grid.planet(variant)
-    return replace(task, planet=_PLANETS[key])
-
-
-def _block(
-    grid: Grid, block: tuple[int, ...], task: RadianceTask
-) -> tuple[RadianceTask, dict[str, Any]]:
-    """Task of a block, and its lines of sight as arguments of ``radiance``. [m], [deg]"""
+def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> CaseBlock:
+    quality, polarisation, stokes = how
     *variant, altitude, _, _ = block
     suns, views = grid.region(block)[-4:-2]
-    return _task(grid, tuple(variant), task), {
-        "altitude": grid.altitude[altitude],
-        "sun_zenith": np.array(grid.sun_zenith[suns])[:, None, None],
-        "view_zenith": np.array(grid.view_zenith[views])[:, None],
-        "azimuth": np.array(grid.azimuth),
-    }
+    planet = _PLANETS.of((id(grid), *variant), lambda: grid.planet(tuple(variant)))
+    return CaseBlock(
+        planet=planet,
+        quality=quality,
+        polarisation=polarisation,
+        stokes=stokes,
+        altitude=grid.altitude[altitude],
+        sun_zenith=tuple(grid.sun_zenith[suns]),
+        view_zenith=tuple(grid.view_zenith[views]),
+        azimuth=tuple(grid.azimuth),
+        wavelengths=grid.nm,
+    )
 
 
 # --- on a worker ------------------------------------------------------------------------------

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import threading
 import time
-from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Final, Protocol
 
 from airlight.errors import Cancelled
 from airlight.image.spectral import rgb_weights
+from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.picture_wavelengths import FloatArray, picture_wavelengths
 from airlight.planets.planet import Planet
@@ -151,8 +151,8 @@ class SolverThread:
         self._latest: SolverResult | None = None
         self._status = SolverStatus(busy=True, doing="starting", version=self._request.version)
         self._closed = False
-        self._kept: OrderedDict[tuple[Any, ...], SolverResult] = OrderedDict()
-        self._planets: OrderedDict[str, Planet] = OrderedDict()
+        self._kept: Cache[tuple[Any, ...], SolverResult] = Cache(2 * CACHE_SIZE)
+        self._planets: Cache[str, Planet] = Cache(CACHE_SIZE)
         self._reported = 0.0
         self._unsubscribe = session.subscribe(self._on_session_change)
         self._thread = threading.Thread(target=self._run, name="airlight solving", daemon=True)
@@ -295,16 +295,11 @@ class SolverThread:
                 progress=report,
                 cancel=cancel,
             )
-            self._planets[key] = planet
-            while len(self._planets) > CACHE_SIZE:
-                self._planets.popitem(last=False)
+            self._planets.put(key, planet)
         return switched(planet, request.state.off)
 
     def _publish(self, solved: SolverResult, request: SolveRequest) -> None:
-        self._kept[(*request.key, solved.quality)] = solved
-        self._kept.move_to_end((*request.key, solved.quality))
-        while len(self._kept) > 2 * CACHE_SIZE:
-            self._kept.popitem(last=False)
+        self._kept.put((*request.key, solved.quality), solved)
         self._latest = solved
         self._status = replace(self._status, version=solved.version, error="")
         self._notify()

@@ -1,7 +1,7 @@
 """Declared list of every parameter of a planet file, for any planet.
 
 Window, notebook and page build their controls from it. The tables of the file are traversed, and
-each key is looked up in ``planets.reading.tables``; an undeclared key is an error, so that the list
+each key is looked up in its declaration; an undeclared key is an error, so that the list
 is complete.
 """
 
@@ -13,11 +13,13 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from airlight.errors import ParameterError
+from airlight.planets.ground import Ground
+from airlight.planets.planet import Planet, Shell
 from airlight.planets.reading.declared_keys import declared_key, is_flat, key_at
 from airlight.planets.reading.nested_tables import Tables, get, joined
-from airlight.planets.reading.tables import keys_of
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import Field, KindOfTable
 from airlight.planets.schema.measures import number_in
+from airlight.planets.star import Star
 from airlight.viewer.parameters.amounts import AMOUNTS
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.view_parameters import VIEW_GROUPS
@@ -25,7 +27,7 @@ from airlight.viewer.parameters.view_parameters import VIEW_GROUPS
 #: Groups of a planet other than constituents.
 PLANET_GROUPS: Final = (AMOUNTS, "planet", "shell", "ground", "star")
 #: Tables of the file that form a group.
-_GROUPED: Final = ("shell", "ground", "star")
+_GROUPED: Final = (Shell, Ground, Star)
 
 
 @dataclass(frozen=True)
@@ -33,7 +35,7 @@ class _Cursor:
     """State of the traversal: path, kind of table, group, prefix of labels, lists in scope."""
 
     path: str
-    kind: str
+    kind: KindOfTable
     group: str
     prefix: str
     axes: Mapping[str, Any]
@@ -54,13 +56,15 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
 
     Examples
     --------
-    >>> from airlight.planets.reading.declared_keys import spelled_out
+    >>> from airlight.planets.ground import Ground
+    from airlight.planets.planet import Planet, Shell
+    from airlight.planets.reading.declared_keys import spelled_out
     >>> from airlight.planets.reading.reader import nested_tables, planet_text
     >>> mars = spelled_out(nested_tables(*planet_text("mars")[:2]))
     >>> [(one.path, one.unit) for one in parameters_of(mars) if one.group == "shell"]
     [('shell.bottom_radius', 'km'), ('shell.top_radius', 'km')]
     """
-    return tuple(_table(tables, _Cursor("", "planet", "planet", "", {})))
+    return tuple(_table(tables, _Cursor("", Planet, "planet", "", {})))
 
 
 def group_of(constituents: list[Tables], index: int) -> str:
@@ -88,7 +92,7 @@ def value_at(tables: Tables, parameter: Parameter) -> float | str:
 
 def _left_out(key: Field) -> Any:
     """Value that an editor shows for a key omitted from the file."""
-    return key.placeholder or key.default
+    return key.placeholder or key.left_out
 
 
 # --- traversal --------------------------------------------------------------------------------
@@ -97,14 +101,14 @@ def _left_out(key: Field) -> Any:
 def _table(table: Tables, cursor: _Cursor) -> Iterator[Parameter]:
     for name in table:
         declared_key(cursor.kind, name, joined(cursor.path, name), table)
-    declared = keys_of(cursor.kind, table)
+    declared = cursor.kind.declared(table)
     order = [key.name for key in declared]
     if order == ["*"]:
         for name, value in table.items():
             key = replace(declared[0], label=name)
             yield from _value(key, value, joined(cursor.path, name), cursor)
         return
-    declared += tuple(key for key in keys_of(cursor.kind) if key.name not in order)
+    declared += tuple(key for key in cursor.kind.declared() if key.name not in order)
     axes = {**cursor.axes, **{key.name: table[key.name] for key in declared if key.name in table}}
     cursor = replace(cursor, axes=axes)
     for key in declared:
@@ -120,7 +124,7 @@ def _value(key: Field, value: Any, path: str, cursor: _Cursor) -> Iterator[Param
         raise ParameterError(path, value, "a table" if key.name != "constituents" else "tables")
     if isinstance(value, dict):
         yield from _table(value, _within(key, path, cursor, value))
-    elif isinstance(value, list) and not is_flat(value):
+    elif isinstance(value, list) and not is_flat(value) and key.table is not None:
         for index, one in enumerate(value):
             here = joined(path, index)
             if key.name == "constituents":
@@ -151,10 +155,11 @@ def _holds_tables(value: Any) -> bool:
 
 def _within(key: Field, path: str, cursor: _Cursor, table: Tables) -> _Cursor:
     """Cursor of the table at a key."""
-    if key.table in _GROUPED and cursor.kind == "planet":
-        return _Cursor(path, key.table, key.table, "", {})
+    assert key.table is not None
+    if key.table in _GROUPED and cursor.kind is Planet:
+        return _Cursor(path, key.table, key.name, "", {})
     prefix = cursor.prefix
-    if key.prefix and (not prefix or key.table == cursor.kind):
+    if key.prefix and (not prefix or key.table is cursor.kind):
         prefix = f"{key.prefix}: "
     return replace(cursor, path=path, kind=key.table, prefix=prefix)
 
@@ -179,7 +184,7 @@ def _number(key: Field, value: Any, path: str, cursor: _Cursor) -> Parameter:
     now = number_in(value, key.shown_unit, key.unit, path)
     ends, (least, most) = key.ends, key.limits
     low, high = min(ends[0], now), max(ends[1], now)
-    if cursor.kind == "shell":
+    if cursor.kind is Shell:
         low, high = _shell_range(key, now, cursor.axes, path)
     if key.scale == "log" and low <= 0.0:
         low = ends[0]

@@ -12,7 +12,6 @@ from airlight.planets.matter.phases import PHASES
 from airlight.planets.reading.declared_keys import key_at
 from airlight.planets.reading.nested_tables import Tables, get, put
 from airlight.planets.reading.shell_edit import BOTTOM, lifted
-from airlight.planets.reading.tables import TABLES
 from airlight.planets.schema.measures import number_in, text_of
 from airlight.planets.schema.tagged_union import TaggedUnion
 from airlight.planets.star import BLACK_BODY
@@ -132,7 +131,7 @@ def _star(old: Tables, spectrum: str) -> Tables:
 
 def _fresh(tables: Tables, path: str, kind: str) -> Tables:
     """Table of another kind, filled with typical values."""
-    kinds = TABLES[key_at(tables, path).table]
+    kinds = key_at(tables, path).table
     assert isinstance(kinds, TaggedUnion)
     return kinds.default_table(kind, get(tables, path), 1e3 * _thickness(tables))
 

@@ -8,11 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
+from airlight.planets.constituent import MATTER
+from airlight.planets.matter.coefficients import COEFFICIENTS
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.planet import Planet
-from airlight.planets.reading.coefficient_reader import COEFFICIENTS
 from airlight.planets.reading.nested_tables import Tables, put
-from airlight.planets.reading.tables import MATTER
 from airlight.planets.schema.measures import text_of
 
 FloatArray = npt.NDArray[np.float64]

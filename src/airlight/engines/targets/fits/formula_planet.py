@@ -86,6 +86,12 @@ class FormulaPlanet:
     notes: tuple[str, ...]
     g: float
 
+    @property
+    def parts(self) -> tuple[Constituent | None, Constituent | None, Constituent | None]:
+        """Molecules, particles and absorber; None for those that it does not have."""
+        found = {one.name: one for one in self.planet.constituents}
+        return found.get(MOLECULES), found.get(PARTICLES), found.get(ABSORBER)
+
 
 def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlanet:
     """Fit a medium by formulas.

@@ -184,9 +184,7 @@ def fit_tent(profile: VerticalProfile) -> Tent:
     start = np.array([mean, max(np.sqrt(6.0 * variance), 2.0 * narrowest)])
     scale = 0.2 * start[1]
     simplex = start + scale * np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
-    found: Any = minimize(
-        error, start, method="Nelder-Mead",
-        options={"initial_simplex": simplex, "xatol": 1e-6 * thickness, "fatol": 1e-14},
-    )  # fmt: skip
+    options = {"initial_simplex": simplex, "xatol": 1e-6 * thickness, "fatol": 1e-14}
+    found: Any = minimize(error, start, method="Nelder-Mead", options=options)
     center, half_width = tent(found.x)
     return Tent(center=center, half_width=half_width)

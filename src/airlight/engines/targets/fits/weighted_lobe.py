@@ -106,9 +106,12 @@ def fit_weighted_lobe(
     if one_row:
         weights, error = _in_one_row(g, nu, hats, goal, weights)
     plain = np.ones((nu.size, 1))
-    g_alone = _smallest(lambda one: float(
-        (importance * (_solve(one, nu, plain, goal, smooth=False)[1] ** 2).mean(axis=-1)).sum()
-    ))  # fmt: skip
+
+    def cost_alone(g: float) -> float:
+        _, error = _solve(g, nu, plain, goal, smooth=False)
+        return float((importance * (error**2).mean(axis=-1)).sum())
+
+    g_alone = _smallest(cost_alone)
     alone = _solve(g_alone, nu, plain, goal, smooth=False)[1]
     where = f"{NEAREST:g} to 180 deg from the sun, denser near it"
     fitted = tuple(

@@ -26,6 +26,7 @@ __all__ = [
 
 #: Kinds of ``phase_function = { kind = … }``.
 PHASES: Final[TaggedUnion[PhaseFunction]] = TaggedUnion(
+    PhaseFunction,
     (
         Rayleigh,
         HenyeyGreenstein,

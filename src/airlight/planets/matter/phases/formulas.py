@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +13,7 @@ from airlight.physics.optics.phase_functions import INV_4PI
 from airlight.physics.optics.phase_matrix import anisotropy
 from airlight.planets.matter.phases.phase_function import FormulaPhase
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.field import Field, always
+from airlight.planets.schema.field import Field, always, key
 from airlight.planets.spectral import Spectral
 
 FloatArray = npt.NDArray[np.float64]
@@ -24,11 +24,15 @@ LARGEST_ASYMMETRY: Final = 0.999
 INITIAL_ASYMMETRY: Final = 0.7
 
 
-def asymmetry_key(label: str, text: str, initial: float = INITIAL_ASYMMETRY, **more: Any) -> Field:
-    """Key of the asymmetry of a lobe."""
-    return Field(label=label, help=text, range=(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY),
-               slider=(-0.99, 0.99), spectral=True, per="wavelengths", initial=initial,
-               **more)  # fmt: skip
+#: Mean cosine of a lobe, or its equivalent.
+ASYMMETRY: Final = Field(
+    label="asymmetry g",
+    help="1 is all forward, 0 even, -1 all backward.",
+    range=(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY),
+    slider=(-0.99, 0.99),
+    example="0.8",
+    initial=INITIAL_ASYMMETRY,
+)
 
 
 @parameters
@@ -45,18 +49,13 @@ class Rayleigh(FormulaPhase):
     molecular = True
     formula = staticmethod(phase_functions.rayleigh)
 
-    depolarisation: Annotated[
-        Spectral,
-        Field(
-            label="depolarisation",
-            help="Depolarisation ratio of the molecules; 0 for isotropic ones.",
-            range=(0.0, 0.5),
-            spectral=True,
-            example="0.035",
-            per="wavelengths",
-            offered=always,
-        ),
-    ] = 0.0
+    depolarisation: Spectral = key(
+        help="Depolarisation ratio of the molecules; 0 for isotropic ones.",
+        range=(0.0, 0.5),
+        example="0.035",
+        offered=always,
+        default=0.0,
+    )
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """See ``PhaseFunction``; in closed form."""
@@ -84,10 +83,7 @@ class HenyeyGreenstein(FormulaPhase):
     keyword = "henyey-greenstein"
     formula = staticmethod(phase_functions.henyey_greenstein)
 
-    asymmetry: Annotated[
-        Spectral,
-        asymmetry_key("asymmetry g", "1 is all forward, 0 even, -1 all backward.", example="0.8"),
-    ]
+    asymmetry: Spectral = key(ASYMMETRY)
 
 
 @parameters
@@ -103,15 +99,7 @@ class CornetteShanks(FormulaPhase):
     keyword = "cornette-shanks"
     formula = staticmethod(phase_functions.cornette_shanks)
 
-    asymmetry: Annotated[
-        Spectral,
-        asymmetry_key(
-            "asymmetry g",
-            "1 is all forward, 0 even, -1 all backward.",
-            example="0.8",
-            note="The mean cosine is 3g(4+g²)/(5(2+g²)).",
-        ),
-    ]
+    asymmetry: Spectral = key(ASYMMETRY, note="The mean cosine is 3g(4+g²)/(5(2+g²)).")
 
 
 @parameters
@@ -129,33 +117,24 @@ class DoubleHenyeyGreenstein(FormulaPhase):
     keyword = "double-henyey-greenstein"
     formula = staticmethod(phase_functions.double_henyey_greenstein)
 
-    asymmetry_1: Annotated[
-        Spectral,
-        asymmetry_key(
-            "asymmetry of the first lobe",
-            "1 is all forward, -1 backward.",
-            0.85,
-            example="0.889",
-        ),
-    ]
-    asymmetry_2: Annotated[
-        Spectral,
-        asymmetry_key(
-            "asymmetry of the second lobe",
-            "1 is all forward, -1 backward.",
-            -0.2,
-            example="0.094",
-        ),
-    ]
-    weight: Annotated[
-        Spectral,
-        Field(
-            label="weight of the first lobe",
-            help="Weight of the first lobe; the second has the remainder.",
-            range=(0.0, 1.0),
-            spectral=True,
-            example="0.743",
-            per="wavelengths",
-            initial=0.9,
-        ),
-    ]
+    asymmetry_1: Spectral = key(
+        ASYMMETRY,
+        label="asymmetry of the first lobe",
+        help="1 is all forward, -1 backward.",
+        initial=0.85,
+        example="0.889",
+    )
+    asymmetry_2: Spectral = key(
+        ASYMMETRY,
+        label="asymmetry of the second lobe",
+        help="1 is all forward, -1 backward.",
+        initial=-0.2,
+        example="0.094",
+    )
+    weight: Spectral = key(
+        label="weight of the first lobe",
+        help="Weight of the first lobe; the second has the remainder.",
+        range=(0.0, 1.0),
+        example="0.743",
+        initial=0.9,
+    )

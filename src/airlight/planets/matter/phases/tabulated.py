@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Annotated, Any, Final
 
 import numpy as np
@@ -22,7 +22,7 @@ from airlight.planets.matter.phases.phase_function import (
     PhaseRow,
 )
 from airlight.planets.parameters import all_between, ascending, numbers, parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Field, Wavelengths, key
 from airlight.planets.schema.toml_table import TomlTable, quantity_list
 from airlight.planets.spectral import (
     EVERYWHERE,
@@ -39,58 +39,23 @@ FloatArray = npt.NDArray[np.float64]
 _ROUNDING: Final = 1e-3
 
 
-def _rows(value: Any) -> tuple[tuple[float, ...], ...]:
-    if isinstance(value, np.ndarray):
-        value = value.tolist()
-    if not isinstance(value, (list, tuple)):
-        raise ParameterError("values", value, "a list of lists of numbers")
-    return tuple(numbers(row, f"values[{i}]", 0.0, 1e12, "/sr") for i, row in enumerate(value))
+def _rows(name: str, low: float, high: float, unit: str = "") -> BeforeValidator:
+    """Validator of rows of numbers in a range."""
 
-
-def _ratio_rows(name: str) -> BeforeValidator:
     def rows(value: Any) -> tuple[tuple[float, ...], ...]:
         if isinstance(value, np.ndarray):
             value = value.tolist()
         if not isinstance(value, (list, tuple)):
             raise ParameterError(name, value, "a list of lists of numbers")
-        return tuple(numbers(row, f"{name}[{i}]", -1.0, 1.0) for i, row in enumerate(value))
+        return tuple(numbers(row, f"{name}[{i}]", low, high, unit) for i, row in enumerate(value))
 
     return BeforeValidator(rows)
 
 
-def _ratio_key(element: str, help: str, note: str) -> Field:
-    """Key of a phase matrix element over the phase function."""
-    return Field(
-        label=f"{element}/F₁₁",
-        help=help,
-        note=note,
-        read=_ratios,
-        slider=(-1.0, 1.0),
-        input_range=(-1.0, 1.0),
-        per="angles",
-        per_unit="deg",
-        mode="advanced",
-    )
-
-
-def _ratios(
-    section: TomlTable, name: str, wavelengths: Wavelengths
+def _read_rows(
+    unit: str, allowed: str, section: TomlTable, name: str, wavelengths: Wavelengths
 ) -> tuple[tuple[float, ...], ...]:
-    """Read a list of ratios, or a list per wavelength. [1]"""
-    return _listed(section, name, wavelengths, "1", "a list of numbers, or one list per wavelength")
-
-
-def _values(
-    section: TomlTable, name: str, wavelengths: Wavelengths
-) -> tuple[tuple[float, ...], ...]:
-    """Read a list of values, or a list per wavelength. [sr⁻¹]"""
-    allowed = "a list of numbers in /sr, or one list per wavelength"
-    return _listed(section, name, wavelengths, "1/sr", allowed)
-
-
-def _listed(
-    section: TomlTable, name: str, wavelengths: Wavelengths, unit: str, allowed: str
-) -> tuple[tuple[float, ...], ...]:
+    """Read one list, or one for each wavelength. [unit]"""
     values = section.required(name, allowed)
     field = section.name_of(name)
     if isinstance(values, list) and values and all(isinstance(row, list) for row in values):
@@ -100,6 +65,21 @@ def _listed(
             quantity_list(row, unit, f"{field}[{i}]", bare=True) for i, row in enumerate(values)
         )
     return (quantity_list(values, unit, field, bare=True),)
+
+
+#: Ratio of elements of the phase matrix.
+_RATIO: Final = Field(
+    label="F₁₂/F₁₁",
+    help="Element F₁₂ of the phase matrix over the phase function: minus the degree to which it"
+    " polarises.",
+    note="Rows like `values`, -1 to 1; negative where light swings across the scattering plane."
+    " Nothing is polarised without it.",
+    read=partial(_read_rows, "1", "a list of numbers, or one list per wavelength"),
+    slider=(-1.0, 1.0),
+    input_range=(-1.0, 1.0),
+    per="angles",
+    per_unit="deg",
+)
 
 
 @parameters
@@ -125,68 +105,49 @@ class TabulatedPhase(PhaseFunction):
     """
 
     keyword = "tabulated"
+    mode = "advanced"
 
-    angles: Annotated[
-        tuple[float, ...],
-        Field(
-            label="angle",
-            help="Scattering angles of the rows, in increasing order.",
-            note="From 0 to 180 deg.",
-            unit="deg",
-            range=(0.0, 180.0),
-            listed=True,
-            example="0, 90, 180 deg",
-            mode="advanced",
-            initial=["0 deg", "90 deg", "180 deg"],
-        ),
-    ]
-    rows: Annotated[
-        tuple[tuple[float, ...], ...],
-        BeforeValidator(_rows),
-        Field(
-            name="values",
-            label="phase function",
-            help="Values at these angles; the integral over the sphere is 1.",
-            note="One list, or one list per wavelength, in /sr where no unit is given. Linear in"
-            " the logarithm between angles. A table whose integral is off 1 by more than 0.001 is"
-            " refused; the error names the integral to divide by.",
-            unit="1/sr",
-            read=_values,
-            shown="/sr",
-            slider=(1e-4, 1e3),
-            input_range=(0.0, 1e9),
-            scale="log",
-            per="angles",
-            per_unit="deg",
-            mode="advanced",
-        ),
-    ]
+    angles: tuple[float, ...] = key(
+        label="angle",
+        help="Scattering angles of the rows, in increasing order.",
+        note="From 0 to 180 deg.",
+        unit="deg",
+        range=(0.0, 180.0),
+        example="0, 90, 180 deg",
+        initial=["0 deg", "90 deg", "180 deg"],
+    )
+    rows: Annotated[tuple[tuple[float, ...], ...], _rows("values", 0.0, 1e12, "/sr")] = key(
+        name="values",
+        label="phase function",
+        help="Values at these angles; the integral over the sphere is 1.",
+        note="One list, or one list per wavelength, in /sr where no unit is given. Linear in"
+        " the logarithm between angles. A table whose integral is off 1 by more than 0.001 is"
+        " refused; the error names the integral to divide by.",
+        unit="1/sr",
+        read=partial(_read_rows, "1/sr", "a list of numbers in /sr, or one list per wavelength"),
+        shown="/sr",
+        slider=(1e-4, 1e3),
+        input_range=(0.0, 1e9),
+        scale="log",
+        per="angles",
+        per_unit="deg",
+    )
     wavelengths: Annotated[tuple[float, ...], all_between(SHORTEST, LONGEST, "nm")] = ()
-    f12: Annotated[
-        tuple[tuple[float, ...], ...],
-        _ratio_rows("f12"),
-        _ratio_key(
-            "F₁₂",
-            "Element F₁₂ of the phase matrix over the phase function: minus the degree to which"
-            " it polarises.",
-            "Rows like `values`, -1 to 1; negative where light swings across the scattering plane."
-            " Nothing is polarised without it.",
-        ),
-    ] = ()
-    f33: Annotated[
-        tuple[tuple[float, ...], ...],
-        _ratio_rows("f33"),
-        _ratio_key(
-            "F₃₃",
-            "Element F₃₃ over the phase function.",
-            "By default that of Rayleigh's law, as far as `f12` leaves room.",
-        ),
-    ] = ()
-    f34: Annotated[
-        tuple[tuple[float, ...], ...],
-        _ratio_rows("f34"),
-        _ratio_key("F₃₄", "Element F₃₄ over the phase function.", "0 by default."),
-    ] = ()
+    f12: Annotated[tuple[tuple[float, ...], ...], _rows("f12", -1.0, 1.0)] = key(_RATIO, default=())
+    f33: Annotated[tuple[tuple[float, ...], ...], _rows("f33", -1.0, 1.0)] = key(
+        _RATIO,
+        label="F₃₃/F₁₁",
+        help="Element F₃₃ over the phase function.",
+        note="By default that of Rayleigh's law, as far as `f12` leaves room.",
+        default=(),
+    )
+    f34: Annotated[tuple[tuple[float, ...], ...], _rows("f34", -1.0, 1.0)] = key(
+        _RATIO,
+        label="F₃₄/F₁₁",
+        help="Element F₃₄ over the phase function.",
+        note="0 by default.",
+        default=(),
+    )
 
     def __post_init__(self) -> None:
         if not 3 <= len(self.angles) <= 10_000 or self.angles[0] != 0.0 or self.angles[-1] != 180.0:
@@ -242,9 +203,11 @@ class TabulatedPhase(PhaseFunction):
         return np.stack([f12, f33, f34], axis=1)
 
     @classmethod
-    def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
+    def read_values(
+        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+    ) -> dict[str, Any]:
         """Values of the fields; the wavelengths of the constituent if there is a row for each."""
-        values = super().read_values(section, wavelengths)
+        values = super().read_values(section, wavelengths, **known)
         given = section.raw("values")
         if isinstance(given, list) and given and isinstance(given[0], list):
             values["wavelengths"] = wavelengths

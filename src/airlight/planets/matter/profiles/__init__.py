@@ -19,6 +19,7 @@ __all__ = [
 
 #: Kinds of ``profile = { kind = … }``.
 PROFILES: Final[TaggedUnion[Profile]] = TaggedUnion(
+    Profile,
     (
         Exponential,
         Tent,

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Final
 
 from airlight.physics.optics import density_profile
 from airlight.physics.optics.density_profile import Row
 from airlight.physics.optics.rayleigh import scale_height
 from airlight.planets.matter.profiles.profile import Profile
+from airlight.planets.matter.state_keys import GRAVITY, MOLAR_MASS, TEMPERATURE
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Field, Wavelengths, key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import TomlTable
 
@@ -28,52 +29,30 @@ class BulkGas(TomlModel):
         Gravitational acceleration g. [m s⁻²]
     """
 
-    temperature: Annotated[
-        float,
-        Field(
-            label="temperature",
-            help="Temperature T in the scale height RT/(Mg).",
-            unit="K",
-            range=(0.0, 1e30),
-            open_ends=True,
-            example="288.15 K",
-            slider=(20.0, 1000.0),
-            input_range=(1e-3, 1e9),
-            scale="log",
-            mode="advanced",
-        ),
-    ]
-    molar_mass: Annotated[
-        float,
-        Field(
-            label="molar mass",
-            help="Molar mass M in the scale height RT/(Mg).",
-            unit="kg/mol",
-            range=(0.0, 1e30),
-            open_ends=True,
-            example="28.9644 g/mol",
-            shown="g/mol",
-            slider=(1.0, 100.0),
-            input_range=(1e-6, 1e9),
-            scale="log",
-            mode="advanced",
-        ),
-    ]
-    gravity: Annotated[
-        float,
-        Field(
-            label="gravity",
-            help="g of RT/(Mg).",
-            unit="m/s^2",
-            range=(0.0, 1e30),
-            open_ends=True,
-            example="9.80665 m/s^2",
-            slider=(0.1, 100.0),
-            input_range=(1e-6, 1e9),
-            scale="log",
-            mode="advanced",
-        ),
-    ]
+    mode = "advanced"
+
+    temperature: float = key(
+        TEMPERATURE,
+        help="Temperature T in the scale height RT/(Mg).",
+        range=(0.0, 1e30),
+        open_ends=True,
+        slider=(20.0, 1000.0),
+        input_range=(1e-3, 1e9),
+    )
+    molar_mass: float = key(
+        MOLAR_MASS,
+        help="Molar mass M in the scale height RT/(Mg).",
+        range=(0.0, 1e30),
+        open_ends=True,
+        input_range=(1e-6, 1e9),
+    )
+    gravity: float = key(
+        GRAVITY,
+        help="g of RT/(Mg).",
+        range=(0.0, 1e30),
+        open_ends=True,
+        input_range=(1e-6, 1e9),
+    )
 
 
 def _scale_height(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
@@ -84,10 +63,16 @@ def _scale_height(section: TomlTable, name: str, wavelengths: Wavelengths) -> fl
     return scale_height(gas.temperature, gas.molar_mass, gas.gravity)
 
 
-def height_key(label: str, text: str, **more: Any) -> Field:
-    """Key of a scale height or width, at least 1 m."""
-    return Field(label=label, help=text, unit="m", range=(1.0, 1e9), shown="km",
-               slider=(0.1, 100.0), scale="log", **more)  # fmt: skip
+#: Height over which a density falls: layers thinner than a metre are surfaces.
+HEIGHT: Final = Field(
+    help="Each such step up thins it by a factor of e.",
+    unit="m",
+    range=(1.0, 1e9),
+    example="8 km",
+    shown="km",
+    slider=(0.1, 100.0),
+    scale="log",
+)
 
 
 @parameters
@@ -107,18 +92,13 @@ class Exponential(Profile):
 
     keyword = "exponential"
 
-    scale_height: Annotated[
-        float,
-        height_key(
-            "scale height",
-            "Each such step up thins it by a factor of e.",
-            note="Or from bulk parameters, RT/(Mg): `{ temperature, molar_mass, gravity }`.",
-            read=_scale_height,
-            example="8 km",
-            table="bulk",
-            initial_fraction=0.08,
-        ),
-    ]
+    scale_height: float = key(
+        HEIGHT,
+        note="Or from bulk parameters, RT/(Mg): `{ temperature, molar_mass, gravity }`.",
+        read=_scale_height,
+        table=BulkGas,
+        initial_fraction=0.08,
+    )
 
     def row(self, thickness: float) -> Row:
         """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
@@ -139,28 +119,22 @@ class Tent(Profile):
 
     keyword = "tent"
 
-    center: Annotated[
-        float,
-        Field(
-            label="centre",
-            help="Altitude of the maximum density.",
-            unit="m",
-            range=(0.0, 1e9),
-            example="25 km",
-            shown="km",
-            slider=(0.0, 100.0),
-            initial_fraction=0.25,
-        ),
-    ]
-    half_width: Annotated[
-        float,
-        height_key(
-            "half width",
-            "From the altitude where it is densest to where it ends.",
-            example="15 km",
-            initial_fraction=0.15,
-        ),
-    ]
+    center: float = key(
+        label="centre",
+        help="Altitude of the maximum density.",
+        unit="m",
+        range=(0.0, 1e9),
+        example="25 km",
+        shown="km",
+        slider=(0.0, 100.0),
+        initial_fraction=0.25,
+    )
+    half_width: float = key(
+        HEIGHT,
+        help="From the altitude where it is densest to where it ends.",
+        example="15 km",
+        initial_fraction=0.15,
+    )
 
     def row(self, thickness: float) -> Row:
         """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any
+from typing import Any, Final
 
 from airlight.errors import ParameterError
 from airlight.physics.optics import density_profile
 from airlight.physics.optics.density_profile import LayerTerms, Row
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.field import Field, Wavelengths, always
+from airlight.planets.schema.field import Field, always, key
 from airlight.planets.schema.measures import text_of
 from airlight.planets.schema.toml_model import TomlModel
-from airlight.planets.schema.toml_table import TomlTable
 
 #: Largest number of layers of a profile.
 MOST_LAYERS = 1000
@@ -21,11 +20,24 @@ MOST_LAYERS = 1000
 _FRESH_SHARE = 0.08
 
 
-def _term(label: str, text: str, unit: str = "1") -> Field:
-    """Key of a term of a layer, displayed per kilometre if it is per metre."""
-    most, end = (1e6, 2.0) if unit == "1" else (1.0, 1.0)
-    return Field(label=label, help=text, unit=unit, range=(-most, most), slider=(-end, end),
-               shown="" if unit == "1" else "/km", offered=always)  # fmt: skip
+#: Factor and constant of a layer.
+_FACTOR: Final = Field(
+    label="exponential term",
+    help="Factor of the exponential.",
+    range=(-1e6, 1e6),
+    slider=(-2.0, 2.0),
+    offered=always,
+)
+#: Exponent and slope of a layer.
+_SLOPE: Final = Field(
+    label="exponential scale",
+    help="Growth of the exponential upwards.",
+    unit="1/m",
+    range=(-1.0, 1.0),
+    slider=(-1.0, 1.0),
+    shown="/km",
+    offered=always,
+)
 
 
 @parameters
@@ -44,30 +56,26 @@ class Layer(TomlModel):
         Exponent and slope per metre of altitude. [m⁻¹]
     """
 
-    width: Annotated[
-        float,
-        Field(
-            label="thickness",
-            help="Thickness of the layer; the topmost extends to the top of the atmosphere.",
-            unit="m",
-            range=(0.0, 1e9),
-            shown="km",
-            slider=(0.0, 100.0),
-        ),
-    ] = 0.0
-    exp_term: Annotated[float, _term("exponential term", "Factor of the exponential.")] = 0.0
-    exp_scale: Annotated[
-        float, _term("exponential scale", "Growth of the exponential upwards.", "1/m")
-    ] = 0.0
-    linear_term: Annotated[float, _term("linear term", "Factor of the altitude.", "1/m")] = 0.0
-    constant_term: Annotated[
-        float, _term("constant term", "Added to the others; the sum is held to 0 to 1.")
-    ] = 0.0
-
-
-def _layers(section: TomlTable, name: str, wavelengths: Wavelengths) -> tuple[Layer, ...]:
-    parts = section.sections(name, "a list of tables such as [{ constant_term = 1 }]")
-    return tuple(Layer.read(part) for part in parts)
+    width: float = key(
+        label="thickness",
+        help="Thickness of the layer; the topmost extends to the top of the atmosphere.",
+        unit="m",
+        range=(0.0, 1e9),
+        shown="km",
+        slider=(0.0, 100.0),
+        default=0.0,
+    )
+    exp_term: float = key(_FACTOR, default=0.0)
+    exp_scale: float = key(_SLOPE, default=0.0)
+    linear_term: float = key(
+        _SLOPE, label="linear term", help="Factor of the altitude.", default=0.0
+    )
+    constant_term: float = key(
+        _FACTOR,
+        label="constant term",
+        help="Added to the others; the sum is held to 0 to 1.",
+        default=0.0,
+    )
 
 
 @parameters
@@ -82,18 +90,14 @@ class Layered(Profile):
 
     keyword = "layered"
 
-    layers: Annotated[
-        tuple[Layer, ...],
-        Field(
-            label="layer",
-            help="Layers, from the ground up.",
-            note="Each is exp_term·e^(exp_scale·h) + linear_term·h + constant_term, clamped to"
-            " [0, 1]; what is left out is 0.",
-            kind="table",
-            table="layer",
-            read=_layers,
-        ),
-    ]
+    layers: tuple[Layer, ...] = key(
+        label="layer",
+        help="Layers, from the ground up.",
+        note="Each is exp_term·e^(exp_scale·h) + linear_term·h + constant_term, clamped to"
+        " [0, 1]; what is left out is 0.",
+        table=Layer,
+        example="a list of tables such as [{ constant_term = 1 }]",
+    )
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.layers) <= MOST_LAYERS:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -17,13 +17,9 @@ from airlight.physics.optics.hydrostatic import (
     thickness_of_layer,
 )
 from airlight.planets.matter.profiles.profile import Profile
-from airlight.planets.matter.profiles.weight_keys import (
-    gravity_key,
-    gravity_radius_key,
-    molar_mass_key,
-)
+from airlight.planets.matter.state_keys import GRAVITY, GRAVITY_RADIUS, MOLAR_MASS
 from airlight.planets.parameters import MISSING, ascending, parameters
-from airlight.planets.schema.field import Field, always
+from airlight.planets.schema.field import always, key
 
 #: Largest number of layers.
 MOST_LAYERS: Final = 100
@@ -59,75 +55,52 @@ class Layers(Profile):
     """
 
     keyword = "layers"
+    mode = "advanced"
 
-    altitudes: (
-        Annotated[
-            tuple[float, ...],
-            Field(
-                label="base altitude",
-                help="Altitudes of the layers' bases, from 0 up.",
-                note="It or `pressures`. Geopotential altitudes beside a `gravity_radius`.",
-                unit="m",
-                range=(0.0, 1e9),
-                listed=True,
-                example="0, 11, 20 km",
-                shown="km",
-                slider=(0.0, 100.0),
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    pressures: (
-        Annotated[
-            tuple[float, ...],
-            Field(
-                label="base pressure",
-                help="Pressures of the layers' bases instead, from that at the ground down.",
-                unit="Pa",
-                range=(1e-12, 1e10),
-                listed=True,
-                example="1013.25, 226.32 hPa",
-                shown="hPa",
-                slider=(1e-5, 1e5),
-                scale="log",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    temperature: Annotated[
-        float,
-        Field(
-            label="temperature",
-            help="Temperature at the ground.",
-            unit="K",
-            range=(1.0, 1e5),
-            example="288.15 K",
-            slider=(20.0, 1000.0),
-            scale="log",
-            mode="advanced",
-            initial="288.15 K",
-        ),
-    ]
-    lapse_rates: Annotated[
-        tuple[float, ...],
-        Field(
-            label="lapse rate",
-            help="Fall of the temperature with altitude in each layer.",
-            note="One for each base; negative where it grows warmer upwards.",
-            unit="K/m",
-            range=(-1.0, 1.0),
-            listed=True,
-            example="6.5, 0 K/km",
-            shown="K/km",
-            slider=(-10.0, 10.0),
-            mode="advanced",
-        ),
-    ]
-    molar_mass: Annotated[float, molar_mass_key(initial="28.9644 g/mol")]
-    gravity: Annotated[float, gravity_key(initial="9.80665 m/s^2")]
-    gravity_radius: Annotated[float, gravity_radius_key(offered=always)] | None = None
+    altitudes: tuple[float, ...] | None = key(
+        label="base altitude",
+        help="Altitudes of the layers' bases, from 0 up.",
+        note="It or `pressures`. Geopotential altitudes beside a `gravity_radius`.",
+        unit="m",
+        range=(0.0, 1e9),
+        example="0, 11, 20 km",
+        shown="km",
+        slider=(0.0, 100.0),
+        default=None,
+    )
+    pressures: tuple[float, ...] | None = key(
+        label="base pressure",
+        help="Pressures of the layers' bases instead, from that at the ground down.",
+        unit="Pa",
+        range=(1e-12, 1e10),
+        example="1013.25, 226.32 hPa",
+        shown="hPa",
+        slider=(1e-5, 1e5),
+        scale="log",
+        default=None,
+    )
+    temperature: float = key(
+        help="Temperature at the ground.",
+        unit="K",
+        range=(1.0, 1e5),
+        example="288.15 K",
+        slider=(20.0, 1000.0),
+        scale="log",
+        initial="288.15 K",
+    )
+    lapse_rates: tuple[float, ...] = key(
+        label="lapse rate",
+        help="Fall of the temperature with altitude in each layer.",
+        note="One for each base; negative where it grows warmer upwards.",
+        unit="K/m",
+        range=(-1.0, 1.0),
+        example="6.5, 0 K/km",
+        shown="K/km",
+        slider=(-10.0, 10.0),
+    )
+    molar_mass: float = key(MOLAR_MASS, initial="28.9644 g/mol")
+    gravity: float = key(GRAVITY, initial="9.80665 m/s^2")
+    gravity_radius: float | None = key(GRAVITY_RADIUS, offered=always, default=None)
 
     def __post_init__(self) -> None:
         if (self.altitudes is None) == (self.pressures is None):

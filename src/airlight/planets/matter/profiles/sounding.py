@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.physics.optics.density_profile import Row
@@ -15,13 +15,9 @@ from airlight.physics.optics.hydrostatic import (
     thickness_between,
 )
 from airlight.planets.matter.profiles.profile import Profile
-from airlight.planets.matter.profiles.weight_keys import (
-    gravity_key,
-    gravity_radius_key,
-    molar_mass_key,
-)
+from airlight.planets.matter.state_keys import GRAVITY, GRAVITY_RADIUS, MOLAR_MASS
 from airlight.planets.parameters import MISSING, ascending, parameters
-from airlight.planets.schema.field import Field, always
+from airlight.planets.schema.field import always, key
 
 #: Largest number of rows of a table.
 MOST_ROWS: Final = 1000
@@ -61,60 +57,42 @@ class Sounding(Profile):
     """
 
     keyword = "sounding"
+    mode = "advanced"
 
-    temperatures: Annotated[
-        tuple[float, ...],
-        Field(
-            label="temperature",
-            help="Temperatures of the table's rows.",
-            unit="K",
-            range=(1.0, 1e5),
-            listed=True,
-            example="288, 250, 217 K",
-            slider=(20.0, 1000.0),
-            scale="log",
-            mode="advanced",
-        ),
-    ]
-    altitudes: (
-        Annotated[
-            tuple[float, ...],
-            Field(
-                label="altitude",
-                help="Altitudes of the rows, in increasing order.",
-                note="They or pressures or both; what is left out follows from the gas's weight.",
-                unit="m",
-                range=(0.0, 1e9),
-                listed=True,
-                example="0, 6, 11 km",
-                shown="km",
-                slider=(0.0, 100.0),
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    pressures: (
-        Annotated[
-            tuple[float, ...],
-            Field(
-                label="pressure",
-                help="Pressures of the rows, in decreasing order.",
-                unit="Pa",
-                range=(1e-12, 1e10),
-                listed=True,
-                example="1013, 472, 226 hPa",
-                shown="hPa",
-                slider=(1e-5, 1e5),
-                scale="log",
-                mode="advanced",
-            ),
-        ]
-        | None
-    ) = None
-    molar_mass: Annotated[float, molar_mass_key(offered=always)] | None = None
-    gravity: Annotated[float, gravity_key(offered=always)] | None = None
-    gravity_radius: Annotated[float, gravity_radius_key(offered=always)] | None = None
+    temperatures: tuple[float, ...] = key(
+        label="temperature",
+        help="Temperatures of the table's rows.",
+        unit="K",
+        range=(1.0, 1e5),
+        example="288, 250, 217 K",
+        slider=(20.0, 1000.0),
+        scale="log",
+    )
+    altitudes: tuple[float, ...] | None = key(
+        label="altitude",
+        help="Altitudes of the rows, in increasing order.",
+        note="They or pressures or both; what is left out follows from the gas's weight.",
+        unit="m",
+        range=(0.0, 1e9),
+        example="0, 6, 11 km",
+        shown="km",
+        slider=(0.0, 100.0),
+        default=None,
+    )
+    pressures: tuple[float, ...] | None = key(
+        label="pressure",
+        help="Pressures of the rows, in decreasing order.",
+        unit="Pa",
+        range=(1e-12, 1e10),
+        example="1013, 472, 226 hPa",
+        shown="hPa",
+        slider=(1e-5, 1e5),
+        scale="log",
+        default=None,
+    )
+    molar_mass: float | None = key(MOLAR_MASS, offered=always, default=None)
+    gravity: float | None = key(GRAVITY, offered=always, default=None)
+    gravity_radius: float | None = key(GRAVITY_RADIUS, offered=always, default=None)
 
     def __post_init__(self) -> None:
         rows = len(self.temperatures)

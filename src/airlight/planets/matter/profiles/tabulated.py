@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from airlight.errors import ParameterError
 from airlight.physics.optics.density_profile import Row
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import ascending, parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Field, Wavelengths, key
 from airlight.planets.schema.toml_table import TomlTable
 
 #: Largest number of rows of a table.
@@ -37,50 +37,41 @@ class Tabulated(Profile):
     """
 
     keyword = "tabulated"
+    mode = "advanced"
     extra_keys = (
         Field(
             name="table",
-            label="table",
             help="Name of a density table included in the package.",
             note="Alternative to altitudes and densities.",
             kind="choice",
             choices=lambda: (OZONE_TABLE,),
+            mode="standard",
         ),
     )
 
-    altitudes: Annotated[
-        tuple[float, ...],
-        Field(
-            label="altitude",
-            help="Altitudes of the table's rows, in increasing order.",
-            note="Required without a `table`. Beyond its ends it is extrapolated exponentially,"
-            " never growing upwards.",
-            unit="m",
-            range=(0.0, 1e9),
-            listed=True,
-            example="0, 10, 20 km",
-            shown="km",
-            slider=(0.0, 100.0),
-            mode="advanced",
-        ),
-    ]
-    densities: Annotated[
-        tuple[float, ...],
-        Field(
-            label="density",
-            help="Relative density of each row.",
-            note="Interpolated in the logarithm with a monotone cubic; straight lines next to a"
-            " density of 0.",
-            range=(0.0, 1e6),
-            listed=True,
-            example="1, 0.3, 0.1",
-            slider=(1e-6, 1.0),
-            scale="log",
-            per="altitudes",
-            per_unit="km",
-            mode="advanced",
-        ),
-    ]
+    altitudes: tuple[float, ...] = key(
+        label="altitude",
+        help="Altitudes of the table's rows, in increasing order.",
+        note="Required without a `table`. Beyond its ends it is extrapolated exponentially,"
+        " never growing upwards.",
+        unit="m",
+        range=(0.0, 1e9),
+        example="0, 10, 20 km",
+        shown="km",
+        slider=(0.0, 100.0),
+    )
+    densities: tuple[float, ...] = key(
+        label="density",
+        help="Relative density of each row.",
+        note="Interpolated in the logarithm with a monotone cubic; straight lines next to a"
+        " density of 0.",
+        range=(0.0, 1e6),
+        example="1, 0.3, 0.1",
+        slider=(1e-6, 1.0),
+        scale="log",
+        per="altitudes",
+        per_unit="km",
+    )
 
     def __post_init__(self) -> None:
         if not 2 <= len(self.altitudes) <= MOST_ROWS:
@@ -100,10 +91,12 @@ class Tabulated(Profile):
         return tabulated(self.altitudes, self.densities, thickness)
 
     @classmethod
-    def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
+    def read_values(
+        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+    ) -> dict[str, Any]:
         """Altitudes and densities, given or from a table of the package."""
         if "table" not in section:
-            return super().read_values(section, wavelengths)
+            return super().read_values(section, wavelengths, **known)
         from airlight.physics.optics.gas_absorption import ozone_profile_afgl1986
 
         section.choice("table", (OZONE_TABLE,))
