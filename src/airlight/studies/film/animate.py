@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -38,7 +38,7 @@ def _code() -> str:
     return code_digest(*_SOURCES)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Animated:
     """Result of ``animate``.
 
@@ -151,29 +151,29 @@ def animate(
     if curve is not None:
         values = [curve(number) for number in range(frames.count)]
         span = min(values), max(values)
-    rendered, damaged = len(missing), len(present.damaged)
-    return Animated(frames, rendered, frames.count - rendered, damaged, span)
+    return Animated(
+        frames=frames,
+        rendered=len(missing),
+        kept=frames.count - len(missing),
+        damaged=len(present.damaged),
+        exposures=span,
+    )
 
 
-@dataclass(eq=False)
 class _Job:
     """Film at a given size and finish."""
 
-    film: Film
-    size: tuple[int, int]
-    how: Quality
-    finish: Finish
-    exposure: FilmExposure
-    progress: Progress | None
-    _specs: dict[int, FrameSpec] = field(default_factory=dict, init=False)
-    _digests: dict[int, str] = field(default_factory=dict, init=False)
-    _curve: Callable[[int], float] | None = field(default=None, init=False)
+    def __init__(self, film: Film, how: Quality, finish: Finish, progress: Progress | None) -> None:
+        self._film, self._how, self._finish, self._progress = film, how, finish, progress
+        self._specs: dict[int, FrameSpec] = {}
+        self._digests: dict[int, str] = {}
+        self._curve: Callable[[int], float] | None = None
 
     def frame_spec(self, number: int) -> FrameSpec:
         if number not in self._specs:
             if len(self._specs) >= _CACHE_SIZE:
                 self._specs.clear()
-            self._specs[number] = self.film.frame_spec(number, *self.size, self.how)
+            self._specs[number] = self._film.frame_spec(number, self._how)
         return self._specs[number]
 
     def _digest(self, number: int) -> str:
@@ -187,13 +187,14 @@ class _Job:
 
     def curve(self, opened: Callable[[], Runner]) -> Callable[[int], float] | None:
         """Exposure curve of the film; None for linear files."""
-        if self.finish.suffix == ".exr":
+        if self._finish.suffix == ".exr":
             return None
-        if isinstance(self.exposure, (int, float)):
-            fixed = float(self.exposure)
+        exposure = self._finish.exposure
+        if isinstance(exposure, (int, float)):
+            fixed = float(exposure)
             self._curve = lambda number: fixed
             return self._curve
-        numbers = [0] if self.exposure == "locked" else metered_numbers(self.film.plan)
+        numbers = [0] if exposure == "locked" else metered_numbers(self._film.plan)
         found = {number: self._kept_exposure(number) for number in numbers}
         unknown = [number for number, value in found.items() if value is None]
         if unknown:
@@ -201,8 +202,8 @@ class _Job:
             for done, (number, value) in enumerate(opened().run(metered_exposure, tasks)):
                 disk.save(self._key(number), {"exposure": np.array(value)})
                 found[number] = value
-                if self.progress is not None:
-                    self.progress(done + 1, len(unknown), "exposure")
+                if self._progress is not None:
+                    self._progress(done + 1, len(unknown), "exposure")
         metered = [value for value in found.values() if value is not None]
         self._curve = ExposureCurve(numbers, metered).at
         return self._curve
@@ -216,29 +217,25 @@ class _Job:
 
     # --- frames -------------------------------------------------------------------------------
 
-    def _exposure_of(self, number: int) -> float:
-        return 0.0 if self._curve is None else self._curve(number)
-
-    @property
-    def _eye(self) -> bool:
-        """Whether the eye model is applied: only with automatic exposure."""
-        return isinstance(self.exposure, str)
+    def _finish_of(self, number: int) -> Finish:
+        """Finish of a frame, with its exposure."""
+        metered = isinstance(self._finish.exposure, str)
+        exposure = 0.0 if self._curve is None else self._curve(number)
+        return replace(self._finish, exposure=exposure, eye=metered)
 
     def fingerprint(self, number: int) -> str:
         """Fingerprint of a frame's file."""
-        light, value = self._digest(number), self._exposure_of(number)
-        return digest((light, self.finish, value, self._eye))
+        return digest((self._digest(number), self._finish_of(number)))
 
     def tasks(self, numbers: Sequence[int]) -> Iterator[tuple[int, tuple[Any, ...]]]:
         """Tasks of ``rendered_frame``."""
         for number in numbers:
-            spec, exposure = self.frame_spec(number), self._exposure_of(number)
-            sealed = self.fingerprint(number), _code()
-            yield number, (spec, self.finish, exposure, self._eye, *sealed)
+            finish, mark = self._finish_of(number), self.fingerprint(number)
+            yield number, (self.frame_spec(number), finish, mark, _code())
 
     def announce(self, frames: int) -> None:
         """Announce long rendering, and the number of solutions."""
-        count = self.film.plan.count
+        count = self._film.plan.count
         sampled = min(count, _SAMPLED)
         some = [self.frame_spec(count * k // sampled) for k in range(sampled)]
         changes = distinct_solutions(some)
@@ -246,7 +243,6 @@ class _Job:
         # A single solution announces itself, if it is not on disk.
         solutions = 0.0 if changes == 1 else frames * changes / sampled
         pictures = [(kind, frames * amount) for kind, amount in cost.items() if kind != "solve"]
-        columns, rows = self.size
         announce_all(
             f"{frames} frames of {self._how.width}x{self._how.height} pixels",
             [*pictures, ("solve", solutions * cost["solve"])],
@@ -254,10 +250,10 @@ class _Job:
 
     def prepare(self, runner: Runner) -> None:
         """Solve the common solution once on each machine."""
-        count = self.film.plan.count
+        count = self._film.plan.count
         some = [self.frame_spec(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
         if distinct_solutions(some) == 1:
-            some[0].prepare(self.progress)
+            some[0].prepare(self._progress)
             runner.once_per_machine(prepared, some[0], _code())
 
 

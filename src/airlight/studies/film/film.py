@@ -148,9 +148,12 @@ class Film:
         plan, found = self.plan, []
         for name, number in (("start", 0), ("end", plan.count - 1)):
             view, planet = self._planet_at(plan.changes(number))
-            names = ("latitude", "longitude", "altitude")
-            at = {name: getattr(view, name) for name in names}
-            place = Place(body=planet.world.name, **at)
+            place = Place(
+                body=planet.world.name,
+                latitude=view.latitude,
+                longitude=view.longitude,
+                altitude=view.altitude,
+            )
             text = getattr(plan, name)
             found.append(read_time(text, place, zone=plan.zone, field=f"film.{name}"))
         return found[0], found[1]

@@ -55,10 +55,9 @@ def finished(frame: Frame, finish: Finish, metadata: Mapping[str, str]) -> bytes
         Metadata for the header, without computation times, so that equal frames are equal files.
     """
     inherited = {name: text for name, text in frame.metadata.items() if name != "solver"}
-    star, scene = frame.star_radius, frame.scene
-    plain = Frame(rgb=frame.rgb, **frame.lens, scene=scene, star_radius=star)
+    plain = Frame(rgb=frame.rgb, **frame.lens, scene=frame.scene, star_radius=frame.star_radius)
+    display = asdict(finish)
     with tempfile.TemporaryDirectory(prefix="airlight-") as folder:
-        path = Path(folder) / f"frame{finish.suffix}"
-        looks = {name: value for name, value in vars(finish).items() if name != "suffix"}
-        write_picture(path, plain, {**inherited, **metadata}, exposure=exposure, eye=eye, **looks)
+        path = Path(folder) / f"frame{display.pop('suffix')}"
+        write_picture(path, plain, {**inherited, **metadata}, **display)
         return path.read_bytes()

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import TYPE_CHECKING, Final, Protocol
 
 from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES
@@ -147,14 +147,12 @@ class PlanetFrameSpec:
     def _solution(self, progress: Progress | None = None) -> MomentsSolution:
         how, place = self.how, self.scene.place
         key = digest((self.planet, place, how), self.files)
-        nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
         return _SOLUTIONS.of(
-            key, lambda: solve_planet(self._ground(), nm, how.quality, progress=progress)
+            key,
+            lambda: solve_planet(
+                self.planet, how.wavelengths, how.quality, around=place, progress=progress
+            ),
         )
-
-    def _ground(self) -> Planet:
-        names = ("latitude", "longitude", "altitude")
-        return local_ground(self.planet, **{name: getattr(self.scene, name) for name in names})
 
     @property
     def solved_for(self) -> object:
@@ -200,8 +198,11 @@ class SystemFrameSpec:
         return self._render(columns, rows)
 
     def _render(self, width: int, height: int, progress: Progress | None = None) -> Frame:
-        how: Any = {name: getattr(self.how, name) for name in ("wavelengths", "quality", "samples")}
-        return render_system(self.system, width=width, height=height, progress=progress, **how)
+        how = self.how
+        return render_system(
+            self.system, width=width, height=height, wavelengths=how.wavelengths,
+            quality=how.quality, samples=how.samples, progress=progress,
+        )  # fmt: skip
 
     def cost(self) -> dict[str, float]:
         """See ``FrameSpec``; samples at the edges of bodies are not counted."""
@@ -211,8 +212,8 @@ class SystemFrameSpec:
             for one in planets
         ]
         solves = sum(solve_work(how.quality, count) for count in counts)
-        picture = float(self.width * self.height * max(counts, default=3))
-        return {"picture": picture, "solve": solves}
+        pixels = how.width * how.height
+        return {"picture": float(pixels * max(counts, default=3)), "solve": solves}
 
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``FrameSpec``."""

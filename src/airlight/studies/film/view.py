@@ -148,15 +148,20 @@ class PlanetView(TomlModel):
             extent = disc_extent(planet.top_radius, width, height)
         if self.stars:
             check_stars(planet.body, self.projection)
-        names = ("projection", "roll", "field_of_view", "look_zenith", "polariser")
-        lens: dict[str, Any] = {name: getattr(self, name) for name in names}
-        turn = self.look_azimuth or 0.0
-        camera = Camera(width=width, height=height, look_azimuth=turn, extent=extent, **lens)
+        camera = Camera(
+            projection=self.projection,
+            width=width,
+            height=height,
+            roll=self.roll,
+            field_of_view=self.field_of_view,
+            look_zenith=self.look_zenith,
+            look_azimuth=self.look_azimuth or 0.0,
+            polariser=self.polariser,
+            extent=extent,
+        )
         upright = parallel and self.look_azimuth is None and self.look_at is None
         standing = parallel and self.altitude == type(self).altitude
         altitude = 0.0 if standing else self.altitude
-        seen: dict[str, Any] = {"altitude": altitude, "ground": self.ground}
-        seen |= {"latitude": self.latitude, "longitude": self.longitude}
         given = (self.look_zenith, self.look_azimuth) != (None, None)
         target = self.look_at
         if target is None and not given and self.projection == "perspective":
@@ -172,19 +177,11 @@ class PlanetView(TomlModel):
             for name in ("sun_zenith", "sun_azimuth"):
                 if getattr(self, name) is not None:
                     raise ConflictError(name, "cannot be combined with a time")
-            scene = Scene.at(planet, time=time, look_at=target, camera=camera, **seen)
-            return scene.north_up() if upright else scene
-        sun_zenith = 72.0 if self.sun_zenith is None else self.sun_zenith
-        sun_azimuth = 105.0 if self.sun_azimuth is None else self.sun_azimuth
+            scene = Scene.at(planet, time=time, **place)
+        else:
+            sun_zenith = 72.0 if self.sun_zenith is None else self.sun_zenith
+            sun_azimuth = 105.0 if self.sun_azimuth is None else self.sun_azimuth
+            scene = Scene(sun_zenith=sun_zenith, sun_azimuth=sun_azimuth, **place)
         if target is not None:
-            zenith, azimuth = look_at(
-                target,
-                altitude=max(altitude, 0.0),
-                sun_zenith=sun_zenith,
-                bottom_radius=planet.bottom_radius,
-                sun_azimuth=sun_azimuth,
-                planet=planet,
-            )
-            camera = replace(camera, look_zenith=zenith, look_azimuth=azimuth)
-        scene = Scene(camera=camera, sun_zenith=sun_zenith, sun_azimuth=sun_azimuth, **seen)
+            scene = scene.aimed(target, planet)
         return scene.north_up() if upright else scene

@@ -6,8 +6,7 @@ import contextlib
 import hashlib
 import re
 import sys
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, TextIO
 
@@ -86,21 +85,12 @@ def answer_rows(
         if not table.blocks:
             write_head(table.stream, head, radiance_columns(nm, stokes=stokes))
         waiting: dict[int, Cases] = {}
-        how = Lines(
-            planet=planet,
-            wavelengths=nm,
-            quality=quality,
-            polarisation=polarisation,
-            stokes=stokes,
-            cache=cache,
-            values=np.empty((0, 4)),
-        )
 
         def tasks() -> Iterator[tuple[int, tuple[RadianceTask, FloatArray, str]]]:
             for number, block in enumerate(blocks):
                 if number >= table.kept:
                     waiting[number] = block
-                    yield number, (replace(how, values=block.values), code)
+                    yield number, (task, block.values, code)
 
         rest = total - min(table.kept * BLOCK, total)
         amount = float(rest * len(nm) * (3 if stokes else 1))
@@ -132,15 +122,9 @@ def radiances_of_lines(task: RadianceTask, lines: FloatArray, code: str) -> Floa
         Hash of the sender's source code.
     """
     check_code(code, _SOURCE)
-    polarisation, cache = lines.polarisation, lines.cache
-    solution = shared_solution(
-        lines.planet, lines.wavelengths, lines.quality, polarisation=polarisation, cache=cache
-    )
-    altitude, sun, view, azimuth = lines.values.T
-    found = solution.radiance(
-        altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth, stokes=lines.stokes
-    )
-    return polarised_answers(found) if lines.stokes else np.asarray(found, float)
+    altitude, sun, view, azimuth = lines.T
+    parts = task.layers(altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth)
+    return np.concatenate(parts, axis=-1)
 
 
 class _Table:

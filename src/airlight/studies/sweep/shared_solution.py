@@ -46,11 +46,43 @@ class RadianceTask:
         Whether the solution is looked for on disk, and kept there.
     """
 
-    key = digest((planet, tuple(wavelengths), quality, polarisation))
+    planet: Planet
+    wavelengths: tuple[float, ...]
+    quality: str = "default"
+    polarisation: bool = True
+    stokes: bool = False
+    cache: bool = True
 
-    def solved() -> MomentsSolution:
-        return solve(
-            planet, wavelengths, quality, polarisation=polarisation, cache=cache, progress=progress
-        )
+    def solution(self, progress: Progress | None = None) -> MomentsSolution:
+        """Solution of the planet; the last is cached in memory."""
+        key = digest((self.planet, self.wavelengths, self.quality, self.polarisation))
 
-    return _CACHED.of(key, solved)
+        def solved() -> MomentsSolution:
+            return solve(
+                self.planet,
+                wavelengths=self.wavelengths,
+                quality=self.quality,
+                polarisation=self.polarisation,
+                cache=self.cache,
+                progress=progress,
+            )
+
+        return _CACHED.of(key, solved)
+
+    def layers(self, **where: Any) -> list[NDArray[np.float64]]:
+        """Radiance of lines of sight, or ``stokes_layers``; arguments of ``radiance``."""
+        found = self.solution().radiance(**where, stokes=self.stokes)
+        return stokes_layers(found) if self.stokes else [np.asarray(found, np.float64)]
+
+
+def stokes_layers(found: xarray.DataArray) -> list[NDArray[np.float64]]:
+    """I, Q and U, degree and angle of polarisation.
+
+    Parameters
+    ----------
+    found : xarray.DataArray, with the dimension ``stokes``
+        I, Q and U. [W m⁻² sr⁻¹ nm⁻¹]
+    """
+    parts = [found.sel(stokes=name) for name in STOKES]
+    parts += [degree_of_polarisation(found), angle_of_polarisation(found)]
+    return [np.asarray(part, np.float64) for part in parts]

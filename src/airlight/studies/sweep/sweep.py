@@ -170,9 +170,10 @@ def sweep(
                     store.write(block, values, marks[block])
                     if progress is not None:
                         progress(done + 1, len(missing), "radiances")
-    counts = {"computed": len(missing), "kept": len(marks) - len(missing)}
-    count = int(np.prod(grid.shape))
-    return Swept(path=Path(path), **counts, damaged=damaged, radiances=count)
+    return Swept(
+        path=Path(path), computed=len(missing), kept=len(marks) - len(missing), damaged=damaged,
+        radiances=int(np.prod(grid.shape)),
+    )  # fmt: skip
 
 
 def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:
@@ -214,10 +215,9 @@ def _announce(
     grid: Grid,
     variants: Collection[tuple[int, ...]],
     missing: list[tuple[int, ...]],
-    how: tuple[str, bool, bool],
+    task: RadianceTask,
 ) -> None:
-    """Announce the work, and emit the warnings that would be lost in a worker."""
-    quality, _, stokes = how
+    """Announce the work, and emit warnings here, as those of workers are lost."""
     for one in sorted({variant[0] for variant in variants}):
         warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
     lines = sum(_lines(grid, block) for block in missing)
@@ -251,22 +251,24 @@ def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
 _PLANETS: Final[Cache[tuple[Any, ...], Planet]] = Cache(1)
 
 
-def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> CaseBlock:
-    quality, polarisation, stokes = how
+def _task(grid: Grid, variant: tuple[int, ...], task: RadianceTask) -> RadianceTask:
+    """Task of a planet of the grid."""
+    planet = _PLANETS.of((id(grid), *variant), lambda: grid.planet(variant))
+    return replace(task, planet=planet)
+
+
+def _block(
+    grid: Grid, block: tuple[int, ...], task: RadianceTask
+) -> tuple[RadianceTask, dict[str, Any]]:
+    """Task of a block, and its lines of sight as arguments of ``radiance``. [m], [deg]"""
     *variant, altitude, _, _ = block
     suns, views = grid.region(block)[-4:-2]
-    planet = _PLANETS.of((id(grid), *variant), lambda: grid.planet(tuple(variant)))
-    return CaseBlock(
-        planet=planet,
-        quality=quality,
-        polarisation=polarisation,
-        stokes=stokes,
-        altitude=grid.altitude[altitude],
-        sun_zenith=tuple(grid.sun_zenith[suns]),
-        view_zenith=tuple(grid.view_zenith[views]),
-        azimuth=tuple(grid.azimuth),
-        wavelengths=grid.nm,
-    )
+    return _task(grid, tuple(variant), task), {
+        "altitude": grid.altitude[altitude],
+        "sun_zenith": np.array(grid.sun_zenith[suns])[:, None, None],
+        "view_zenith": np.array(grid.view_zenith[views])[:, None],
+        "azimuth": np.array(grid.azimuth),
+    }
 
 
 # --- on a worker ------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from airlight.errors import AirlightError
 from airlight.plain_text import plain
@@ -97,14 +97,17 @@ class Saving:
 
     def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> None:
         try:
-            told: Any = {"cancel": lambda: self._cancelled, "progress": self._progress}
-            frame = Renderer().render(request.solution, scene, orders=request.orders, **told)
+            frame = render_solution(
+                request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
+                progress=self._progress,
+            )  # fmt: skip
             planet = request.solution.planet
             metadata = {"planet": planet.name if planet else "", **scene.metadata()}
             metadata |= {"orders": request.orders}
-            eye = bool(request.uniforms.get("eye", False))
-            looks: Any = {"tone_map": request.tone_map, "eye": eye, "glare": request.glare}
-            written = write_picture(path, frame, metadata, exposure=exposure, **looks)
+            written = write_picture(
+                path, frame, metadata, exposure=exposure, tone_map=request.tone_map,
+                eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
+            )  # fmt: skip
             size = f"{scene.camera.width}×{scene.camera.height}"
             self.message = f"saved {written.path}  {size}  {written.size / 1e3:.0f} kB"
         except Exception as failure:
