@@ -48,7 +48,9 @@ def _command(name: str, command: Any) -> list[str]:
 
 
 def _metavar(parameter: Any) -> str:
-    return (parameter.metavar or parameter.name or "").upper()
+    from airlight.cli.app import with_words
+
+    return with_words(parameter.metavar or parameter.name or "", "|").upper()
 
 
 def _flags(option: Any) -> str:

@@ -96,6 +96,13 @@ def test_what_options_change_is_what_films_change(scene: Path, tmp_path: Path) -
     assert by_paths.view.look_at == "sun"
 
 
+def test_a_roll_of_zero_replaces_that_of_the_scene(scene: Path) -> None:
+    scene.write_text(f'{SCENE}roll = "10 deg"\n', encoding="utf-8")
+    planet = PlanetOptions(planet=str(scene))
+    assert load_scene(planet).view.roll == 10.0
+    assert load_scene(planet, camera=CameraOptions(roll="0deg")).view.roll == 0.0
+
+
 def test_a_preset_is_seen_from_another_place_and_time() -> None:
     # 12 August 2026 from Burgos: totality at 18:29 UT (IMCCE), 8° high in the west; the Moon then
     # covers the sun, seen from the scene's observer too, on its spherical Earth

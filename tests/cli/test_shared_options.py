@@ -16,6 +16,7 @@ from airlight.cli import main
 from airlight.cli.app import app
 from airlight.cli.option_groups import expand_groups, given_options
 from airlight.cli.place_options import PlaceOptions
+from airlight.errors import ParameterError
 from airlight.image.exposure import camera_exposure
 
 SNAP = ["--iso=100", "--aperture=f/8", "--shutter=1/250s"]
@@ -72,6 +73,15 @@ def test_no_command_has_many_parameters() -> None:
 def test_given_options_are_those_that_differ_from_their_defaults() -> None:
     place = PlaceOptions(at="1N,2E", season="90", sun_distance="true")
     assert given_options(place) == {"--at": "1N,2E", "--ls": 90.0}
+
+
+def test_a_text_is_read_by_the_word_for_it_under_the_name_of_its_option() -> None:
+    place = PlaceOptions(altitude="35km", sun_zenith="0.5 turn", sun_azimuth="SE")
+    assert place.numbers() == {"altitude": 35e3, "sun_zenith": 180.0, "sun_azimuth": 135.0}
+    assert PlaceOptions(altitude=35e3) == PlaceOptions(altitude="35 km")
+    for field, option in (("sun_zenith", "--sun-zenith"), ("season", "--ls")):
+        with pytest.raises(ParameterError, match=f"^{option} is 'low'"):
+            PlaceOptions(**{field: "low"})
 
 
 def test_a_sky_is_exposed_by_a_camera(tmp_path: Path) -> None:

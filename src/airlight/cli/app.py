@@ -54,15 +54,15 @@ COMMANDS: Final = {
 }
 
 
-#: Words of a registry in a help text: ``{module:NAME}``.
+#: Words of a registry in a help text or a metavar: ``{module:NAME}``.
 _REGISTRY: Final = re.compile(r"\{([\w.]+):(\w+)\}")
 
 
-def with_words(text: str) -> str:
+def with_words(text: str, between: str = ", ") -> str:
     """Help text with the names from registries, imported on demand."""
 
     def words(match: re.Match[str]) -> str:
-        return ", ".join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
+        return between.join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
 
     return _REGISTRY.sub(words, text)
 
@@ -73,9 +73,10 @@ class Command(TyperCommand):
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the options; registries are imported here."""
         for parameter in self.params:
-            text = getattr(parameter, "help", None)
-            if text:
-                parameter.help = with_words(text)  # type: ignore[attr-defined]
+            for name, between in (("help", ", "), ("metavar", "|")):
+                text = getattr(parameter, name, None)
+                if text:
+                    setattr(parameter, name, with_words(text, between))
         super().format_options(ctx, formatter)
 
 

@@ -144,6 +144,10 @@ class BakeSolveOptions(SolveOptions):
     wavelengths: str = wavelengths_option(default="rgb")
     solver: Literal["moments", "direct", "montecarlo"] = option("Solver.", default="moments")
 
+    def keywords(self) -> dict[str, Any]:
+        """Keyword arguments of ``airlight.solve``."""
+        return {**super().keywords(), "solver": self.solver}
+
 
 def bake(
     planet: PlanetOptions,
@@ -191,9 +195,7 @@ def bake(
     from airlight.solver import solve as solved
 
     with shown_progress() as report:
-        solution = solved(
-            world, wavelengths=nm, solver=solve.solver, progress=report, **solve.keywords()
-        )
+        solution = solved(world, wavelengths=nm, progress=report, **solve.keywords())
         baked = fill(
             solution,
             layout,
@@ -283,9 +285,7 @@ def bake_target(
     from airlight.solver import solve as solved
 
     with shown_progress() as report:
-        solution = solved(
-            world, wavelengths=nm, solver=solve.solver, progress=report, **solve.keywords()
-        )
+        solution = solved(world, wavelengths=nm, progress=report, **solve.keywords())
         with named_errors(*chosen):
             export = program.write(solution, output, overwrite=overwrite, progress=report, **chosen)
     print_export(program, export)

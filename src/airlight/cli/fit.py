@@ -60,7 +60,7 @@ class FitOptions(OptionGroup):
         "the residuals).",
         "FRACTION",
     )
-    loss: str = option("Loss function of the residuals.", "linear|soft_l1|huber|cauchy", "linear")
+    loss: str = option("Loss function of the residuals.", "{fit.loss:LOSSES}", "linear")
     quality: Quality = "default"
     no_cache: NoCache = False
 
@@ -117,7 +117,9 @@ class PhotographOptions(OptionGroup):
         "Photograph: camera direction; azimuth from the sun.", "ZENITH,AZIMUTH"
     )
     roll: float = option("Photograph: camera roll.", "ANGLE", "0deg")
-    encoding: str = option("Photograph: encoding, unless EXR.", "srgb|gamma|linear", "srgb")
+    encoding: str = option(
+        "Photograph: encoding, unless EXR.", "{color.encoding:ENCODINGS}|linear", "srgb"
+    )
     tone_map: str | None = option("Photograph: tone map to invert.", "NAME")
     above: float = option("Photograph: lowest elevation angle used.", "ANGLE", "5")
 

@@ -53,6 +53,14 @@ def option(
         Names of the option, if not that of the field alone.
     read : callable, optional
         Reader of the text; by default that of the metavar in ``READERS``.
+
+    Examples
+    --------
+    >>> @dataclasses.dataclass(frozen=True, kw_only=True)
+    ... class Lens(OptionGroup):
+    ...     field_of_view: float = option("Field of view.", "ANGLE", "60deg")
+    >>> Lens().field_of_view, Lens(field_of_view="0.5 turn").field_of_view
+    (60.0, 180.0)
     """
     read = read or READERS.get(metavar)
     declared = {"words": words, "metavar": metavar, "flags": flags, "read": read, "text": default}

@@ -43,12 +43,6 @@ EPILOG = examples(
     "airlight radiance earth --sun-zenith 80 --view-zenith 30 --azimuth 180 --stokes",
 )
 
-#: Solvers that can be selected.
-SOLVERS = ("moments", "direct", "montecarlo")
-
-#: Options of an observer, in the order of a file's columns.
-AXES = ("altitude", "sun_zenith", "view_zenith", "azimuth")
-
 #: Rows of a file per call of the solution.
 BLOCK = 4096
 
@@ -98,6 +92,7 @@ class ObserverOptions(OptionGroup):
     def check_file(self, planet: LocalGroundOptions) -> None:
         """Raise an error for observer options with a file of observers, or an unwritable target."""
         from airlight.studies.sweep.cases import check_table
+        from airlight.studies.sweep.grid import AXES
 
         where = given_options(planet, "latitude", "longitude")
         for given in {**given_options(self, *AXES), **where}:
@@ -126,7 +121,7 @@ class SolverOptions(SolveOptions):
     )
     solver: str = option(
         "Solver; montecarlo traces every radiance and adds its standard error.",
-        "|".join(SOLVERS),
+        "{solvers.solve:SOLVERS}",
         "moments",
     )
     relative_error: float | None = option(
@@ -137,6 +132,8 @@ class SolverOptions(SolveOptions):
 
     def settings(self) -> Any:
         """Name of the quality, or Monte Carlo settings."""
+        from airlight.solver.solve import SOLVERS
+
         if self.solver not in SOLVERS:
             raise ParameterError("--solver", self.solver, ", ".join(SOLVERS))
         if self.stokes and self.solver == "direct":
@@ -312,17 +309,17 @@ def _observers(observers: ObserverOptions) -> Cases:
     from airlight.physics.units import MOST_VALUES
     from airlight.scene.limits import DEEPEST_ALTITUDE, within
     from airlight.studies.sweep.cases import COLUMNS, Cases
+    from airlight.studies.sweep.grid import AXES
 
     if observers.output != "-":
         raise ParameterError("--output", observers.output, "only together with --input")
     filled = {"altitude": [0.0], "azimuth": [0.0]} | given_values(observers, *AXES)
     axes = []
-    for name, (low, high) in zip(AXES, COLUMNS.values(), strict=True):
-        given, unit = option_name(name), "deg"
+    for name, (low, high, unit) in AXES.items():
+        given = option_name(name)
         if name not in filled:
             raise typer.BadParameter(f"{given} is missing: an angle such as 60deg, or --input FILE")
-        if name == "altitude":
-            low, unit = DEEPEST_ALTITUDE, "m"
+        low = DEEPEST_ALTITUDE if name == "altitude" else low
         axes.append([within(given, number, low, high, unit) for number in filled[name]])
     values = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))
     if len(values) > MOST_VALUES:

@@ -84,6 +84,7 @@ def sweep(
     from airlight.planets.reading.overrides import FIELD
     from airlight.studies.sweep import Grid
     from airlight.studies.sweep import sweep as computed
+    from airlight.studies.sweep.grid import AXES
     from airlight.studies.sweep.store import check_store
 
     if solve.stokes and solve.no_polarisation:
@@ -94,17 +95,14 @@ def sweep(
         grid = Grid(
             planets=planets,
             vary=dict(_varied(text) for text in axes.vary or []),
-            altitude=axes.altitude,
-            sun_zenith=axes.sun_zenith,
-            view_zenith=axes.view_zenith,
-            azimuth=axes.azimuth,
+            **{name: getattr(axes, name) for name in AXES},
             wavelengths=solve.nm(first),
         )
     except ParameterError as error:
         name = error.field.partition("[")[0]
         if name == FIELD:
             raise error.named("--vary") from None
-        if name not in ("altitude", "sun_zenith", "view_zenith", "azimuth"):
+        if name not in AXES:
             raise
         raise error.named(option_name(error.field)) from None
     with shown_progress() as report, distribution.named():

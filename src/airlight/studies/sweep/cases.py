@@ -17,15 +17,10 @@ from numpy.typing import NDArray
 from airlight.errors import FileError, ParameterError
 from airlight.files.atomic_file import atomic_file, check_target
 from airlight.solver.stokes_frame import STOKES
+from airlight.studies.sweep.grid import AXES
 
 #: Columns that are read, with the smallest and largest number allowed in them.
-COLUMNS: dict[str, tuple[float, float]] = {
-    "altitude_m": (0.0, 1e12),
-    "sun_zenith_deg": (0.0, 180.0),
-    "view_zenith_deg": (0.0, 180.0),
-    "azimuth_deg": (-360.0, 360.0),
-}
-
+COLUMNS: Final = {f"{name}_{unit}": (low, high) for name, (low, high, unit) in AXES.items()}
 
 #: Suffixes of tables that are written.
 SUFFIXES: Final = (".csv", ".nc")

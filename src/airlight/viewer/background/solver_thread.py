@@ -21,7 +21,7 @@ from airlight.planets.reading.reader import read_tables
 from airlight.render.solve_planet import PlanetSolver, live_solver
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
-from airlight.viewer.session.solve_request import SolveRequest, Versions
+from airlight.viewer.session.planet_state import SolveRequest, Versions
 
 #: Time after which a preview is cancelled by a newer edit. Faster previews are finished, so that
 #: the frame keeps up during a drag. [s]

@@ -1,13 +1,19 @@
-"""Differences between two edited planets, with the labels of the declared parameters."""
+"""Comparison of two sides: their differences, and one of them as its solver thread sees it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
-from airlight.viewer.session.planet_state import PlanetState
+from airlight.viewer.parameters.view_parameters import view_parameters
+from airlight.viewer.session.planet_state import PlanetState, SolveRequest, Versions
+from airlight.viewer.session.side import Side
+
+if TYPE_CHECKING:
+    from airlight.viewer.session.session import Session
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,13 +35,27 @@ class ParameterDifference:
     second: Value | None
 
 
-def differing(first: PlanetState, second: PlanetState) -> Iterator[ParameterDifference]:
-    """Parameters that differ between two planets; constituents are matched by name.
+def differing(first: Side, second: Side, shares_camera: bool) -> Iterator[ParameterDifference]:
+    """Parameters that differ between two sides; constituents are matched by name.
 
-    Yields
-    ------
-    ParameterDifference
+    Parameters
+    ----------
+    first, second : Side
+    shares_camera : bool
+        Whether camera and sun are those of both.
     """
+    yield from _differing_planets(first.planet, second.planet)
+    for one in view_parameters():
+        if shares_camera and one.path.startswith("view."):
+            continue
+        a, b = first.view[one.path], second.view[one.path]
+        if a != b:
+            yield ParameterDifference(
+                path=one.path, label=one.label, unit=one.unit, first=a, second=b
+            )
+
+
+def _differing_planets(first: PlanetState, second: PlanetState) -> Iterator[ParameterDifference]:
     ones, others = _by_words(first), _by_words(second)
     for words in (*ones, *(words for words in others if words not in ones)):
         one, other = ones.get(words), others.get(words)
@@ -49,11 +69,15 @@ def differing(first: PlanetState, second: PlanetState) -> Iterator[ParameterDiff
                 path=known.path, label=label, unit=known.unit, first=a, second=b
             )
     for group in (*first.groups, *(one for one in second.groups if one not in first.groups)):
-        on = [None if group not in state.groups else state.groups.index(group) not in state.off
-              for state in (first, second)]  # fmt: skip
-        if None not in on and on[0] != on[1]:
-            yield ParameterDifference(path="light.constituents", label=f"{group}: on", unit="1",
-                             first=on[0], second=on[1])  # fmt: skip
+        a, b = (
+            None if group not in state.groups else state.groups.index(group) not in state.off
+            for state in (first, second)
+        )
+        if None not in (a, b) and a != b:
+            label = f"{group}: on"
+            yield ParameterDifference(
+                path="light.constituents", label=label, unit="1", first=a, second=b
+            )
 
 
 def _by_words(state: PlanetState) -> dict[tuple[str, str], Parameter]:
@@ -63,3 +87,30 @@ def _by_words(state: PlanetState) -> dict[tuple[str, str], Parameter]:
         inside = one.path.partition("]")[2] if one.path.startswith("constituents[") else one.path
         found[one.group, inside] = one
     return found
+
+
+class SessionSide:
+    """Solve requests of a session for one side, independent of the side shown.
+
+    Parameters
+    ----------
+    session : Session
+        Session that holds the sides.
+    side : str
+        Side, ``A`` or ``B``.
+    """
+
+    def __init__(self, session: Session, side: str) -> None:
+        self._session = session
+        self._side = side
+
+    @property
+    def solve_request(self) -> SolveRequest:
+        """Request to solve; that of the current side while there is only one."""
+        if self._session.showing == self._side:
+            return self._session.solve_request
+        return self._session.solve_request_other or self._session.solve_request
+
+    def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
+        """See ``Session.subscribe``."""
+        return self._session.subscribe(observer)

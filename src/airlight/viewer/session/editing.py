@@ -20,9 +20,8 @@ from airlight.viewer.parameters.view_parameters import (
 )
 from airlight.viewer.session.adaptation import Adaptation
 from airlight.viewer.session.history import Change, History
-from airlight.viewer.session.planet_state import PlanetState
+from airlight.viewer.session.planet_state import PlanetState, SolveRequest, Versions
 from airlight.viewer.session.side import Side
-from airlight.viewer.session.solve_request import SolveRequest, Versions
 
 #: Size of the picture until a host sets it. [pixel]
 DEFAULT_SIZE: Final = (960, 540)
@@ -110,8 +109,8 @@ class Editing:
     @property
     def display(self) -> dict[str, Value]:
         """Display values: ``automatic``, ``exposure`` [EV], ``tone_map`` and ``glare``."""
-        return {name: self._side.view[f"display.{name}"] for name in
-                ("automatic", "exposure", "tone_map", "glare")}  # fmt: skip
+        names = ("automatic", "exposure", "tone_map", "glare")
+        return {name: self._side.view[f"display.{name}"] for name in names}
 
     @property
     def holds_exposure(self) -> bool:

@@ -1,4 +1,4 @@
-"""Planet in the viewer: original tables, edited tables, constituents switched off."""
+"""Planet in the viewer: original and edited tables, constituents switched off; solve requests."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import hashlib
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from airlight.errors import ParameterError
 from airlight.planets.parameters import MISSING
@@ -56,8 +56,8 @@ class PlanetState:
         except ParameterError as error:
             raise error.in_file(file) from None
         except (AttributeError, TypeError, KeyError):
-            raise ParameterError("planet", file, "a planet file, with tables where it has them",
-                                 file) from None  # fmt: skip
+            allowed = "a planet file, with tables where it has them"
+            raise ParameterError("planet", file, allowed, file) from None
         return state
 
     @property
@@ -118,3 +118,47 @@ def _check_tables(tables: Tables) -> None:
     constituents = tables.get("constituents", MISSING)
     if not isinstance(constituents, list) or not constituents:
         raise ParameterError("constituents", constituents, "one or more tables [[constituents]]")
+
+
+class Versions(NamedTuple):
+    """Change counters of planet, view and display.
+
+    Attributes
+    ----------
+    planet : int
+        Inputs of the solution: planet, switches, wavelengths, quality.
+    view : int
+        Inputs of the rendering: camera, sun, orders, size.
+    display : int
+        Inputs of the display: exposure, tone map.
+    """
+
+    planet: int = 0
+    view: int = 0
+    display: int = 0
+
+
+class SolveRequest(NamedTuple):
+    """Request of a solution; see ``SolverThread``.
+
+    Attributes
+    ----------
+    version : int
+        Version of the planet.
+    state : PlanetState
+        Planet to solve.
+    quality : str
+        Quality of the solution that follows the preview.
+    wavelengths : str
+        Number of wavelengths, a word of ``view_parameters.WAVELENGTHS``.
+    """
+
+    version: int
+    state: PlanetState
+    quality: str
+    wavelengths: str
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Key of a request, independent of the quality."""
+        return self.state.key, self.wavelengths

@@ -6,7 +6,7 @@ planets.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,14 +16,13 @@ from airlight.planets.planet import Planet
 from airlight.planets.reading.planet_file import planet_file
 from airlight.planets.reading.reader import read_tables
 from airlight.viewer.parameters.parameter import Value
-from airlight.viewer.parameters.view_parameters import view_parameters
 from airlight.viewer.session import saved_state
 from airlight.viewer.session.comparing import ParameterDifference, differing
 from airlight.viewer.session.editing import Editing
 from airlight.viewer.session.freeze_coefficients import freeze_coefficients, is_advanced
 from airlight.viewer.session.history import Change
+from airlight.viewer.session.planet_state import SolveRequest, Versions
 from airlight.viewer.session.side import Side
-from airlight.viewer.session.solve_request import SolveRequest, Versions
 
 __all__ = ["Session", "Versions", "SolveRequest"]
 
@@ -149,9 +148,10 @@ class Session(Editing):
         """Parameters that differ between A and B; empty without another side."""
         if self._other is None:
             return ()
-        first, second = (self._side, self._other) if self._showing == "A" else (
-            self._other, self._side)  # fmt: skip
-        return tuple(_side_differences(first, second, self.shares_camera))
+        first, second = self._side, self._other
+        if self._showing != "A":
+            first, second = second, first
+        return tuple(differing(first, second, self.shares_camera))
 
     # --- saving -------------------------------------------------------------------------------
 
@@ -173,15 +173,3 @@ class Session(Editing):
         """Show a state made by ``to_state``, as one undo step."""
         planet, view = saved_state.read_state(state, self.planet)
         self._changed(self._side.change("state", Change(planet=planet, view=view)))
-
-
-def _side_differences(first: Side, second: Side, shares: bool) -> Iterator[ParameterDifference]:
-    yield from differing(first.planet, second.planet)
-    for one in view_parameters():
-        if shares and one.path.startswith("view."):
-            continue
-        a, b = first.view[one.path], second.view[one.path]
-        if a != b:
-            yield ParameterDifference(
-                path=one.path, label=one.label, unit=one.unit, first=a, second=b
-            )
