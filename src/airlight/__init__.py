@@ -1,9 +1,7 @@
-"""airlight: the light of planetary atmospheres.
+"""airlight: radiative transfer and rendering of planetary atmospheres.
 
-A planet file becomes a medium, a medium becomes a solution, a solution seen by a camera becomes a
-frame, a frame becomes a picture.
-
-Nothing heavy is imported before it is used: the names below load their modules at first touch.
+A planet file becomes a ``Medium``, a medium a ``Solution``, a solution seen by a camera a
+``Frame``, a frame a picture. The names below are imported lazily.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Child processes: how every one of them is started, and how all of them are ended.
+"""Start and end of child processes.
 
-``python -c`` puts the working directory first on the import path: a ``signal.py`` there, which came
-with somebody's data, would run. Every child of airlight is started without that, by ``-P`` or
-``PYTHONSAFEPATH``. Children that compute leave Ctrl-C to the process that started them.
+``python -c`` puts the working directory on the import path, so that a ``signal.py`` there would be
+imported. Children are therefore started with ``-P`` or ``PYTHONSAFEPATH``. Children that compute
+leave Ctrl-C to the parent process.
 """
 
 from __future__ import annotations
@@ -39,12 +39,7 @@ def start_python(text: str, **options: Any) -> subprocess.Popen[str]:
     Returns
     -------
     subprocess.Popen
-        Process, which ``end_all`` ends if it still runs.
-
-    Raises
-    ------
-    OSError
-        If it cannot be started.
+        Process, ended by ``end_all``.
     """
     import subprocess
 
@@ -60,7 +55,7 @@ def start_python(text: str, **options: Any) -> subprocess.Popen[str]:
 
 @contextlib.contextmanager
 def safe_path(**also: str) -> Iterator[None]:
-    """Start what libraries start in the block with ``SAFE_PATH`` and further variables."""
+    """Context in which libraries start processes with ``SAFE_PATH`` and further variables."""
     before = {name: os.environ.get(name) for name in (*SAFE_PATH, *also)}
     os.environ.update({**SAFE_PATH, **also})
     try:
@@ -75,10 +70,10 @@ def safe_path(**also: str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def deaf_to_interrupts() -> Iterator[None]:
-    """Start threads in the block whose children Ctrl-C does not reach: they inherit its mask.
+    """Context in which new threads, and their child processes, inherit a mask of Ctrl-C.
 
-    The terminal sends Ctrl-C to all processes of a command: a child that has just begun would
-    answer with a traceback. On Windows nothing changes.
+    The terminal sends Ctrl-C to all processes, and a starting child would print a traceback. No
+    effect on Windows.
     """
     if sys.platform == "win32":
         yield
@@ -96,7 +91,7 @@ def deaf_to_interrupts() -> Iterator[None]:
 
 @contextlib.contextmanager
 def folder_of_children(folder: Path) -> Iterator[None]:
-    """Note a folder in which children write, so that ``end_all`` removes it with them."""
+    """Register a folder of child processes, to be removed by ``end_all``."""
     _folders.add(folder)
     try:
         yield
@@ -105,7 +100,7 @@ def folder_of_children(folder: Path) -> Iterator[None]:
 
 
 def end_all() -> None:
-    """End all child processes at once, those of libraries and their children too."""
+    """Kill all child processes, including those of libraries and their descendants."""
     import shutil
 
     for _ in range(2):  # a worker that was lost may have been replaced meanwhile

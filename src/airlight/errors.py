@@ -1,4 +1,4 @@
-"""Exceptions and warnings of airlight, each with a message of one clear line."""
+"""Exceptions and warnings of airlight, with one-line messages."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _LONGEST_LINE: Final = 800
 
 
 class AirlightError(Exception):
-    """Base of every error that airlight raises on purpose, with a message of one line."""
+    """Base of the errors raised by airlight, with a one-line message."""
 
     def __str__(self) -> str:
         return plain(brief(super().__str__()))
@@ -29,11 +29,11 @@ class ParameterError(AirlightError, ValueError):
     field : str
         Path of the value, with dots and indices: ``constituents[1].scattering``.
     value : object
-        Value as it was given.
+        Given value.
     allowed : str
         Allowed range or forms, in words.
     file : str or Path, optional
-        File that holds the field.
+        File of the field.
 
     Examples
     --------
@@ -62,11 +62,11 @@ class ParameterError(AirlightError, ValueError):
         )
 
     def named(self, field: str) -> ParameterError:
-        """Same error of a field by another name."""
+        """Copy with another name of the field."""
         return ParameterError(field, self.value, self.allowed, self.file)
 
     def in_file(self, file: str | Path | None) -> ParameterError:
-        """Same error with the name of the file that holds the field."""
+        """Copy with the name of the file."""
         return ParameterError(self.field, self.value, self.allowed, file)
 
 
@@ -80,7 +80,7 @@ class ConflictError(ParameterError):
     phrase : str
         Verb phrase: ``requires a time``, ``cannot be combined with a spectrum``.
     file : str or Path, optional
-        File that holds the field.
+        File of the field.
 
     Examples
     --------
@@ -97,16 +97,16 @@ class ConflictError(ParameterError):
         return plain(brief(f"{where}{brief(self.field, whole=200)} {self.allowed}"))
 
     def named(self, field: str) -> ConflictError:
-        """Same error of a field by another name."""
+        """Copy with another name of the field."""
         return ConflictError(field, self.allowed, self.file)
 
     def in_file(self, file: str | Path | None) -> ConflictError:
-        """Same error with the name of the file that holds the field."""
+        """Copy with the name of the file."""
         return ConflictError(self.field, self.allowed, file)
 
 
 class ParameterErrors(ParameterError):
-    """Several unusable values, on one line; field, value and range are those of the first.
+    """Several invalid values, in one line; field, value and range are those of the first.
 
     Parameters
     ----------
@@ -142,11 +142,11 @@ class ParameterErrors(ParameterError):
         return "; also: ".join(parts)
 
     def named(self, field: str) -> ParameterError:
-        """First of the errors, of a field by another name."""
+        """First of the errors, with another name of the field."""
         return self.errors[0].named(field)
 
     def in_file(self, file: str | Path | None) -> ParameterErrors:
-        """Same errors with the name of the file that holds the fields."""
+        """Copy with the name of the file."""
         return ParameterErrors([one.in_file(file) for one in self.errors])
 
 
@@ -160,7 +160,7 @@ def changed(
 
 
 class Collector:
-    """Collects the errors of several steps, to raise all of them at once.
+    """Collector of the errors of several steps, raised together.
 
     Examples
     --------
@@ -182,7 +182,7 @@ class Collector:
         """Begin a step."""
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> bool:
-        """Keep the step's error, if it is one of a parameter."""
+        """Collect the step's error, if it is a ``ParameterError``."""
         if isinstance(error, ParameterErrors):
             self.errors += error.errors
         elif isinstance(error, ParameterError):
@@ -190,7 +190,7 @@ class Collector:
         return isinstance(error, ParameterError)
 
     def raise_all(self) -> None:
-        """Raise what was collected: one error as it is, several as one."""
+        """Raise the collected error; several are combined."""
         if len(self.errors) == 1:
             raise self.errors[0]
         if self.errors:
@@ -214,28 +214,28 @@ class ConvergenceError(AirlightError):
 
 
 class CostError(AirlightError):
-    """Work that needs more memory than this machine has, refused before it begins."""
+    """Computation that needs more memory than is free, rejected in advance."""
 
 
 class WorkerError(AirlightError):
-    """Process or machine that took part in a computation and was lost."""
+    """Loss of a process or machine of a distributed computation."""
 
 
 class Cancelled(AirlightError):
-    """Long computation stopped at the caller's request."""
+    """Computation cancelled by the caller."""
 
 
 class AirlightWarning(UserWarning):
-    """Base of every warning that airlight gives, with a message of one line."""
+    """Base of the warnings of airlight, with a one-line message."""
 
 
 def warn(line: str) -> None:
-    """Warn of a result that is not what it seems; shown once for each line of the caller's code.
+    """Issue a warning about a result, shown once per line of the caller's code.
 
     Parameters
     ----------
     line : str
-        Message: what is off, and by how much.
+        Message, with the size of the effect.
     """
     frame, level = sys._getframe(1), 2
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("airlight."):

@@ -1,4 +1,4 @@
-"""Text from outside as text: names, paths and values without characters that steer a terminal."""
+"""Printable text from untrusted names, paths and values, without control characters."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _OBEYED: Final = re.compile(
 
 
 def is_plain(text: str) -> bool:
-    r"""Whether a text has only characters that are shown.
+    r"""Whether a text is printable.
 
     Examples
     --------
@@ -24,12 +24,12 @@ def is_plain(text: str) -> bool:
 
 
 def brief(text: object, most: int = 400, whole: int = 1000) -> str:
-    """Text of a message: of long words, such as paths, and of a long line the middle is left out.
+    """Abbreviated text for a message: long words, such as paths, and long lines.
 
     Parameters
     ----------
     text : object
-        Text, or what ``str`` makes one of.
+        Text, or an object for ``str``.
     most, whole : int
         Largest length of a word, and of the text. [character]
 
@@ -48,17 +48,17 @@ def _cut(text: str, most: int) -> str:
 
 
 def plain(text: object) -> str:
-    r"""One line of text in which characters that are not shown stand as their escapes.
+    r"""Single line of text with non-printable characters escaped.
 
     Parameters
     ----------
     text : object
-        Text, or what ``str`` makes one of. Line breaks and tabs become spaces.
+        Text, or an object for ``str``. Line breaks and tabs become spaces.
 
     Returns
     -------
     str
-        Line that every stream can encode and every terminal only shows.
+        Line that any stream can encode.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The command line."""
+"""Command line."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ __all__ = ["main", "run_process"]
 
 
 def run_process() -> int:
-    """Run the command line of a process of its own; its exit status as ``main`` gives it.
+    """Run the command line as the main program; returns the exit status.
 
-    Only the version is said without the parser of commands, whose import takes longer.
+    ``--version`` does not import the command parser.
     """
     if sys.argv[1:] == ["--version"]:
         from airlight import __version__

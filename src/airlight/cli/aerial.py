@@ -1,4 +1,4 @@
-"""``airlight aerial``: the air around an observer as textures and functions for a shader."""
+"""``airlight aerial``: aerial perspective as textures and shader functions."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ def aerial(
 ) -> None:
     """Bake aerial perspective around an observer to textures and shader functions.
 
-    The folder has half-float textures, functions in WGSL and GLSL that read them, and a manifest
-    with their error. The camera may turn, and move as far as the air is the same.
+    The folder has half-float textures, look-up functions in WGSL and GLSL, and a manifest with
+    their error. The camera may rotate, and move a little.
     """
     started = time.perf_counter()
     from airlight.engines.composition.aerial_files import FILES, FORMAT, write_aerial

@@ -1,4 +1,4 @@
-"""``airlight animate``: a film of a planet or a scene becomes frames, and an MP4."""
+"""``airlight animate``: frames and MP4 of a film of a planet or a scene."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ EPILOG = examples(
 
 @dataclass(frozen=True, kw_only=True)
 class PlanOptions:
-    """Options of what changes from frame to frame."""
+    """Options of the animated quantities."""
 
     frames: Annotated[int | None, typer.Option(metavar="N", help="Number of frames (120).")] = None
     rate: Annotated[
@@ -74,7 +74,7 @@ class PlanOptions:
     ] = None
 
     def changes(self) -> dict[str, Any]:
-        """Overrides of the film's keys, but for key frames."""
+        """Overrides of the film's keys, without key frames."""
         from airlight.planets.reading.overrides import parsed
 
         try:
@@ -88,7 +88,7 @@ class PlanOptions:
 
 @dataclass(frozen=True, kw_only=True)
 class FrameOptions(DisplayOptions):
-    """Options of the files of the frames and of their display."""
+    """Options of the frames' files and display."""
 
     size: Size = None
     format_: Annotated[
@@ -116,7 +116,7 @@ class FrameOptions(DisplayOptions):
             raise ParameterError("--exposure", text, "auto, locked, or -100 to 100 EV") from error
 
     def check_movie(self, movie: Path) -> None:
-        """Refuse frames that an MP4 cannot have, and a file that cannot be written."""
+        """Raise an error if an MP4 of these frames cannot be written."""
         from airlight.studies.film.movie import check_movie
 
         plain = {"--format": "png", "--bits": 8, "--encoding": "srgb", "--primaries": "srgb"}
@@ -133,7 +133,7 @@ class FilmAccuracyOptions(AccuracyOptions):
     samples: Samples = None
 
     def accuracy(self, film: Film) -> Accuracy:
-        """Settings of the film's frames."""
+        """Accuracy settings of the frames."""
         from airlight.studies.film import Quality
 
         if self.wavelengths is not None and not film.planets:
@@ -165,8 +165,8 @@ def animate(
 ) -> None:
     """Render the missing or changed frames of a film.
 
-    The clock may run, and any number of the scene or the planet may follow key frames. Processes of
-    this machine share the frames, or a Dask cluster does.
+    Time, and any number of the scene or the planet, can be animated by key frames. Frames are
+    distributed to processes of this machine or of a Dask cluster.
     """
     started = time.perf_counter()
     folder, movie = _outputs(output)
@@ -213,7 +213,7 @@ def _report(result: Animated, movie: Path | None, columns: int, rows: int, secon
 
 
 def _outputs(paths: list[Path]) -> tuple[Path, Path | None]:
-    """Folder of the frames, and the MP4 if one is asked for."""
+    """Folder of the frames, and path of the MP4 if requested."""
     movies = [path for path in paths if path.suffix.lower() == ".mp4"]
     folders = [path for path in paths if path not in movies]
     shown = " ".join(map(str, paths))
@@ -228,7 +228,7 @@ _KEY = re.compile(r"\s*([^=]+?)\s*=\s*(.*?)\s*(?:\s([a-z]+(?:-[a-z]+)*))?\s*", r
 
 
 def _keys(film: str, texts: list[str] | None, changes: dict[str, Any]) -> dict[str, Any]:
-    """Key frames of the options, behind those of the film's file."""
+    """Key frames of the film's file, then of the options."""
     from airlight.studies.film import load_film
     from airlight.studies.film.laws import LAWS
 

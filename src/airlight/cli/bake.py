@@ -1,4 +1,4 @@
-"""``airlight bake``: a planet's light as tables for engines."""
+"""``airlight bake``: look-up tables for engines."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ class TableOptions:
     ] = False
 
     def check(self, layout: str) -> None:
-        """Refuse options of other layouts."""
+        """Raise an error for options of other layouts."""
         other = "bruneton" if layout != "bruneton" else "atmosphere-plus"
         foreign = {
             "bruneton": ("mie", "smooth_phase", "lowest_sun"),
@@ -112,11 +112,11 @@ class TableOptions:
             raise ConflictError("--azimuth", "requires --packing phase-included")
 
     def given(self) -> dict[str, Any]:
-        """Texts of the options that are given, by their names in Python."""
+        """Texts of the given options, by field."""
         return {option[2:].replace("-", "_"): v for option, v in given_options(self).items()}
 
     def chosen(self) -> dict[str, Any]:
-        """Options that are given, by their names in Python, for the files of a program."""
+        """Given options by field, for an export target."""
         given = self.given()
         if self.size is not None:
             given["size"] = self.texels("bruneton")
@@ -138,7 +138,7 @@ class TableOptions:
         return min(math.cos(math.radians(zenith)), 0.0)
 
     def texels(self, layout: str) -> tuple[int, ...] | None:
-        """Numbers of texels along the axes."""
+        """Number of texels along each axis."""
         if self.size is None:
             return None
         count, example = (4, "32x128x32x8") if layout == "bruneton" else (3, "32x256x32")
@@ -180,8 +180,8 @@ def bake(
 ) -> None:
     """Bake a planet's radiation to look-up tables: NPZ, EXR and a JSON manifest.
 
-    The tables hold scattered light, transmittance and skylight; the manifest describes the look-ups
-    and states the tables' error.
+    The tables contain scattering, transmittance and irradiance; the manifest describes the look-ups
+    and the error of the tables.
     """
     if layout not in LAYOUTS:
         raise ParameterError("--layout", layout, ", ".join(LAYOUTS))

@@ -1,4 +1,4 @@
-"""``airlight bake --layout PROGRAM``: files that a program loads as they are."""
+"""``airlight bake --layout PROGRAM``: files for an export target."""
 
 from __future__ import annotations
 
@@ -50,13 +50,8 @@ def bake_target(
     planet, output, solve, overwrite
         Options of the command.
     chosen : mapping
-        Options of tables that were given, by their names in Python: ``size`` as numbers of texels,
-        ``lowest_sun`` in degrees, others as texts.
-
-    Raises
-    ------
-    ParameterError
-        For an option that the program does not have.
+        Given table options by field: ``size`` as numbers of texels, ``lowest_sun`` in degrees,
+        others as texts.
     """
     started = time.perf_counter()
     from airlight.engines.targets import target_of
@@ -90,7 +85,7 @@ def bake_target(
 
 
 def check_options(name: str, chosen: Mapping[str, Any]) -> None:
-    """Refuse options of tables that a program does not have."""
+    """Raise an error for table options that a target does not support."""
     from airlight.engines.targets import target_of
 
     try:
@@ -100,7 +95,7 @@ def check_options(name: str, chosen: Mapping[str, Any]) -> None:
 
 
 def print_export(program: Target, export: Export) -> None:
-    """Print the files of a folder, their errors, fitted formulas and notes."""
+    """Print the files of an export, with errors, fitted formulas and notes."""
     say(f"for {program.program} {program.version}")
     for name, size in export.files.items():
         say(f"  {name:<32} {_bytes(size):>10}")

@@ -89,7 +89,7 @@ class DirectionOptions:
 
 @dataclass(frozen=True, kw_only=True)
 class CameraOptions(DirectionOptions):
-    """Options of a camera, its filter and its pixels."""
+    """Options of the camera, its filter and its frame."""
 
     polariser: Annotated[
         str | None,
@@ -111,11 +111,11 @@ class CameraOptions(DirectionOptions):
 
     @property
     def parallel(self) -> bool:
-        """Whether lines of sight are parallel, to the disc of a distant planet."""
+        """Whether the projection is orthographic."""
         return self.projection == _ORTHOGRAPHIC
 
     def check_parallel(self, place: PlaceOptions) -> None:
-        """Refuse options that place or direct a camera whose lines of sight are parallel."""
+        """Raise an error for options of position or direction of an orthographic camera."""
         if not self.parallel:
             return
         placing = {**given_options(place, "altitude"), **given_options(self, "look", "look_at")}
@@ -134,7 +134,6 @@ class CameraOptions(DirectionOptions):
 
         Parameters
         ----------
-        planet : Planet
         placed : Placed
             Observer and sun.
         size : (int, int)
@@ -173,7 +172,7 @@ class CameraOptions(DirectionOptions):
 
         Notes
         -----
-        The horizon by default, of a perspective.
+        Default of a perspective: the horizon.
         """
         from airlight.scene import look_at
 

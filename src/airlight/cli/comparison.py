@@ -1,4 +1,4 @@
-"""Two planets side by side, as ``airlight show PLANET --compare OTHER`` prints them."""
+"""Comparison of two planets for ``airlight show PLANET --compare OTHER``."""
 
 from __future__ import annotations
 
@@ -28,9 +28,8 @@ def print_comparison(first: Planet, second: Planet, *, cache: bool) -> None:
 
     Parameters
     ----------
-    first, second : Planet
     cache : bool
-        Whether solutions on disk are read and kept.
+        Whether to cache solutions on disk.
     """
     from airlight.planets.comparison import compare
 
@@ -48,7 +47,7 @@ def print_comparison(first: Planet, second: Planet, *, cache: bool) -> None:
 
 
 def _sky(planet: Planet, *, cache: bool) -> tuple[SkyColor, ...]:
-    """Colours of the sky; none if the planet is not known in the visible."""
+    """Colours of the sky; empty if the planet has no data in the visible."""
     from airlight.cli.progress import shown_progress
     from airlight.render.sky_color import sky_colors
 

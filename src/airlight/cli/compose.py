@@ -1,4 +1,4 @@
-"""``airlight compose``: the air over a picture that another renderer drew."""
+"""``airlight compose``: atmosphere over another renderer's picture."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ class PassOptions:
         return found
 
     def pinhole(self, passes: RenderPasses) -> tuple[Pinhole, dict[str, Any]]:
-        """Camera of the picture, in its size, and the block that places the scene."""
+        """Camera of the picture at its size, and the block with the placement of the scene."""
         from airlight.engines.composition.pinhole import camera_from_json, camera_from_matrices
 
         width, height = passes.size
@@ -151,7 +151,7 @@ class PassOptions:
 
 @dataclass(frozen=True, kw_only=True)
 class PlacementOptions(PlaceOptions):
-    """Options of the place of a scene on a planet; the observer is its origin."""
+    """Options of the placement of a scene on a planet; the observer is at its origin."""
 
     altitude: Annotated[
         str | None, typer.Option(metavar="LENGTH", help="Altitude of the scene's origin (0m).")
@@ -169,7 +169,7 @@ class PlacementOptions(PlaceOptions):
     ] = None
 
     def placement(self, block: dict[str, Any], placed: Placed | None) -> Placement:
-        """Placement by the camera's block, with the options in place of what they replace."""
+        """Placement by the camera's block, overridden by options."""
         from airlight.engines.composition import Placement
 
         given: dict[str, Any] = self.numbers()
@@ -187,7 +187,7 @@ class PlacementOptions(PlaceOptions):
 
 @dataclass(frozen=True, kw_only=True)
 class ComposeSolveOptions(SolveOptions):
-    """Options of the solution, and of the air over the picture."""
+    """Options of the solution and of the composition."""
 
     exact: Exact = False
 
@@ -223,7 +223,7 @@ def compose(
 ) -> None:
     """Composite a planet's atmosphere over a rendered picture by its depth pass.
 
-    The picture stays on its own scale of brightness; see docs/compose.md.
+    The brightness scale of the picture is preserved; see docs/compose.md.
     """
     started = time.perf_counter()
     from airlight.engines.composition import compose as composed_over
@@ -282,7 +282,7 @@ def _white(text: str) -> float | None:
 
 
 def _solved(world: Planet, place: Placement, solve: SolveOptions) -> Any:
-    """Solution of the planet for the ground around the scene."""
+    """Solution of the planet with the albedo around the scene."""
     from airlight.render.solve_planet import solve_planet
     from airlight.scene.local_ground import local_ground
 
@@ -298,7 +298,7 @@ def _solved(world: Planet, place: Placement, solve: SolveOptions) -> Any:
 def _write(
     output: Path, suffix: str, composed: Composed, metadata: dict[str, str], display: DisplayOptions
 ) -> None:
-    """Write the picture: linear on the scale of the given one, or exposed."""
+    """Write the picture: linear on the scale of the input, or exposed."""
     from airlight.render.picture import LINEAR
 
     if suffix in LINEAR:

@@ -1,8 +1,4 @@
-"""Output of the command line: control characters and markup of external texts are escaped.
-
-Every command writes by these functions, and none by ``print``: characters that steer a terminal
-stand as escapes, and Rich reads no markup.
-"""
+"""Console output, with control characters and markup of external texts escaped."""
 
 from __future__ import annotations
 
@@ -19,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def say(line: object = "", *, flush: bool = False) -> None:
-    """Write a line to the standard output stream, and on if ``flush``."""
+    """Write a line to the standard output stream, and flush it if ``flush``."""
     print(plain(line), flush=flush)
 
 
@@ -58,12 +54,12 @@ def console(width: int | None = None) -> Console:
     Parameters
     ----------
     width : int, optional
-        Characters of a line where the output is no terminal; Rich's own width by default.
+        Width of a line if the output is not a terminal; default: that of Rich.
     """
     from rich.console import Console
 
     class PlainConsole(Console):
-        """Console to which a string is text: no markup, no emoji by name, no control characters."""
+        """Console for plain strings, without markup, emoji names and control characters."""
 
         def render_str(self, text: str, **options: Any) -> Any:
             return super().render_str(plain(text), **options)

@@ -49,7 +49,7 @@ class ToneOptions:
 
     @property
     def ev(self) -> Any:
-        """Exposure by ``--exposure``, or by a camera's three numbers; ``auto`` without any. [EV]
+        """Exposure by ``--exposure`` or by camera settings; default ``auto``. [EV]
 
         Examples
         --------
@@ -100,13 +100,7 @@ class DisplayOptions(ToneOptions):
         suffix : str
             Suffix of the picture.
         shown : bool
-            Whether colours stand for numbers.
-
-        Raises
-        ------
-        ParameterError
-            If the file is linear, or shows numbers, and an option differs from its default; or if
-            a value is not allowed.
+            Whether the picture has false colours.
         """
         from airlight.image.glare import checked_amount
         from airlight.image.tone_maps import TONE_MAPS
@@ -125,10 +119,10 @@ class DisplayOptions(ToneOptions):
         checked_amount(self.glare, "--glare")
 
     def finish(self) -> dict[str, Any]:
-        """Display of a picture but for its exposure, as keyword arguments of ``write_picture``."""
+        """Display settings without exposure, as keyword arguments of ``write_picture``."""
         names = ("tone_map", "encoding", "primaries", "bits", "glare")
         return {name: getattr(self, name) for name in names}
 
     def keywords(self) -> dict[str, Any]:
-        """Display of a picture, as keyword arguments of ``write_picture``."""
+        """Display settings as keyword arguments of ``write_picture``."""
         return {"exposure": self.ev, **self.finish()}

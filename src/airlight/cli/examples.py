@@ -1,20 +1,20 @@
-"""The examples at the end of each command's help."""
+"""Examples at the end of the commands' help."""
 
 from __future__ import annotations
 
 
 def examples(*lines: str) -> str:
-    r"""Format command lines under the word "Examples" for Typer's epilogue.
+    r"""Typer epilogue with command lines under the heading "Examples".
 
     Parameters
     ----------
     *lines : str
-        Commands, one each.
+        Command lines.
 
     Returns
     -------
     str
-        Paragraph whose lines the help does not wrap, which ``\b`` says.
+        Paragraph that is not wrapped, because of ``\b``.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""``airlight export-page``: a planet as one HTML file."""
+"""``airlight export-page``: interactive page of a planet in one HTML file."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def export_page(
 ) -> None:
     """Write an interactive page of a planet: a single HTML file, below 5 MB.
 
-    It draws with WebGPU, or WebGL2 where there is none, and loads nothing from a network.
+    The page renders with WebGPU or WebGL2, and loads nothing from a network.
     """
     started = time.perf_counter()
     from airlight.planets.reading.overrides import parsed
@@ -71,7 +71,7 @@ def export_page(
 
 
 def _view_value(text: str) -> tuple[str, float | str | bool]:
-    """Path and value of one ``--view``."""
+    """Path and value of a ``--view``."""
     from airlight.viewer.browser.page import page_parameters
 
     name, equals, word = text.partition("=")

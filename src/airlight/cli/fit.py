@@ -1,4 +1,4 @@
-"""``airlight fit``: a planet's parameters from measured radiances or a photograph."""
+"""``airlight fit``: fit of a planet's parameters to measured radiances or a photograph."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ class FitOptions:
 
 @dataclass(frozen=True, kw_only=True)
 class PhotographOptions:
-    """Options of a photograph: its camera, its sun and its encoding."""
+    """Options of a photograph: camera, sun and encoding."""
 
     photo: Annotated[
         Path | None,
@@ -250,7 +250,7 @@ def fit(
 
 
 def _named_errors() -> AbstractContextManager[None]:
-    """Errors of the library's settings with the names of the options."""
+    """Context that puts names of options into errors."""
     names = ("free", "bounds", "prior", "start", "loss", "encoding", "tone_map")
     return named_errors(*names, per_scan="--each-scan", override="--set")
 

@@ -1,10 +1,8 @@
 """Exit within a second of Ctrl-C, without waiting for threads.
 
-Python notices a signal between two of its own instructions, and the compiler of kernels, or a block
-of a computation on all threads, may keep it from that for minutes. A thread reads the signals that
-the interpreter notes at once, gives the command a moment to end by itself, and then ends the
-process. Nothing half-written stays: files are written beside their target and renamed, and those
-begun are removed.
+Python handles signals between bytecode instructions, which compilation or a threaded computation
+may delay for minutes. A thread receives the signals, waits for a moment for the command to end, and
+then ends the process. Partial outputs are removed.
 """
 
 from __future__ import annotations
@@ -31,7 +29,7 @@ _saying: Final = threading.Lock()
 
 
 def end_at_once() -> None:
-    """End the process at SIGINT without more ado, until ``end_when_interrupted``.
+    """End the process immediately at SIGINT, until ``end_when_interrupted``.
 
     A process that ignores the signal continues to do so.
     """
@@ -98,14 +96,14 @@ def _terminated(*_: object) -> None:
 
 
 def say_cancelled() -> None:
-    """Print that the command was cancelled, and flush it."""
+    """Print that the command was cancelled."""
     with _saying:
         answered.set()
         note("cancelled")
 
 
 def leave(status: int) -> None:
-    """End the process and its children, without waiting for what their threads do.
+    """End the process and its children, without waiting for threads.
 
     Parameters
     ----------

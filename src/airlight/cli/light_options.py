@@ -53,20 +53,14 @@ class LightOptions:
     ] = False
 
     def check(self, planet: Planet, projection: str) -> None:
-        """Refuse stars where they are not known."""
+        """Raise an error for stars without place and time or for an unsupported planet."""
         if self.stars:
             from airlight.render.star_points import check_stars
 
             check_stars(planet.body, projection, "--stars")
 
     def secondary(self, placed: Placed) -> tuple[LightPosition, ...]:
-        """Secondary lights, from the texts of the options, or from place and time.
-
-        Raises
-        ------
-        ParameterError
-            If a text cannot be read, or a value is out of range.
-        """
+        """Secondary lights from the options, or from place and time."""
         from airlight.scene.moon_light import MoonLight
 
         lights: list[LightPosition] = []
@@ -107,7 +101,7 @@ def _second_star(text: str) -> StarLight:
 
 @contextmanager
 def _named(option: str) -> Iterator[None]:
-    """Errors with the option, and the field in the allowed values."""
+    """Context that puts the option's name into errors, and the field into the allowed values."""
     try:
         yield
     except ParameterError as error:

@@ -1,7 +1,6 @@
-"""Groups of options that several commands share, each declared once as a dataclass.
+"""Groups of options shared by commands, declared as dataclasses.
 
-A parameter of a command whose type is a dataclass stands for the options that are its fields, with
-their names, defaults and help.
+A command parameter whose type is a dataclass represents its fields as options.
 """
 
 from __future__ import annotations
@@ -17,18 +16,12 @@ from airlight.errors import ParameterError
 
 
 def expand_groups(command: Callable[..., None]) -> Callable[..., None]:
-    """Command with one parameter per option, which calls ``command`` with its groups.
+    """Command with one parameter per option, which calls ``command`` with groups.
 
     Parameters
     ----------
     command : callable
-        Function of a command. Its docstring is the help; parameters after the first option group
-        that it shares with others come later in the help.
-
-    Raises
-    ------
-    TypeError
-        If two groups declare the same option.
+        Function of a command, whose docstring is the help.
 
     Examples
     --------
@@ -106,7 +99,7 @@ def given_options(group: Any, *fields: str) -> dict[str, Any]:
     group : dataclass
         Options of a command.
     *fields : str
-        Names of the fields to look at; all if none is named.
+        Names of the fields; default: all.
     """
     defaults: Mapping[str, Any] = {one.name: one.default for one in dataclasses.fields(group)}
     values = {name: getattr(group, name) for name in fields or defaults}
@@ -118,8 +111,6 @@ def read_options(group: Any, readers: Mapping[str, Callable[[str, str], Any]]) -
 
     Parameters
     ----------
-    group : dataclass
-        Options of a command.
     readers : mapping
         Functions of text and name of the option, by field.
     """
@@ -133,14 +124,12 @@ def read_options(group: Any, readers: Mapping[str, Callable[[str, str], Any]]) -
 
 @contextlib.contextmanager
 def named_errors(*fields: str, **options: str) -> Iterator[None]:
-    """Put names of options into errors about fields.
+    """Context that puts names of options into errors about fields.
 
     Parameters
     ----------
-    *fields : str
-        Fields whose option has their name.
     **options : str
-        Options of fields of another name.
+        Options of fields with another name.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Conversion of option texts to numbers in SI, with the option's name in errors."""
+"""Conversion of option texts to numbers in SI."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ def values(text: str, unit: str, option: str) -> list[float]:
     Parameters
     ----------
     text : str
-        Numbers with commas between them, or a range; the last one's unit is that of all.
+        Comma-separated numbers, or a range; the last unit applies to all.
     unit : str
-        Unit of the result; of ``UNDERSTOOD`` also that of numbers without one.
+        Unit of the result; if in ``UNDERSTOOD``, also of numbers without a unit.
     option : str
         Name of the option, for errors.
 
@@ -120,15 +120,8 @@ def picture_size(text: str | None, projection: str) -> tuple[int, int]:
     Parameters
     ----------
     text : str or None
-        Size such as ``1280x720``, or one number: the side of a square, the width of a panorama, the
-        side of a face of a cube map. None: a size that suits the projection.
-    projection : str
-        Name of the projection.
-
-    Returns
-    -------
-    (int, int)
-        Width and height.
+        Size such as ``1280x720``, or one number: side of a square, width of a panorama, side of a
+        cube face. None: the projection's default.
 
     Examples
     --------
@@ -171,7 +164,7 @@ def crop(text: str | None, columns: int, rows: int) -> tuple[int, int, int, int]
 
 
 def projection(text: str) -> str:
-    """Check the name of a projection.
+    """Validated name of a projection.
 
     Examples
     --------
@@ -202,26 +195,16 @@ def exposure(text: str) -> float | Literal["auto"]:
 
 
 def wavelengths(text: str, planet: Planet) -> tuple[float, ...]:
-    """Parse the wavelengths to compute.
+    """Parse a list of wavelengths. [nm]
 
     Parameters
     ----------
     text : str
-        ``rgb``: 680, 550 and 440 nm. A whole number below 100: that many, over the visible part of
-        the range where the planet's constituents are known. Otherwise wavelengths, such as
-        ``680,550,440``, ``"0.55 um"`` or ``400:900:10``.
+        ``rgb``: 680, 550 and 440 nm. An integer below 100: number of wavelengths over the visible
+        range of the planet. Otherwise wavelengths, such as ``680,550,440``, ``"0.55 um"`` or
+        ``400:900:10``.
     planet : Planet
-        Planet that gives the limits.
-
-    Returns
-    -------
-    tuple of float
-        Wavelengths in the order given. [nm]
-
-    Raises
-    ------
-    ParameterError
-        If the text is none of these, or repeats a wavelength.
+        Planet with the limits.
     """
     option = "--wavelengths"
     stripped = text.strip().lower()

@@ -56,13 +56,13 @@ class Placed:
     altitude : float
         Altitude of the observer. [m]
     latitude, longitude : float
-        Coordinates of the point below. [deg]
+        Coordinates of the observer. [deg]
     sun_zenith, sun_azimuth : float
         Zenith angle and compass bearing of the sun. [deg]
     time : datetime or None
-        Instant, where one is given.
+        Instant, if given.
     moon : MoonSighting or None
-        The Moon, where its place is known.
+        Moon, if its position is known.
     """
 
     altitude: float
@@ -94,7 +94,7 @@ class AngleOptions:
     longitude: Longitude = None
 
     def numbers(self) -> dict[str, float]:
-        """Values of the given options by name, in metres and degrees.
+        """Values of the given options by name. [m], [deg]
 
         Examples
         --------
@@ -106,7 +106,7 @@ class AngleOptions:
 
 @dataclass(frozen=True, kw_only=True)
 class PlaceOptions(AngleOptions):
-    """Options of the observer and the sun, by place and time too."""
+    """Options of the observer and the sun, by angles or by place and time."""
 
     at: Annotated[
         str | None,
@@ -157,18 +157,12 @@ class PlaceOptions(AngleOptions):
         return given_options(self, "at", "time_", "zone", "season")
 
     def placed(self, planet: Planet) -> Placed:
-        """Observer and sun by place and time, or by angles with the rest as in ``Scene()``.
+        """Observer and sun by place and time, or by angles with defaults of ``Scene()``.
 
         Parameters
         ----------
         planet : Planet
-            Planet, whose ``body`` says whose sky it is.
-
-        Raises
-        ------
-        ParameterError
-            If an option is missing, contradicts another or cannot be read, or the planet has no
-            body.
+            Planet with its ``body``.
         """
         if self.timed:
             return self._by_time(planet)
@@ -220,13 +214,13 @@ class PlaceOptions(AngleOptions):
         )
 
     def lit(self, planet: Planet, placed: Placed) -> Planet:
-        """Planet in the light of that time: the sun at its true distance, or at the file's."""
+        """Planet with the sun at its distance at that time, or at that of the file."""
         if placed.time is None or self.sun_distance == "file":
             return planet
         return planet.lit_at(placed.time)
 
     def line(self, planet: Planet, placed: Placed) -> str:
-        """Line with place, time, sun, moon, and the sun's distance."""
+        """Text line with place, time, sun, moon, and the sun's distance."""
         from airlight.geometry.ephemeris.sky import Place
         from airlight.geometry.ephemeris.sky_line import sky_line
         from airlight.planets.lowered_ground import stands_on_floor
@@ -251,7 +245,7 @@ class PlaceOptions(AngleOptions):
 
 
 def check_coordinates(group: Any) -> None:
-    """Refuse a latitude without a longitude, and the reverse."""
+    """Raise an error for a latitude without a longitude, or the reverse."""
     given = list(given_options(group, "latitude", "longitude"))
     if len(given) == 1:
         missing = "--longitude" if given == ["--latitude"] else "--latitude"
@@ -259,13 +253,7 @@ def check_coordinates(group: Any) -> None:
 
 
 def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
-    """Planet whose ground is below an observer at negative altitude, and the altitude above it.
-
-    Raises
-    ------
-    ParameterError
-        If the altitude is below the planet's deepest basin.
-    """
+    """Planet lowered to an observer at negative altitude, and the altitude above its ground. [m]"""
     if altitude >= 0.0:
         return planet, altitude
     from airlight.planets.lowered_ground import stands_on_floor

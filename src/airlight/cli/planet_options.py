@@ -1,4 +1,4 @@
-"""Options of the planet: its name, ``--set``, ``--ground-albedo``."""
+"""Options of the planet: name, ``--set``, ``--ground-albedo``."""
 
 from __future__ import annotations
 
@@ -73,26 +73,13 @@ class GroundOptions(PlanetOptions):
 
 @dataclass(frozen=True, kw_only=True)
 class LocalGroundOptions(GroundOptions):
-    """Planet, overrides of its file, and its surface albedo, also of a place on its map."""
+    """Planet, overrides of its file, and surface albedo, optionally around an observer."""
 
     latitude: Latitude = None
     longitude: Longitude = None
 
     def local(self, planet: Planet, altitude: float = 0.0) -> Planet:
-        """Planet with the surface albedo around the coordinates; unchanged without them.
-
-        Parameters
-        ----------
-        planet : Planet
-            Planet of the command.
-        altitude : float
-            Altitude of the observer. [m]
-
-        Raises
-        ------
-        ParameterError
-            If options contradict each other, one coordinate is missing, or a value is out of range.
-        """
+        """Planet with the surface albedo around the coordinates; unchanged without them."""
         given = given_options(self, "latitude", "longitude")
         for option in given:
             if self.ground_albedo is not None:
@@ -116,16 +103,11 @@ def load(name: str, changes: list[str] | None = None) -> Planet:
     name : str
         Name of a preset, or path of a planet file.
     changes : list of str, optional
-        Arguments of ``--set``, each ``PATH=VALUE``; for a repeated path the last counts.
-
-    Raises
-    ------
-    ParameterError
-        If a path does not exist, or the changed file cannot be read.
+        Arguments of ``--set``, each ``PATH=VALUE``; the last one of a path applies.
 
     Notes
     -----
-    A constituent that a low top cuts off is named on the standard error stream.
+    Truncated constituents are reported on the standard error stream.
     """
     from airlight.cli.progress import shown_progress
     from airlight.planets import load_planet
@@ -150,20 +132,13 @@ def load(name: str, changes: list[str] | None = None) -> Planet:
 
 
 def with_ground_albedo(planet: Planet, text: str) -> Planet:
-    """Planet with the ground's albedo of ``--ground-albedo``, which its map leaves as it is.
+    """Planet with the ground albedo of ``--ground-albedo``; its map is unchanged.
 
     Parameters
     ----------
-    planet : Planet
-        Planet of the command.
     text : str
-        A number, pairs of wavelength [nm] and albedo such as ``440:0.2,680:0.3``, or the name of a
-        table of reflectances.
-
-    Raises
-    ------
-    ParameterError
-        If it is none of these, or out of range.
+        Number, pairs of wavelength [nm] and albedo such as ``440:0.2,680:0.3``, or name of a
+        reflectance table.
     """
     from airlight.planets import replace
     from airlight.planets.spectral import PerWavelength

@@ -1,4 +1,4 @@
-"""``airlight planets``: the presets."""
+"""``airlight planets``: list of presets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``airlight plot``: a planet in figures."""
+"""``airlight plot``: figures of a planet."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def _print_kinds(asked: bool) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class ChoiceOptions:
-    """Options of a figure that some kinds use."""
+    """Options of some kinds of figures."""
 
     wavelengths: Annotated[str | None, wavelengths_option("those of the kind")] = None
     sun_zenith: Annotated[str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle.")] = (
@@ -74,7 +74,7 @@ class ChoiceOptions:
     no_polarisation: NoPolarisation = False
 
     def choices(self, planet: Planet) -> Choices:
-        """Values of the options; None for those left out."""
+        """Values of the options; None for omitted ones."""
         nm = self.wavelengths
         return Choices(
             wavelengths=None if nm is None else options.wavelengths(nm, planet),

@@ -1,4 +1,4 @@
-"""Progress on the standard error stream: a line about long work, and a bar on a terminal."""
+"""Progress on the standard error stream: announcements, and a bar on a terminal."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ Report = Callable[[int, int, str], None]
 
 @contextlib.contextmanager
 def shown_progress() -> Iterator[Report]:
-    """Yield a callback that draws a bar on a terminal and does nothing elsewhere.
+    """Context with a progress callback that draws a bar on a terminal.
 
     Yields
     ------
     callable
-        Function ``report(done, total, message)``, which any thread may call. The bar is removed
-        when the block ends. Work that is expected to take long is announced by a line before it.
+        Function ``report(done, total, message)``, callable from any thread. Long computations are
+        announced in a line.
     """
     from airlight.kernel.cost import announce
 

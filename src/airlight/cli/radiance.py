@@ -1,4 +1,4 @@
-"""``airlight radiance``: radiances for one observer, or for a file of observers."""
+"""``airlight radiance``: radiances of one observer, or of a file of observers."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ BLOCK = 4096
 
 @dataclass(frozen=True, kw_only=True)
 class ObserverOptions:
-    """Options of the observers: one, a table by lists and ranges, or a file."""
+    """Options of the observers: one, lists and ranges, or a file."""
 
     altitude: Annotated[
         str | None,
@@ -96,7 +96,7 @@ class ObserverOptions:
 
     @property
     def from_file(self) -> bool:
-        """Whether the observers are those of a file on disk."""
+        """Whether the observers are read from a file on disk."""
         return self.input_ not in (None, "-")
 
     def _texts(self) -> dict[str, str | None]:
@@ -104,7 +104,7 @@ class ObserverOptions:
         return {option_name(name): getattr(self, name) for name in names}
 
     def check_file(self, planet: LocalGroundOptions) -> None:
-        """Refuse options of one observer with a file of observers, and an unwritable target."""
+        """Raise an error for observer options with a file of observers, or an unwritable target."""
         from airlight.studies.sweep.cases import check_table
 
         where = given_options(planet, "latitude", "longitude")
@@ -157,7 +157,7 @@ class SolverOptions(SolveOptions):
     ] = None
 
     def settings(self) -> Any:
-        """Name of the quality, or Monte Carlo settings made from it."""
+        """Name of the quality, or Monte Carlo settings."""
         if self.solver not in SOLVERS:
             raise ParameterError("--solver", self.solver, ", ".join(SOLVERS))
         if self.stokes and self.solver == "direct":
@@ -246,7 +246,7 @@ def radiance(
 def _ground_of(
     world: Planet, planet: LocalGroundOptions, observers: ObserverOptions, cases: Cases
 ) -> Planet:
-    """Planet with the ground below the observers, whose altitudes become those above it."""
+    """Planet lowered to the observers, with their altitudes above its ground."""
     height = float(cases.values[0, 0])
     several = bool((cases.values[:, 0] != height).any())
     if planet.latitude is not None and several:
@@ -265,7 +265,7 @@ def _print(
     errors: NDArray[np.float64] | None,
     histories: NDArray[np.int64] | None,
 ) -> None:
-    """Print the radiance of one observer, a line per wavelength."""
+    """Print the radiance of an observer, a line per wavelength."""
     for k, wavelength in enumerate(nm):
         text = f"{wavelength:.10g} nm  {values[0, k]:.8e}"
         if errors is None or histories is None:
@@ -280,7 +280,7 @@ def _print_stokes(
     errors: NDArray[np.float64] | None,
     histories: NDArray[np.int64] | None,
 ) -> None:
-    """Print the polarised light of one observer, a line per wavelength."""
+    """Print the Stokes parameters of an observer, a line per wavelength."""
     table = values.reshape(5, len(nm)).T
     spread = None if errors is None else errors.reshape(3, len(nm)).T
     for k, (wavelength, (*light, degree, angle)) in enumerate(zip(nm, table, strict=True)):
@@ -300,7 +300,7 @@ def _long_table(
     solve: SolverOptions,
     distribution: DistributionOptions,
 ) -> None:
-    """Answer the rows of a file block by block."""
+    """Append radiances to the rows of a file, block by block."""
     from airlight.studies.sweep.cases import case_blocks, radiance_columns
     from airlight.studies.sweep.rows import answer_rows
 
@@ -320,7 +320,7 @@ def _long_table(
 
 
 def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
-    """Warn of columns that the input has already."""
+    """Warn about result columns that the input already has."""
     repeated = [column for column in columns if column in header]
     if repeated:
         note(
@@ -329,7 +329,7 @@ def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
 
 
 def _observers(texts: dict[str, str | None], output: str) -> Cases:
-    """Parse the observers of the options: one, or a row for each of their lists and ranges."""
+    """Observers of the options: one, or all combinations of lists and ranges."""
     import numpy as np
 
     from airlight.physics.units import MOST_VALUES
@@ -363,7 +363,7 @@ def _observers(texts: dict[str, str | None], output: str) -> Cases:
 def _answers(
     solution: Any, cases: Cases, count: int, stokes: bool, report: Report
 ) -> NDArray[np.float64]:
-    """Cells of all rows, shape (n, count)."""
+    """Result columns of all rows, shape (n, count)."""
     import numpy as np
 
     from airlight.studies.sweep.cases import polarised_answers
@@ -381,7 +381,7 @@ def _answers(
 
 
 def _missed(solution: Any, cases: Cases) -> int:
-    """Number of lines of sight that pass the planet by."""
+    """Number of lines of sight that miss the planet."""
     altitude, sun, view, azimuth = cases.values.T
     lines, _ = solution.lines_of_sight(
         altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth
@@ -392,7 +392,7 @@ def _missed(solution: Any, cases: Cases) -> int:
 def _estimates(
     solution: Any, cases: Cases, stokes: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
-    """Cells of all rows, standard errors and histories, (n, 5·, 3· or 1·wavelengths)."""
+    """Result columns, standard errors and histories of all rows."""
     from airlight.studies.sweep.cases import polarised_answers
 
     altitude, sun, view, azimuth = cases.values.T

@@ -1,4 +1,4 @@
-"""``airlight render``: a planet file, or a scene file, becomes a picture."""
+"""``airlight render``: picture of a planet or of a scene file."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ EPILOG = examples(
 
 @dataclass(frozen=True, kw_only=True)
 class PictureOptions:
-    """Options of what a picture shows."""
+    """Options of the contents of a picture."""
 
     output: Annotated[
         Path,
@@ -91,7 +91,7 @@ class PictureOptions:
     ] = "detailed"
 
     def check_polarised(self, suffix: str, polariser: str | None, scalar: bool) -> None:
-        """Refuse options of polarised light that contradict each other, or the file."""
+        """Raise an error for conflicting options of polarisation."""
         polarised = {"--polariser": polariser, **given_options(self, "show", "stokes")}
         for option in (option for option, value in polarised.items() if value is not None):
             if scalar:
@@ -115,7 +115,7 @@ def render(
 ) -> None:
     """Render a planet's atmosphere, or a scene of several bodies and lights.
 
-    Numbers carry their units (400km, 85deg); without one they are metres and degrees.
+    Values may have units (400km, 85deg); the defaults are metres and degrees.
     """
     started = time.perf_counter()
     from airlight.render.picture import picture_suffix, write_picture
@@ -170,7 +170,7 @@ def _planet_scene(
     lights: LightOptions,
     whole: bool,
 ) -> tuple[Scene, Planet, str | None]:
-    """Scene of a planet, the planet in its light, and the line about place and time."""
+    """Scene, planet at its distance from the sun, and text line about place and time."""
     from airlight.scene import Scene
 
     camera.check_parallel(place)
@@ -203,7 +203,7 @@ def _scene_frame(
     planet: GroundOptions, place: PlaceOptions, camera: CameraOptions, solve: RenderOptions,
     whole: bool,
 ) -> tuple[Frame, Window]:  # fmt: skip
-    """Frame of a scene file, with progress on the standard error stream; and its window."""
+    """Frame of a scene file, and its crop window."""
     from airlight.render.render_system import render_system
 
     system = load_scene(planet, place, camera)
@@ -231,7 +231,7 @@ def _frame(
     stars: bool,
     local: bool,
 ) -> Frame:
-    """Frame of a planet, with progress on the standard error stream."""
+    """Frame of a planet."""
     from airlight.render.render_scene import render_scene
 
     nm = solve.picture_nm(planet)
@@ -243,7 +243,7 @@ def _frame(
 
 
 def _check_legend(width: int) -> None:
-    """Refuse pictures without room for a legend, before any long work."""
+    """Raise an error for pictures too small for a legend."""
     from airlight.studies.plots.figure import require_matplotlib
     from airlight.studies.plots.polarised_picture import check_width
 
@@ -277,7 +277,7 @@ def _shown(
 
 
 def _report(written: Written, frame: Frame, window: Window, started: float) -> None:
-    """Line about the picture that was written."""
+    """Text line about the written picture."""
     light = "linear" if written.exposure is None else f"exposure {written.exposure:+.2f} EV"
     seconds = time.perf_counter() - started
     rows, columns = frame.rgb.shape[:2] if window is None else (window[3], window[2])

@@ -19,13 +19,7 @@ if TYPE_CHECKING:
 
 
 def print_scene(system: System) -> None:
-    """Print a scene: its observer and camera, its bodies and its lights as the observer sees them.
-
-    Parameters
-    ----------
-    system : System
-        Scene.
-    """
+    """Print a scene: its observer and camera, its bodies and its lights."""
     out = console()
     out.print(_overview(system), end="\n\n")
     table = _table("bodies", "is", "radius", "distance", "diameter", "stands at")

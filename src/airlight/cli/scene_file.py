@@ -31,16 +31,11 @@ def load_scene(
     Parameters
     ----------
     planet : PlanetOptions
-        Preset or scene file, and arguments of ``--set``, which count last.
+        Preset or scene file, and arguments of ``--set``, which take precedence.
     place : PlaceOptions, optional
-        Place of the observer above the scene's own body, and time.
+        Place of the observer above the scene's body, and time.
     camera : CameraOptions, optional
-        Camera; fields that differ from their defaults replace those of the scene.
-
-    Raises
-    ------
-    ParameterError
-        If an option cannot be read, or this scene has nothing that it could change.
+        Camera; fields that differ from their defaults override those of the scene.
     """
     from airlight.planets.reading.overrides import FIELD, parsed
     from airlight.planets.reading.reader import nested_tables
@@ -61,7 +56,7 @@ def load_scene(
 
 
 def _of_place(given: PlaceOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
-    """Changes of the observer's place."""
+    """Overrides of the observer's place."""
     there = list(given_options(given, "at", "latitude", "longitude", "altitude"))
     if not there:
         return {}
@@ -91,7 +86,7 @@ def _of_place(given: PlaceOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _moment(given: PlaceOptions, tables: Mapping[str, Any], system: System) -> datetime:
-    """Time of the scene."""
+    """Overrides of the scene's time."""
     from airlight.geometry.ephemeris.sky import Place
     from airlight.geometry.ephemeris.time_text import read_time
 
@@ -111,7 +106,7 @@ def _moment(given: PlaceOptions, tables: Mapping[str, Any], system: System) -> d
 
 
 def _of_camera(given: CameraOptions, tables: Mapping[str, Any], system: System) -> dict[str, Any]:
-    """Changes of the camera."""
+    """Overrides of the camera."""
     changes: dict[str, Any] = {}
     keys = {"--fov": "field_of_view", "--roll": "roll", "--polariser": "polariser"}
     for option, text in given_options(given, "fov", "roll", "polariser").items():
@@ -132,7 +127,7 @@ def _of_camera(given: CameraOptions, tables: Mapping[str, Any], system: System) 
 
 
 def _target(word: str, names: list[str], system: System) -> tuple[float, float]:
-    """Zenith angle and compass bearing of a target that is no body and no star. [deg]"""
+    """Zenith angle and compass bearing of a target other than a body or star. [deg]"""
     from airlight.scene import look_at
 
     observer = system.observer

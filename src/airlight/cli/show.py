@@ -1,4 +1,4 @@
-"""``airlight show``: composition of a planet, and the colour of its sky."""
+"""``airlight show``: composition of a planet, and colour of its sky."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def show(
 ) -> None:
     """Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.
 
-    Optical depths are vertical, at 680, 550 and 440 nm where the planet is known there.
+    Optical depths are vertical, at 680, 550 and 440 nm if in the range of the planet.
     """
     from airlight.planets import Medium
     from airlight.planets.parameter_values import composition_of
@@ -127,7 +127,7 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
 
 
 def _ground_below(planet: Planet) -> str:
-    """Region whose surface albedo the solver uses."""
+    """Region of the surface albedo used by the solver."""
     known = planet.ground.local_line(planet.wavelengths[len(planet.wavelengths) // 2])
     return known or "mean of the planet; pictures use the surroundings of the observer"
 
@@ -204,7 +204,7 @@ def _metres(value: float) -> str:
 
 
 def _parameters(thing: Any) -> str:
-    """Describe a parameter object: its kind, as in planet files, and its values."""
+    """Description of a parameter object: its kind, as in planet files, and its values."""
     from airlight.planets.schema.toml_model import fields_of
 
     words = [thing.keyword or type(thing).__name__.lower()]
@@ -228,7 +228,7 @@ def _parameters(thing: Any) -> str:
 
 
 def _swatch(planet: Planet, *, cache: bool) -> RenderableType:
-    """Sky on the ground with the sun half-way up, as blocks of colour with their codes."""
+    """Sky colours for a solar zenith angle of 45 deg, as colour blocks with codes."""
     from rich.text import Text
 
     from airlight.cli.progress import shown_progress

@@ -1,4 +1,4 @@
-"""``airlight sky``: an observer's sky as an environment map for another renderer."""
+"""``airlight sky``: environment map of an observer's sky for another renderer."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class ProgramOptions:
     )
 
     def consumer(self) -> Consumer:
-        """Program of ``--for``, a dome with its front, USD with its axis."""
+        """Target program of ``--for``, with the front of a dome or the up axis of USD."""
         from airlight.engines.environment.consumers import consumer_named
 
         consumer = consumer_named(self.for_)
@@ -146,9 +146,9 @@ def sky(
 ) -> None:
     """Write an observer's sky as an environment map, with a JSON file of its lights.
 
-    The map shows east, north and zenith where the program looks for them: x east, y north, z up, or
-    where y is up, x east and -z north (Unity: z north). Unless said otherwise the observer stands
-    2 m above the ground, and the sun in the south, 60deg from the zenith.
+    The map follows the program's axes: x east, y north, z up or, where y is up, x east and -z north
+    (Unity: z north). By default the observer is 2 m above the ground, and the sun in the south at a
+    zenith angle of 60deg.
     """
     started = time.perf_counter()
     from airlight.engines.environment.environment_map import environment_map
@@ -196,7 +196,7 @@ def sky(
 
 
 def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: float) -> None:
-    """Lines about the map and its lights."""
+    """Text lines about the map and its lights."""
     rows, columns = made.rgb.shape[:2]
     kind = f"{precision}, linear, scale {written.scale:g}"
     if written.exposure is not None:
@@ -224,6 +224,6 @@ def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: 
 
 
 def _moved(disc: Disc) -> str:
-    """Remark on a disc whose colour was outside sRGB."""
+    """Note on a disc whose colour was outside sRGB."""
     share = disc.gamut_change
     return "" if share == 0.0 else f", mapped into sRGB: a channel by {share:.2g} of its luminance"

@@ -48,7 +48,7 @@ Device = Annotated[
 
 
 def wavelengths_option(default: str = "") -> Any:
-    """Option ``--wavelengths`` whose help ends with a default."""
+    """Option ``--wavelengths`` with a default in its help."""
     ending = f" Default: {default}." if default else ""
     return typer.Option(metavar="rgb|N|LIST|FROM:TO:STEP", help=_WAVELENGTHS + ending)
 
@@ -67,7 +67,7 @@ class AccuracyOptions:
         return None if self.wavelengths is None else options.wavelengths(self.wavelengths, planet)
 
     def picture_nm(self, planet: Planet) -> tuple[float, ...] | None:
-        """Wavelengths of the option, enough for colours; None without it. [nm]"""
+        """Wavelengths of the option, at least three; None without it. [nm]"""
         from airlight.render.render_scene import FEWEST
 
         nm = self.nm(planet)

@@ -87,7 +87,7 @@ class ObservableOptions:
     ] = None
 
     def numbers(self) -> dict[str, Any]:
-        """Arguments of ``observe``, those that are given."""
+        """Given arguments of ``observe``."""
         readers: dict[str, Callable[[str, str], Any]] = {
             "phase_angles": lambda text, option: options.values(text, "deg", option),
             "tangent_heights": lambda text, option: options.values(text, "m", option),
@@ -122,7 +122,7 @@ def spectrum(
 ) -> None:
     """Compute observables of a planet: albedos, phase curve, transit, limb, disc.
 
-    Each integral comes with the error of its quadrature.
+    Quadrature errors of integrals are included.
     """
     started = time.perf_counter()
     from airlight.studies.observables import observe
@@ -147,7 +147,7 @@ def spectrum(
 
 
 def _checked(files: list[Path]) -> list[Path]:
-    """Refuse files that cannot be written, before the work."""
+    """Raise an error for files that cannot be written."""
     from airlight.files.atomic_file import check_target
     from airlight.studies.observables.spectrum_files import SUFFIXES
 
@@ -164,7 +164,7 @@ def _checked(files: list[Path]) -> list[Path]:
 
 
 def _known(planet: Planet) -> tuple[float, ...]:
-    """Default wavelengths, those at which the planet is known; its own if there are none. [nm]"""
+    """Default wavelengths within the range of the planet; the planet's if there are none. [nm]"""
     low, high = planet.wavelength_limits
     inside = tuple(float(nm) for nm in range(_FIRST, _LAST + 1, _STEP) if low <= nm <= high)
     return inside or tuple(planet.wavelengths)
@@ -186,7 +186,7 @@ def _write(path: Path, data: xarray.Dataset) -> None:
 
 
 def _print(data: xarray.Dataset) -> None:
-    """Print the first rows, those of the first angles or heights."""
+    """Print the first rows."""
     dims = [*(str(name) for name in data.sizes if name != "wavelength"), "wavelength"]
     columns = [str(name) for name in data.data_vars if data[name].ndim]
     whole = data[columns].stack(row=dims)

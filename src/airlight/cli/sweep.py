@@ -126,7 +126,7 @@ def sweep(
 
 
 def _varied(text: str) -> tuple[str, list[Any]]:
-    """Path and values of ``--vary``."""
+    """Path and values of a ``--vary``."""
     from airlight.studies.sweep.grid import varied
 
     path, sign, values = text.partition("=")

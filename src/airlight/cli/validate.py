@@ -1,4 +1,4 @@
-"""``airlight validate``: a report that compares airlight with authorities."""
+"""``airlight validate``: validation report against published and independent values."""
 
 from __future__ import annotations
 
@@ -110,14 +110,14 @@ def validate(
 
 
 def _check_matplotlib() -> None:
-    """Check for matplotlib before the long work."""
+    """Raise an error if matplotlib is not installed."""
     from airlight.studies.plots.figure import new_figure
 
     new_figure("")
 
 
 def _page(output: Path) -> Path | None:
-    """Version in Markdown, if it is not the output itself."""
+    """Path of the report in Markdown, unless it is the output."""
     return None if output.suffix.lower() == ".md" else output.with_suffix(".md")
 
 

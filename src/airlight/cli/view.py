@@ -1,4 +1,4 @@
-"""``airlight view``: a planet in a window, every parameter live."""
+"""``airlight view``: interactive viewer of a planet."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class ViewOptions(DirectionOptions):
     ] = None
 
     def numbers(self) -> dict[str, float]:
-        """Roll and field of view by path, those that are given. [deg]"""
+        """Given roll and field of view by path. [deg]"""
         paths = {"--roll": "view.roll", "--fov": "view.field_of_view"}
         given = given_options(self, "roll", "fov")
         return {paths[option]: options.angle(text, option) for option, text in given.items()}
@@ -68,7 +68,6 @@ def view(
     """Open an interactive viewer: fly, move the sun, edit parameters, probe radiances.
 
     F1 in the window lists mouse and key bindings. The first start compiles code, with progress.
-    Camera and observer are by default those of the viewer.
     """
     started = time.perf_counter()
     from airlight.viewer.window.start import Start, show

@@ -17,24 +17,14 @@ WAIT: Final = 60.0
 
 
 def check_target(path: str | Path) -> Path:
-    """Resolve the path of a file to be written and check that it can be.
+    """Resolved path of a file to be written; an error if it cannot be.
 
-    To be called before long work, so that a misspelt folder costs no time.
+    To be called before long computations.
 
     Parameters
     ----------
     path : str or Path
-        Path of the future file; links are followed.
-
-    Returns
-    -------
-    Path
-        Path without links.
-
-    Raises
-    ------
-    FileError
-        If the folder is missing or closed, or the target is protected or not a file.
+        Path of the file; links are followed.
     """
     try:
         target = Path(path).resolve()
@@ -59,25 +49,19 @@ def check_target(path: str | Path) -> Path:
 
 @contextlib.contextmanager
 def atomic_file(path: str | Path) -> Iterator[Path]:
-    """Yield a temporary path, renamed to ``path`` if the block succeeds.
+    """Context with a temporary path, renamed to ``path`` if the block succeeds.
 
-    Another writer of the same file is waited for. What a killed one has left is removed.
+    Concurrent writers wait; remains of killed ones are removed.
 
     Parameters
     ----------
     path : str or Path
-        Path of the future file.
+        Path of the file.
 
     Yields
     ------
     Path
-        Path of an empty file in the same folder.
-
-    Raises
-    ------
-    FileError
-        As for ``check_target``, and if the file cannot be written, or another process writes it
-        for longer than ``WAIT``.
+        Path of an empty temporary file in the same folder.
 
     Examples
     --------

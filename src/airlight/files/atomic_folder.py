@@ -1,4 +1,4 @@
-"""Folders of files with a JSON manifest, which appear whole: the manifest comes last."""
+"""Atomically written folders with a JSON manifest."""
 
 from __future__ import annotations
 
@@ -21,19 +21,14 @@ _FORMAT: Final = re.compile(r"\.[A-Za-z]+\d?")
 
 
 def check_folder_name(folder: str | Path, suffix: str = "") -> None:
-    """Refuse the name of a new folder that says a format of files, such as ``sky.nc``.
+    """Raise an error for a new folder named like a file of some format, such as ``sky.nc``.
 
     Parameters
     ----------
     folder : str or Path
-        Folder; what is there may have any name.
+        Folder; an existing one may have any name.
     suffix : str
-        Suffix that it may have.
-
-    Raises
-    ------
-    FileError
-        If its suffix has letters alone, or letters and one digit, and is another.
+        Allowed suffix.
     """
     path = Path(folder)
     if path.exists() or path.suffix.lower() == suffix or not _FORMAT.fullmatch(path.suffix):
@@ -45,25 +40,18 @@ def check_folder_name(folder: str | Path, suffix: str = "") -> None:
 def check_folder(
     folder: str | Path, form: str, files: tuple[str, ...] = ("*",), *, overwrite: bool = False
 ) -> Path:
-    """Resolve a folder and check that it can be written, before long work.
+    """Resolved path of a folder to be written; an error if it cannot be.
 
     Parameters
     ----------
     folder : str or Path
-        Folder to create, an empty one, or one with a manifest of this format.
+        New or empty folder, or one with a manifest of this format.
     form : str
-        Format that the manifest names.
+        Format named in the manifest.
     files : tuple of str
-        Names of files that will be written, or patterns of them such as ``*.exr``.
+        Names or patterns of the files, such as ``*.exr``.
     overwrite : bool
-        Whether files that airlight has not written, or that were changed since, may be replaced.
-
-    Raises
-    ------
-    FileError
-        If it is named as a file, or is one, its parent is missing, it or its parent cannot be
-        written to, it holds files but no such manifest, or one of the files is not airlight's to
-        replace.
+        Whether to replace files that airlight did not write or that were modified.
     """
     check_folder_name(folder)
     try:
@@ -90,20 +78,9 @@ def check_folder(
 def atomic_folder(
     folder: str | Path, form: str, files: tuple[str, ...] = ("*",), *, overwrite: bool = False
 ) -> Iterator[Path]:
-    """Yield a temporary folder whose files are moved to ``folder`` if the block succeeds.
+    """Context with a temporary folder, whose files are moved to ``folder`` if the block succeeds.
 
-    Files that an older manifest lists are removed if they are unchanged; others stay.
-
-    Parameters
-    ----------
-    folder, form, files, overwrite :
-        Arguments of ``check_folder``.
-
-    Raises
-    ------
-    FileError
-        If the folder cannot be written, or another process writes it for longer than ``WAIT``; it
-        is then unchanged.
+    Unmodified files of an older manifest are removed.
     """
     target = Path(folder).resolve()
     if not target.parent.is_dir():

@@ -1,10 +1,9 @@
-"""Folders of what is kept between runs, and whom they may belong to.
+"""Cache folders, and checks of their owner and permissions.
 
-What lies there is trusted: compiled code is run, and indices are unpickled, which runs what they
-say; solutions and maps become light. Only what nobody else can have written is read: each folder,
-from the cache down, and each file must belong to this user or to root, and be closed to writing by
-group and others, as ssh asks of its files. A checksum would not do: who writes a file writes that
-too. Windows keeps the folders of a user to that user.
+Cached compiled code and pickled indices are executed when loaded. Every cache folder and file must
+therefore belong to this user or to root and not be writable by others, as ssh requires of its
+files. A checksum would not help, as whoever writes a file can write that too. On Windows the user's
+folders are private.
 """
 
 from __future__ import annotations
@@ -22,9 +21,9 @@ _said: Final[set[Path]] = set()
 
 
 def cache_folder() -> Path:
-    """Folder for everything that airlight keeps between runs.
+    """Cache folder of airlight.
 
-    ``AIRLIGHT_CACHE`` names another folder.
+    The environment variable ``AIRLIGHT_CACHE`` overrides it.
     """
     named = os.environ.get("AIRLIGHT_CACHE")
     if named:
@@ -35,32 +34,24 @@ def cache_folder() -> Path:
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder, and those above it that are missing, for this user alone (mode 0700).
-
-    Raises
-    ------
-    OSError
-        If that is not possible.
-    """
+    """Make a folder and missing parents, private to this user (mode 0700)."""
     missing = [one for one in (folder, *folder.parents) if not one.exists()]
     for one in reversed(missing):
         one.mkdir(mode=stat.S_IRWXU, exist_ok=True)
 
 
 def trusted_folder(cache: Path, *names: str) -> Path | None:
-    """Return a folder of the cache, or None, with a warning, if others can have written to it.
+    """Folder of the cache; None, with a warning, if others could have written to it.
 
     Parameters
     ----------
-    cache : Path
-        Folder of the cache.
     names : str
-        Names of the folders below it, each of which is checked too.
+        Names of nested folders, all of which are checked.
 
     Returns
     -------
     Path or None
-        Path of the last, which need not exist.
+        Path of the last folder, which may not exist.
 
     Warns
     -----
@@ -78,13 +69,7 @@ def trusted_folder(cache: Path, *names: str) -> Path | None:
 
 
 def open_trusted(file: Path) -> IO[bytes]:
-    """Open a file of the cache for reading.
-
-    Raises
-    ------
-    OSError
-        If it cannot be read, or others can have written it, which is warned of.
-    """
+    """Open a file of the cache for reading."""
     stream = file.open("rb")
     if _distrusted(file, os.fstat(stream.fileno())):
         stream.close()
@@ -93,13 +78,13 @@ def open_trusted(file: Path) -> IO[bytes]:
 
 
 def read_trusted(file: Path) -> bytes:
-    """Content of a file, as ``open_trusted`` opens it."""
+    """Content of a file opened by ``open_trusted``."""
     with open_trusted(file) as stream:
         return stream.read()
 
 
 def _distrusted(path: Path, found: os.stat_result) -> bool:
-    """Whether others can have written to a file or folder, which is warned of."""
+    """Whether others could have written to a file or folder; warns if so."""
     if os.name != "posix":
         return False
     if found.st_uid not in (0, os.geteuid()):  # root may do all anyway

@@ -1,7 +1,6 @@
-"""Files of the user's as they are read: regular ones alone, and no larger than their kind can be.
+"""Reading of user files: regular files of limited size only.
 
-A device, a pipe or a socket may give bytes without end, or none for ever: it is rejected before its
-first byte.
+Devices, pipes and sockets, which may be endless or block, are rejected before reading.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ LARGEST_PICTURE: Final = 16_000_000_000
 
 
 def check_input(path: str | Path, largest: int) -> None:
-    """Reject what is not a regular file, or a too large one, without reading it.
+    """Raise an error unless a path is a regular file of limited size.
 
     Parameters
     ----------
@@ -34,11 +33,6 @@ def check_input(path: str | Path, largest: int) -> None:
         Path of the file; links are followed.
     largest : int
         Largest size. [byte]
-
-    Raises
-    ------
-    FileError
-        If it is missing, no regular file, or larger.
 
     Examples
     --------
@@ -63,11 +57,6 @@ def read_bytes(path: str | Path, largest: int) -> bytes:
     ----------
     path, largest :
         Arguments of ``check_input``.
-
-    Raises
-    ------
-    FileError
-        As for ``check_input``, and if it cannot be read.
     """
     check_input(path, largest)
     try:
@@ -86,13 +75,7 @@ def read_bytes(path: str | Path, largest: int) -> bytes:
 
 
 def read_text(path: str | Path, largest: int = LARGEST_TEXT) -> str:
-    """Text of a regular file in UTF-8, with or without a byte order mark.
-
-    Raises
-    ------
-    FileError
-        As for ``read_bytes``, and if it is no UTF-8.
-    """
+    """Text of a regular file in UTF-8, with or without a byte order mark."""
     try:
         return read_bytes(path, largest).decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -1,8 +1,7 @@
-"""Manifests: JSON files that list the files written with them, each with its SHA-256.
+"""Manifests: JSON files that list the accompanying files, each with its SHA-256.
 
-A file is airlight's to replace or to delete if a manifest that nobody has changed since it was
-written lists it, and it is still what the manifest lists. Manifests come from other people too, so
-none is trusted: a listed name must be that of a file in the manifest's own folder.
+airlight replaces or deletes a file only if an unmodified manifest lists it and its checksum
+matches. Manifests are not trusted: a listed name must be that of a file in the same folder.
 """
 
 from __future__ import annotations
@@ -34,7 +33,7 @@ _ADVICE: Final = "name another output, or allow overwriting"
 
 
 def sealed(content: Mapping[str, Any]) -> dict[str, Any]:
-    """Content of a manifest with its own checksum, by which a change is seen.
+    """Manifest with its own checksum.
 
     Examples
     --------
@@ -47,7 +46,7 @@ def sealed(content: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def is_sealed(content: Mapping[str, Any]) -> bool:
-    """Whether a manifest is as it was written."""
+    """Whether the checksum of a manifest is valid."""
     return SEAL in content and content[SEAL] == _checksum(content)
 
 
@@ -65,7 +64,7 @@ def write_manifest(folder: Path, manifest: dict[str, Any]) -> None:
     folder : Path
         Folder from ``atomic_folder``.
     manifest : dict
-        Its content; ``files`` anywhere in it are names of files with their ``fingerprint``.
+        Content, in which any ``files`` are file names with their ``fingerprint``.
     """
     text = json.dumps(sealed(manifest), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     (folder / MANIFEST).write_text(text, encoding="utf-8")
@@ -76,10 +75,8 @@ def read_manifest(path: Path, form: str) -> dict[str, Any]:
 
     Parameters
     ----------
-    path : Path
-        Path of the manifest.
     form : str
-        Format that it must name.
+        Required format.
 
     Raises
     ------
@@ -102,20 +99,14 @@ def read_manifest(path: Path, form: str) -> dict[str, Any]:
 
 
 def fingerprint(path: Path) -> dict[str, Any]:
-    """Size and SHA-256 of a file.
-
-    Parameters
-    ----------
-    path : Path
-        Path of the file.
-    """
+    """Size and SHA-256 of a file."""
     with path.open("rb") as stream:
         checksum = hashlib.file_digest(stream, "sha256").hexdigest()
     return {"bytes": path.stat().st_size, "sha256": checksum}
 
 
 def fingerprint_of(content: bytes) -> dict[str, Any]:
-    """Size and SHA-256 that a file of some content will have."""
+    """Size and SHA-256 of a file's content."""
     return {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest()}
 
 
@@ -132,27 +123,19 @@ def listed(content: Any) -> dict[str, Any]:
 
 
 def own_files(manifest: Path, form: str, *, overwrite: bool = False) -> tuple[str, ...]:
-    """Files of a manifest that airlight may replace or delete: listed, and unchanged.
+    """Files that airlight may replace or delete: listed and unmodified.
 
     Parameters
     ----------
     manifest : Path
-        Path of the manifest, which need not exist.
-    form : str
-        Format that it must name.
+        Path of the manifest, which may not exist.
     overwrite : bool
-        Whether a manifest that is not airlight's is no error: then it lists nothing.
+        Whether a foreign manifest counts as empty rather than as an error.
 
     Returns
     -------
     tuple of str
-        Names of files that exist, without the manifest.
-
-    Raises
-    ------
-    FileError
-        If the manifest cannot be read or names another format, a listed file has changed, or the
-        manifest has.
+        Names of existing files, without the manifest.
     """
     if manifest.is_symlink():
         raise FileError(manifest, _LINK)
@@ -184,7 +167,7 @@ def check_replaceable(
     patterns: Iterable[str] = (),
     overwrite: bool = False,
 ) -> None:
-    """Stop before a file that is not airlight's would be replaced.
+    """Raise an error if a file that is not airlight's would be replaced.
 
     Parameters
     ----------
@@ -193,16 +176,11 @@ def check_replaceable(
     names : iterable of str
         Names of the files to be written.
     own : iterable of str
-        Names that may be replaced, as from ``own_files``.
+        Replaceable names, from ``own_files``.
     patterns : iterable of str
         Patterns of further names, such as ``*.exr``.
     overwrite : bool
-        Whether any file may be replaced; a folder or a link never.
-
-    Raises
-    ------
-    FileError
-        If such a file exists; it names them.
+        Whether any file may be replaced; folders and links never.
     """
     if not folder.is_dir():
         return
@@ -230,7 +208,7 @@ def _not_ours(folder: Path, names: list[str], reason: str) -> FileError:
 
 
 def _is_listed(path: Path, said: Any) -> bool:
-    """Whether a file is one that a manifest describes; a link never is."""
+    """Whether a file matches its entry in a manifest; False for a link."""
     if path.is_symlink() or not path.is_file() or not isinstance(said, dict):
         return False
     if said.get("bytes") != path.stat().st_size:  # which spares reading a large one
@@ -239,6 +217,6 @@ def _is_listed(path: Path, said: Any) -> bool:
 
 
 def _is_name(name: str) -> bool:
-    """Whether a name is that of a file in the folder itself, on every system."""
+    """Whether a name is a plain file name on every operating system."""
     usual = 0 < len(name) <= _LONGEST and is_plain(name) and name.strip(" .") != ""
     return usual and not re.search(r"[/\\:]", name) and name.casefold() != MANIFEST

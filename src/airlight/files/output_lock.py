@@ -27,12 +27,10 @@ _PAUSE: Final = 0.02
 
 
 def hidden_file(output: Path, suffix: str) -> Path:
-    """Path of the hidden file of an output, in its folder: unique, and equal in all runs.
+    """Path of the hidden file of an output in its folder, equal in all runs.
 
     Parameters
     ----------
-    output : Path
-        Path of the output.
     suffix : str
         Purpose, such as ``part``.
     """
@@ -43,25 +41,18 @@ def hidden_file(output: Path, suffix: str) -> Path:
 
 @contextlib.contextmanager
 def output_lock(output: Path, lock: Path | None = None, *, wait: float = 0.0) -> Iterator[None]:
-    """Hold the lock on an output, which the operating system releases if the process is killed.
+    """Context with the lock on an output, released by the system if the process is killed.
 
-    A file system without locks does not keep others out.
+    Without effect on file systems without locks.
 
     Parameters
     ----------
     output : Path
         Path of the file or folder, without links.
     lock : Path, optional
-        Path of the file that is locked; a hidden one beside the output by default. It is removed
-        at the end.
+        Path of the locked file, removed at the end; default: a hidden file next to the output.
     wait : float
         Time to wait for another writer. [s]
-
-    Raises
-    ------
-    FileError
-        If the output is still being written by another process or thread, or the folder cannot be
-        written to.
     """
     lock = lock or hidden_file(output, "lock")
     until = time.monotonic() + wait
@@ -96,7 +87,7 @@ def _locked(output: Path, lock: Path) -> int | None:
 
 
 def _held(handle: int) -> bool:
-    """Whether another process or thread holds the lock, which is taken otherwise."""
+    """Try to take the lock; returns whether another process or thread holds it."""
     try:
         if sys.platform == "win32":
             msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)

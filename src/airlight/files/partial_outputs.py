@@ -1,4 +1,4 @@
-"""Registry of files and folders being written, which a process that ends removes."""
+"""Registry of partially written files and folders, removed when the process ends."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _partial: Final[set[Path]] = set()
 
 @contextlib.contextmanager
 def partial_output(path: Path) -> Iterator[None]:
-    """Register a path while it is written, and remove what remains of it at the end."""
+    """Context that registers a path while it is written, and removes it at the end."""
     _partial.add(path)
     try:
         yield
@@ -29,7 +29,7 @@ def remove_all() -> None:
 
 
 def remove(path: Path) -> None:
-    """Remove a file, a link, or a folder with all that is in it, if it is there."""
+    """Remove a file, a link, or a folder with its contents, if it exists."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path, ignore_errors=True)
     else:

@@ -14,7 +14,7 @@ CONVENTIONS: Final = "CF-1.10"
 
 
 def provenance(planet: Planet | None, solver: str, settings: str) -> dict[str, str]:
-    """Attributes of a result, equal for equal computations: no time, no machine.
+    """Attributes of a result, independent of time and machine.
 
     Parameters
     ----------

@@ -200,7 +200,6 @@ def apparent_discs(x, y, z, star):
     ----------
     x, y, z : float
         Point, in the frame and scale of ``star``. [m]
-    star : OccultedStar
     """
     px, py, pz = star.scale * x, star.scale * y, star.scale * z
     a = star.star_x - px * star.nearness
@@ -224,7 +223,6 @@ def table_place(separation, size, star):
     ----------
     separation, size : float
         Results of ``apparent_discs``. [rad]
-    star : OccultedStar
 
     Returns
     -------
@@ -258,7 +256,6 @@ def visible_fractions(row, node, e, f, star, at):
     ----------
     row, node, e, f : int, int, float, float
         Results of ``table_place``, ``row`` not negative.
-    star : OccultedStar
     at : int
         Index of the first lane.
     """

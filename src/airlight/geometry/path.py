@@ -91,8 +91,6 @@ def insert_edge(edges, count, cut):
     ----------
     edges : array, shape (MAX_EDGES,)
         Edges, 0 first, the ray's length last. [m]
-    count : int
-        Number of edges.
     cut : float
         Distance of the new edge, ignored outside the ray. [m]
 

@@ -120,11 +120,6 @@ def visible_spread(elevation, angular_radius):
     elevation, angular_radius : float
         Arguments of ``visible_fraction``, which must not be 0. [rad]
 
-    Returns
-    -------
-    mean, deviation : float
-        Mean elevation and its standard deviation. [rad]
-
     Examples
     --------
     >>> visible_spread(1.0, 0.005)  # the whole disc: α/2

@@ -34,7 +34,7 @@ def aces_curve(x):
 
 @kernel
 def aces_curve_inverse(y):
-    """The root x ≥ 0 of (1 - c y) x² + (a - d y) x - (b + e y) = 0, for y up to 1.016. [1]"""
+    """Root x ≥ 0 of (1 - c y) x² + (a - d y) x - (b + e y) = 0, for y up to 1.016. [1]"""
     a = 1.0 - 0.983729 * y
     b = 0.0245786 - 0.4329510 * y
     c = -(0.000090537 + 0.238081 * y)
@@ -58,7 +58,7 @@ def aces_color(red, green, blue):
 
 @compiled_loop
 def aces_pixels(colors, out):
-    """Apply ``aces_color`` to every colour."""
+    """``aces_color`` of all colours."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = aces_color(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -66,7 +66,7 @@ def aces_pixels(colors, out):
 
 
 def aces(rgb: ArrayLike) -> NDArray[Any]:
-    """Apply the ACES tone map to exposed light.
+    """ACES tone map of exposed light.
 
     Parameters
     ----------
@@ -80,9 +80,8 @@ def aces(rgb: ArrayLike) -> NDArray[Any]:
 
     References
     ----------
-    Hill's fit as published in Pettineo's BakingLab, ``ACES.hlsl`` (2016); it follows the ACES 1.0
-    sRGB output transform. Narkowicz's simpler one-channel fit (2015) keeps bright colours
-    saturated and is not offered.
+    Hill's fit of the ACES 1.0 sRGB output transform, published in Pettineo's BakingLab,
+    ``ACES.hlsl`` (2016).
 
     Examples
     --------
@@ -93,7 +92,7 @@ def aces(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def aces_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """Invert ``aces``: the exposed light of a displayed colour, exact where it was not clipped.
+    """Inverse of ``aces``, exact where it does not clip.
 
     Parameters
     ----------

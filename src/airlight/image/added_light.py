@@ -1,4 +1,4 @@
-"""Sum of two pictures in linear light: those of two lights."""
+"""Sum of two pictures in linear light."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from airlight.kernel import inlined
 
 @inlined
 def added_texel(first, second, row, column):
-    """Light of a pixel in both pictures.
+    """Sum of both pictures at a pixel.
 
     Parameters
     ----------
     first, second : array, shape (h, w)
         Pictures, of one channel; in a shader of four.
     row, column : int
-        Place.
+        Position of the pixel.
     """
     return first[row, column] + second[row, column]

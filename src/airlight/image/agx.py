@@ -1,4 +1,4 @@
-"""AgX, Sobotka's tone map: highlights go to white without a shift in hue."""
+"""AgX, Sobotka's tone map: highlights desaturate to white without a hue shift."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _SHOULDER: Final = 3.25
 
 
 def _scale(x: float, y: float, power: float) -> float:
-    """Scale that makes the hyperbola run through 0 or 1, x and y away from the fixed point."""
+    """Scale of the hyperbola through 0 or 1, x and y away from the fixed point."""
     return float(((_SLOPE * x) ** -power * ((_SLOPE * x / y) ** power - 1.0)) ** (-1.0 / power))
 
 
@@ -63,7 +63,7 @@ def agx_curve(light):
 
 @kernel
 def agx_curve_inverse(value):
-    """The insetted channel with the given display value, between the darkest and brightest. [1]"""
+    """Inverse of ``agx_curve``, between the darkest and brightest value. [1]"""
     y = (value if value > 0.0 else 0.0) - 0.5
     y = y if y < 0.5 else 0.5
     if y < 0.0:
@@ -91,7 +91,7 @@ def agx_color(red, green, blue):
 
 @compiled_loop
 def agx_pixels(colors, out):
-    """Apply ``agx_color`` to every colour."""
+    """``agx_color`` of all colours."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = agx_color(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -99,11 +99,11 @@ def agx_pixels(colors, out):
 
 
 def agx(rgb: ArrayLike) -> NDArray[Any]:
-    """Apply the AgX tone map to exposed light.
+    """AgX tone map of exposed light.
 
-    Inset, log₂ over 16.5 stops around middle grey, sigmoid, outset; the display values are those of
-    a display of power 2.2 and are returned as linear light. The sigmoid is Sobotka's own, not
-    the polynomial that often replaces it (largest difference 0.006, a test).
+    Inset, log₂ over 16.5 stops around middle grey, sigmoid, outset, conversion of display values
+    (power 2.2) to linear light. The sigmoid is Sobotka's, not the polynomial fit (largest
+    difference 0.006).
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def agx(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def agx_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """Invert ``agx``: the exposed light of a displayed colour, exact where it was not clipped.
+    """Inverse of ``agx``, exact where it does not clip.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Difference of two colours as the eye sees it: CIE Lab and CIEDE2000."""
+"""Perceptual colour difference: CIE L*a*b* and CIEDE2000."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def xyz_to_lab(xyz: ArrayLike) -> NDArray[np.float64]:
 
 
 def delta_e_2000(lab: ArrayLike, reference: ArrayLike) -> NDArray[np.float64]:
-    """CIEDE2000 difference of colours; 1 is just noticed side by side.
+    """CIEDE2000 colour difference; 1 is just noticeable side by side.
 
     Parameters
     ----------
@@ -106,9 +106,9 @@ def delta_e_2000(lab: ArrayLike, reference: ArrayLike) -> NDArray[np.float64]:
 
 
 def color_difference(rgb: ArrayLike, reference: ArrayLike) -> NDArray[np.float64]:
-    """CIEDE2000 difference of lights that an eye sees by turns, adapted to the reference.
+    """CIEDE2000 difference of two lights, for adaptation to the reference.
 
-    Both are scaled by one factor, by which the reference has half the luminance of white.
+    Both are scaled so that the reference has half the luminance of white.
 
     Parameters
     ----------

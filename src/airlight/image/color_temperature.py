@@ -1,4 +1,4 @@
-"""Correlated colour temperature: the black body whose colour is nearest to a light's."""
+"""Correlated colour temperature."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def uv_1960(xyz: ArrayLike) -> NDArray[np.float64]:
 
     References
     ----------
-    CIE 15:2018, Colorimetry, section 9.4: kept for the correlated colour temperature.
+    CIE 15:2018, Colorimetry, section 9.4.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def _locus() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 
 def correlated_color_temperature(xyz: ArrayLike) -> float:
-    """Temperature of the black body whose colour is nearest, by the definition.
+    """Temperature of the black body with the nearest chromaticity.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def correlated_color_temperature(xyz: ArrayLike) -> float:
     Returns
     -------
     float
-        Infinite for a light bluer than the hottest black body. [K]
+        Temperature; infinite if bluer than the hottest black body. [K]
 
     Raises
     ------

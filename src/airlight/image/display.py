@@ -1,4 +1,4 @@
-"""Linear light to the values of a picture: the display chain over all pixels."""
+"""Display chain: from linear light to pixel values."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def resolve_exposure(
     exposure: float | str,
     weights: NDArray[np.floating] | None = None,
 ) -> float:
-    """Exposure in EV: the number itself, or measured on the picture if ``"auto"``.
+    """Exposure: a number, or metered on the picture for ``"auto"``. [EV]
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def display_of(
     primaries: str = "srgb",
     step: float = 1.0 / 255.0,
 ) -> Display:
-    """Numbers of a display, from names.
+    """Parameters of a display from names.
 
     Parameters
     ----------
@@ -72,13 +72,13 @@ def display_of(
     tone_map : str
         Name from ``TONE_MAPS``.
     encoding : str or None
-        Name from ``ENCODINGS``; None for a target that encodes by itself.
+        Name from ``ENCODINGS``; None for a target with its own encoding.
     eye : bool
-        Whether light is seen as by an eye in the dark.
+        Whether to simulate mesopic vision.
     primaries : str
         Name from ``PRIMARIES``.
     step : float
-        Step of the display, for its dither; 0 for none. [1]
+        Quantisation step for dither; 0 for none. [1]
 
     Raises
     ------
@@ -100,19 +100,18 @@ def display_of(
 
 @compiled_loop
 def display_rows(rgb, picture, first, left, most, display):
-    """Fill rows of a picture by ``displayed``.
+    """Rows of a picture by ``displayed``.
 
     Parameters
     ----------
     rgb : array, shape (rows, width, 3)
         Linear sRGB. [W m⁻² sr⁻¹]
     picture : array, shape (rows, width, 3)
-        Whole numbers, filled.
+        Receives integer pixel values.
     first, left : int
-        Row and column of the picture that are the first here.
+        Row and column of the first pixel in the whole picture.
     most : float
-        Number that is white.
-    display : Display
+        Pixel value of white.
     """
     for row in range(rgb.shape[0]):
         for column in range(rgb.shape[1]):
@@ -144,45 +143,39 @@ def to_display(
     circle: tuple[int, int] | None = None,
     origin: tuple[int, int] = (0, 0),
 ) -> NDArray[Any]:
-    """Convert a frame of linear light to a picture of whole numbers.
+    """Integer pixel values of a frame of linear light.
 
-    Rows run on all cores; beyond input and output there is memory for glare, two thirds of the
-    input.
+    Parallel over rows. Glare needs memory of two thirds of the input.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Linear sRGB of any magnitude. Channels are negative for light beyond sRGB, which is no
-        error: linear sRGB with all its signs holds every colour. NaN is black. [W m⁻² sr⁻¹]
+        Linear sRGB; channels outside the gamut are negative, NaN is black. [W m⁻² sr⁻¹]
     exposure : float or "auto"
-        Exposure, or "auto" to measure it on the picture, see ``automatic_exposure``; that of a
-        scene, with solid angles and without its star, is ``scene_exposure``. [EV]
+        Exposure; ``"auto"``: ``automatic_exposure`` of the picture. For scenes see
+        ``scene_exposure``. [EV]
     tone_map : str
         Tone map, one of ``TONE_MAPS``.
     encoding : str
         Encoding, ``"srgb"`` or ``"gamma"``.
     eye : bool, optional
-        Whether light of less than 4 cd m⁻² is seen as by an eye in the dark, see ``mesopic``; by
-        default where the exposure is automatic.
+        Whether to simulate mesopic vision below 4 cd m⁻², see ``mesopic``; default: with automatic
+        exposure.
     primaries : str
         Primaries of the display, one of ``PRIMARIES``.
     bits : int
         Bits per channel, 8 or 16.
     dither : bool
-        Whether noise of one step hides contours, the same for the same picture.
+        Whether to add reproducible dither of one quantisation step.
     glare : float
         Amount of glare, 0 to 10: 1 is that of a lens. [1]
     pixel_angle : float
-        Angle of a pixel, ``Frame.pixel_angle``; without it there is no glare. [rad]
+        Angle of a pixel, ``Frame.pixel_angle``; 0 for no glare. [rad]
     circle : (int, int), optional
-        Width and height of the whole picture of a dome, ``Frame.circle``: black beyond the circle.
+        Width and height of the whole picture of a dome, ``Frame.circle``; black outside the circle.
         [pixel]
     origin : (int, int)
-        Column and row of a larger picture at which this one begins. [pixel]
-
-    Returns
-    -------
-    array, shape (height, width, 3), uint8 or uint16
+        Column and row of the first pixel in a larger picture. [pixel]
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Displayed values of a pixel: the one formula of CPU and shaders."""
+"""Displayed values of a pixel, common to CPU and shaders."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from airlight.kernel.shader_fields import CHOICE
 
 
 class Display(NamedTuple):
-    """Conversion of light for a display; one declaration for CPU and shaders.
+    """Parameters of the display chain, for CPU and shaders.
 
     Attributes
     ----------
     exposure : float
         Factor of the exposure. [1]
     eye : bool
-        Whether light is seen as by an eye in the dark, see ``mesopic``.
+        Whether to simulate mesopic vision, see ``mesopic``.
     tone_map : int
         Index in ``TONE_MAPS``.
     primaries : int
         Index in ``PRIMARIES``.
     encoding : int
-        Index in ``ENCODINGS``; -1 for a target that encodes by itself.
+        Index in ``ENCODINGS``; -1 for a target with its own encoding.
     dither : float
-        Step of the display, for its dither; 0 for none. [1]
+        Quantisation step for dither; 0 for none. [1]
     """
 
     exposure: float
@@ -41,12 +41,12 @@ class Display(NamedTuple):
 
 @inlined
 def displayed(red, green, blue, px, py, display):
-    """Displayed values of linear light: seen, exposed, toned, in the gamut, encoded, dithered. [1]
+    """Displayed values of linear light: vision, exposure, tone map, gamut, encoding, dither. [1]
 
     Parameters
     ----------
     red, green, blue : float
-        Linear sRGB; channels are negative for light beyond sRGB. [W m⁻² sr⁻¹]
+        Linear sRGB; channels may be negative. [W m⁻² sr⁻¹]
     px, py : float
         Position from the picture's left and top edge. [pixel]
     display : Display

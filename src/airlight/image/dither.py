@@ -1,9 +1,8 @@
 """Dither: noise of one quantisation step, against banding.
 
-A rank-1 lattice: each pixel's number is a multiple of its column plus one of its row, modulo 1,
-with the two ratios that fill a plane most evenly. Its power lies at high frequencies, where an eye
-sees least: below a sixteenth of the sampling rate it has a fortieth of that of white noise. Whole
-numbers below 2³¹ make it the same on all CPUs and GPUs.
+A rank-1 lattice: multiples of column and row, modulo 1, with the two ratios of a low-discrepancy
+sequence. Its power is at high spatial frequencies: below a sixteenth of the sampling rate it is a
+fortieth of that of white noise. Integer arithmetic makes it identical on all CPUs and GPUs.
 """
 
 from __future__ import annotations
@@ -36,8 +35,8 @@ def dither_noise(px, py, channel):
     Returns
     -------
     float
-        Number of mean 0 and variance 1/6 over a picture: an error of rounding to whole numbers
-        after it is added depends on the picture neither in its mean nor in its variance.
+        Noise of mean 0 and variance 1/6, which makes mean and variance of the quantisation error
+        independent of the picture.
 
     References
     ----------
@@ -53,7 +52,7 @@ def dither_noise(px, py, channel):
 
 @kernel
 def dithered(value, px, py, channel, step):
-    """Value of a channel with its dither; black and white stay clean. [1]
+    """Value of a channel with dither, except for black and white. [1]
 
     Parameters
     ----------
@@ -62,7 +61,7 @@ def dithered(value, px, py, channel, step):
     px, py, channel :
         Arguments of ``dither_noise``.
     step : float
-        Step of the display; 0 for no dither. [1]
+        Quantisation step; 0 for no dither. [1]
     """
     amplitude = min(step, min(value, 1.0 - value))
     return value + amplitude * dither_noise(px, py, channel)

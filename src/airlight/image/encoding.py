@@ -1,4 +1,4 @@
-"""Display encodings: linear light to the numbers in a picture file, and back."""
+"""Display encodings of linear light, and their inverses."""
 
 from __future__ import annotations
 
@@ -52,14 +52,14 @@ def gamma_curve_inverse(encoded):
 
 @kernel
 def encoded(which, linear):
-    """Encode one value by the encoding of that index in ``ENCODINGS``, counted from 0. [1]"""
+    """Value encoded by index in ``ENCODINGS``. [1]"""
     if which == 0:
         return srgb_curve(linear)
     return gamma_curve(linear)
 
 
 def srgb_encode(linear: ArrayLike) -> NDArray[Any]:
-    r"""Encode linear light by the sRGB curve.
+    r"""sRGB-encoded values of linear light.
 
     .. math:: v = 12.92\,x \ (x \le 0.0031308), \qquad v = 1.055\,x^{1/2.4} - 0.055
 
@@ -108,7 +108,7 @@ def srgb_decode(encoded: ArrayLike) -> NDArray[Any]:
 
 
 def gamma_encode(linear: ArrayLike) -> NDArray[Any]:
-    """Encode linear light by the power 1/2.2.
+    """Linear light to the power 1/2.2.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ ENCODINGS: Final[dict[str, Encoding]] = {
 
 
 def encoding_named(name: str) -> Encoding:
-    """Return the encoding of the given name.
+    """Encoding by name.
 
     Raises
     ------

@@ -62,7 +62,7 @@ _LENS: Final = 0.65
 
 
 def exposure_factor(exposure: float) -> float:
-    """Factor of the light: 2^EV.
+    """Exposure factor of radiance: 2^EV.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
     aperture : float
         Focal length over the diameter of the lens, N. [1]
     shutter : float
-        Time t for which it is open. [s]
+        Exposure time t. [s]
 
     Returns
     -------
@@ -120,7 +120,7 @@ def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
 
     References
     ----------
-    ISO 12232:2019, saturation-based speed, and its q for a lens that lets 0.9 of the light pass.
+    ISO 12232:2019, saturation-based speed, with q for a lens transmittance of 0.9.
 
     Examples
     --------
@@ -150,7 +150,7 @@ def weighted_index(weight, first, share):
 
 @kernel
 def adapted_key(bright):
-    """Light as which the key of a picture is shown, to an eye that has adapted to it. [1]
+    """Displayed value of a picture's key, for the state of adaptation. [1]
 
     Parameters
     ----------
@@ -167,11 +167,11 @@ def exposure_of(bright, weight, black):
     Parameters
     ----------
     bright : array, shape (n,)
-        Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
+        Luminances above 0, ascending, not empty. [W m⁻² sr⁻¹]
     weight : array, shape (n,)
         Weights of these pixels. [1]
     black : float
-        Weight of all others. [1]
+        Weight of black pixels. [1]
     """
     first = 0
     dark = _DARK * bright[weighted_index(weight, first, 0.99)]
@@ -204,17 +204,17 @@ def star_limited(exposure, brightest, irradiance, picture):
 
     .. math:: 2^\mathrm{EV} \le \frac{1.5 \cdot 0.04\, Ω}{π a E}.
 
-    Where that makes the surroundings darker by some stops, they are lost, and the star becomes the
-    subject: as many stops again are taken away, at most eight, until its disc is 0.8 of white.
+    If that darkens the surroundings by n stops, the star becomes the subject: n more stops are
+    subtracted, at most eight, until its disc is 0.8 of white.
 
     Parameters
     ----------
     exposure : float
-        Exposure of what is away from the star. [EV]
+        Exposure for the pixels away from the star. [EV]
     brightest : float
         Largest luminance near the star. [W m⁻² sr⁻¹]
     irradiance : float
-        Light E of the star and of what is near it, above 0. [W m⁻²]
+        Irradiance E of the star and its surroundings, above 0. [W m⁻²]
     picture : float
         Solid angle Ω of the picture. [sr]
 
@@ -234,22 +234,20 @@ def star_limited(exposure, brightest, irradiance, picture):
 def exposure_with_stars(bright, weight, near, light, lights, black, picture):
     """Exposure of a picture with stars in view. [EV]
 
-    What is away from them is exposed as ``exposure_of`` says, and each star limits that, see
-    ``star_limited``. Where no light is away from them, as in space, that limit is the exposure;
-    where nothing is away from them, through a telescope, their neighbourhood is the picture.
+    Pixels away from stars are metered by ``exposure_of``, limited by each star (``star_limited``).
+    If these are black, as in space, the limit is the exposure; if there are none, as in a
+    telescope, all pixels are metered.
 
     Parameters
     ----------
     bright : array, shape (n,)
         Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
     weight, near : array, shape (n,)
-        Solid angles of these pixels, one of the two 0: the second near a star. [sr]
+        Solid angles of the pixels away from and near stars; the other one is 0. [sr]
     light : array, shape (n,)
-        Number of the star, where there is one. [1]
-    lights : int
-        Number of stars.
+        Index of the star near each pixel. [1]
     black : float
-        Solid angle of all others that are not near a star. [sr]
+        Solid angle of black pixels away from stars. [sr]
     picture : float
         Solid angle of the picture. [sr]
     """
@@ -275,19 +273,19 @@ def exposure_with_stars(bright, weight, near, light, lights, black, picture):
 
 
 def sampling_step(height: int, width: int) -> int:
-    """Step between the rows and columns of a picture that are measured. [pixel]"""
+    """Step between metered rows and columns of a picture. [pixel]"""
     return max(1, math.isqrt(height * width // SAMPLE))
 
 
 def sampled(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
-    """Every so many rows and columns of a picture.
+    """Subsampled picture.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
         Picture.
     step : int
-        Step between them. [pixel]
+        Step between rows and columns. [pixel]
 
     Returns
     -------
@@ -306,22 +304,20 @@ def sampled(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
 def automatic_exposure(
     rgb: NDArray[np.floating], weights: NDArray[np.floating] | None = None
 ) -> float:
-    r"""Exposure that shows a picture as an eye sees it that has adapted to it.
+    r"""Automatic exposure of a picture, for a simulated state of adaptation.
 
-    Pixels below 1e-4 of the picture's bright end are left out, so that black space does not
-    overexpose the planet. Of the others, with the key :math:`\bar L`, the geometric mean of the
-    brightest three quarters, and the luminances :math:`L_{75}` and :math:`L_{98}` below which 75
-    and 98 % lie,
+    Pixels below 1e-4 of the highlights are excluded, so that black space does not overexpose the
+    planet. With the key :math:`\bar L`, the geometric mean of the brightest three quarters, and the
+    75 and 98 % quantiles :math:`L_{75}` and :math:`L_{98}` of luminance,
 
     .. math:: 2^\mathrm{EV} = a(\bar L)\,\min\left(
               \frac{0.35\,d}{\bar L}, \frac{0.55}{L_{75}}, \frac{1.5}{L_{98}}\right),
               \quad a(L) = \left(1 + \frac{30\ \mathrm{cd\,m^{-2}}}
               {\max(L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
 
-    where :math:`\bar L` is no less than 1e-4 cd m⁻² either, and :math:`d` is the third root of the
-    share of the picture that is not black space, at least 0.6. By day a is 1, and light k times as
-    strong gives the same picture. In the dark the picture darkens as brightness does, with the
-    third power of luminance; without moon or stars it is black.
+    where :math:`\bar L` is at least 1e-4 cd m⁻², and :math:`d` is the cube root of the fraction of
+    the picture that is not black space, at least 0.6. By day a is 1, independent of the light
+    level; in the dark the picture darkens with the cube root of luminance.
 
     Parameters
     ----------
@@ -329,7 +325,7 @@ def automatic_exposure(
         Linear sRGB; of a large picture some 30 000 pixels on a regular grid are used.
         [W m⁻² sr⁻¹]
     weights : array, shape (height, width), optional
-        Weights of the pixels, such as their solid angles; by default all the same.
+        Weights of the pixels, such as solid angles; default: equal.
 
     Returns
     -------
@@ -339,8 +335,8 @@ def automatic_exposure(
     References
     ----------
     Reinhard et al. (2002), ACM Trans. Graph. 21, 267, on the key; Krawczyk, Myszkowski & Seidel
-    (2005), SCCG, 195, on keys that fall with the luminance; Stevens & Stevens (1963), J. Opt. Soc.
-    Am. 53, 375, on the third power. The numbers are ours.
+    (2005), SCCG, 195, on keys that depend on luminance; Stevens & Stevens (1963), J. Opt. Soc. Am.
+    53, 375, on the cube root. The constants are airlight's.
 
     Examples
     --------
@@ -368,16 +364,16 @@ def night_exposure() -> float:
 
 @kernel
 def eased(before, wanted, seconds, time_constant):
-    """Exposure that approaches another, as an eye adapts: by e^{-t/τ}. [EV]
+    """Exposure with exponential adaptation e^{-t/τ} towards another. [EV]
 
     Parameters
     ----------
     before, wanted : float
-        Exposure at first, and approached. [EV]
+        Initial and final exposure. [EV]
     seconds : float
-        Time since. [s]
+        Elapsed time. [s]
     time_constant : float
-        Time τ in which all but 37 % is gone; 0 for at once. [s]
+        Time constant τ; 0 for no delay. [s]
     """
     if time_constant <= 0.0:
         return wanted

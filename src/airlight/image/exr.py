@@ -1,4 +1,4 @@
-"""OpenEXR: linear float32, with all digits of the renderer, or halves."""
+"""OpenEXR files: linear float32 or half floats."""
 
 from __future__ import annotations
 
@@ -47,8 +47,6 @@ def write_exr(
 
     Parameters
     ----------
-    path : str or Path
-        Path of the file.
     rgb : array, shape (h, w, 3)
         Linear sRGB radiance, weighted by the colour-matching functions, float32.
         [W m⁻² sr⁻¹; 683 times its luminance is cd m⁻², recorded in the file as ``whiteLuminance``]
@@ -59,14 +57,13 @@ def write_exr(
     compression : str
         Name from ``COMPRESSIONS``.
     attributes : mapping, optional
-        OpenEXR's own attributes, which replace those that are written otherwise.
+        Standard attributes of OpenEXR, instead of the default ones.
     layers : mapping of str to array, shape (h, w, 3) or (h, w), optional
-        Further channels, float32: ``NAME.R``, ``NAME.G`` and ``NAME.B`` of a colour, else ``NAME``.
+        Further channels, float32: ``NAME.R``, ``NAME.G`` and ``NAME.B`` of a colour, otherwise
+        ``NAME``.
 
     Raises
     ------
-    ParameterError
-        If the shape or type is not that, a name is unknown, or a half would be infinite.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -122,7 +119,7 @@ def write_exr(
 def _channels(
     rgb: NDArray[np.float32], layers: Mapping[str, NDArray[np.float32]]
 ) -> dict[str, NDArray[np.float32]]:
-    """Pixels by the names under which they are written; colours of layers channel by channel."""
+    """Pixels by channel name."""
     channels = {"RGB": rgb}
     for name, layer in layers.items():
         if layer.ndim == 2:
@@ -137,12 +134,10 @@ def write_exr_channels(
     channels: Mapping[str, NDArray[Any]],
     metadata: Mapping[str, str] | None = None,
 ) -> None:
-    """Write named channels of numbers that are not colours.
+    """Write named channels of values that are not colours.
 
     Parameters
     ----------
-    path : str or Path
-        Path of the file.
     channels : mapping of str to array, shape (h, w)
         Values, float16 or float32, all of one shape and type.
     metadata : mapping of str to str, optional
@@ -150,8 +145,6 @@ def write_exr_channels(
 
     Raises
     ------
-    ParameterError
-        If the channels differ in shape or type, or have another type.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -175,13 +168,7 @@ def write_exr_channels(
 
 
 def read_exr_channels(path: str | Path) -> dict[str, NDArray[Any]]:
-    """Read a file written by ``write_exr_channels``: channels by name.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read.
-    """
+    """Read a file written by ``write_exr_channels``: channels by name."""
     import OpenEXR
 
     check_exr(path)
@@ -195,20 +182,10 @@ def read_exr_channels(path: str | Path) -> dict[str, NDArray[Any]]:
 def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
     """Read a file written by ``write_exr``.
 
-    Parameters
-    ----------
-    path : str or Path
-        Path of the file.
-
     Returns
     -------
     (array, dict)
         Linear red, green, blue, shape (h, w, 3), and the string attributes.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read or lacks these channels.
     """
     import OpenEXR
 
@@ -223,7 +200,7 @@ def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
 
 
 def check_exr(path: str | Path) -> None:
-    """Refuse a file by the sizes in its headers, before any of it is decoded.
+    """Raise an error for a file that is too large by its headers, before decoding.
 
     Raises
     ------
@@ -244,13 +221,7 @@ def check_exr(path: str | Path) -> None:
 
 
 def read_exr_header(path: str | Path) -> dict[str, str]:
-    """String attributes of a file, without its pixels.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read.
-    """
+    """String attributes of a file."""
     import OpenEXR
 
     check_input(path, LARGEST_PICTURE)

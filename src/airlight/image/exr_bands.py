@@ -1,8 +1,8 @@
 """Band-by-band reader and writer of large OpenEXR pictures: single part, scan lines.
 
-OpenEXR's Python module writes a picture from whole arrays. A file of lines is a header, a table of
-places, and blocks of lines that are compressed on their own; the blocks of a picture are therefore
-those of its bands, each written by OpenEXR as a picture of its own, with other numbers of lines.
+OpenEXR's Python module needs the whole picture in memory. Blocks of scan lines are compressed
+independently, so bands are written by OpenEXR as separate pictures, and their blocks are renumbered
+and joined.
 
 References
 ----------
@@ -44,11 +44,6 @@ def write_bands(
         Channels as for ``OpenEXR.File``, of any type.
     kind : type
         Type in the file, float16 or float32.
-
-    Raises
-    ------
-    RuntimeError, ValueError, TypeError, OSError
-        As of OpenEXR, or where the file cannot be written.
     """
     height = len(next(iter(channels.values())))
     places: list[int] = []
@@ -76,7 +71,7 @@ def _bands(
     kind: Any,
     height: int,
 ) -> Iterator[tuple[int, bytes]]:
-    """First line and file of each band."""
+    """First line and temporary file of each band."""
     import OpenEXR
 
     part = path.with_suffix(".band")
@@ -95,7 +90,7 @@ def _bands(
 
 
 def _parsed(band: bytes) -> tuple[bytes, list[tuple[int, memoryview]]]:
-    """Header of a file of lines, and line and data of each of its blocks."""
+    """Header of a scan-line file, and line number and data of each block."""
     stream = BytesIO(band)
     stream.seek(8)
     while _word(stream):
@@ -112,7 +107,7 @@ def _parsed(band: bytes) -> tuple[bytes, list[tuple[int, memoryview]]]:
 
 
 def _with_height(header: bytes, height: int) -> bytes:
-    """Header of a picture of more lines."""
+    """Header with another height."""
     changed = bytearray(header)
     for name in _BOXES:
         box = header.index(name + b"\0box2i\0") + len(name) + len(b"\0box2i\0") + 4
@@ -121,7 +116,7 @@ def _with_height(header: bytes, height: int) -> bytes:
 
 
 def _word(stream: BinaryIO) -> bytes:
-    """Text that ends with a null."""
+    """Null-terminated text."""
     word = bytearray()
     while (letter := stream.read(1)) not in (b"\0", b""):
         word += letter

@@ -69,7 +69,7 @@ def seen_by_eye(red, green, blue):
 
 @compiled_loop
 def eye_pixels(colors, out):
-    """Apply ``seen_by_eye`` to every colour."""
+    """``seen_by_eye`` of all colours."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = seen_by_eye(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -77,9 +77,9 @@ def eye_pixels(colors, out):
 
 
 def mesopic(rgb: ArrayLike) -> NDArray[Any]:
-    r"""Light as the eye sees it in the dark: colours fade, reds darken, greys turn bluish.
+    r"""Mesopic vision of colours: desaturation, darker reds, bluish greys.
 
-    With the share :math:`s` of the rods, 0 above 4 and 1 below 0.01 cd m⁻², and the colour
+    With the weight :math:`s` of the rods, 0 above 4 and 1 below 0.01 cd m⁻², and the colour
     :math:`c_{0.25}` of luminance 1 at x = y = 0.25,
 
     .. math:: c' = (1 - s)\,c + s\,\frac{V}{V_{65}}\,Y\,c_{0.25}, \quad

@@ -1,4 +1,4 @@
-"""Arrays of light that keep their floating type, and stay finite, through every step to display."""
+"""Floating types and finite ranges of arrays in the display chain."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def physical_light(light):
 
 
 def floating(values: ArrayLike) -> NDArray[Any]:
-    """Return float32 and float64 values unchanged, others as float64.
+    """float32 and float64 values unchanged, others as float64.
 
     Examples
     --------
@@ -35,7 +35,7 @@ def floating(values: ArrayLike) -> NDArray[Any]:
 
 
 def physical(values: ArrayLike) -> NDArray[Any]:
-    """Clamp values to 0 to ``BRIGHTEST``; negative values and NaN are black.
+    """Values clamped to 0 to ``BRIGHTEST``; negative values and NaN are black.
 
     Examples
     --------
@@ -47,36 +47,21 @@ def physical(values: ArrayLike) -> NDArray[Any]:
 
 
 def each(scalar: Any, values: ArrayLike) -> NDArray[Any]:
-    """Apply a kernel of one argument to every element, in float64, and restore the type.
-
-    Parameters
-    ----------
-    scalar : kernel
-    values : array, shape (...)
-
-    Returns
-    -------
-    array, shape (...)
-    """
+    """Kernel of one argument applied to every element in float64, with the type restored."""
     array = floating(values)
     with np.errstate(all="ignore"):  # the kernels handle infinity and NaN
         return np.asarray(vectorized(scalar)(array)).astype(array.dtype, copy=False)
 
 
 def each_pixel(loop: Any, rgb: ArrayLike, *parameters: float) -> NDArray[Any]:
-    """Apply a compiled loop over colours, in float64, and restore the type.
+    """Compiled loop over colours applied in float64, with the type restored.
 
     Parameters
     ----------
     loop : compiled loop
         ``loop(colors, out, *parameters)`` with colours of shape (n, 3).
-    rgb : array, shape (..., 3)
     *parameters : float
         Further arguments of the loop.
-
-    Returns
-    -------
-    array, shape (..., 3)
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Colour from four wavelengths: their choice, and the matrix to linear sRGB, fitted to a star."""
+"""Colour from few wavelengths: their choice, and a matrix to linear sRGB fitted to a star."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ _HUE: Final = 0.015
 def four_wavelengths(
     irradiance: Irradiance | None = None, limits: tuple[float, float] = (280.0, 1000.0)
 ) -> tuple[FloatArray, FloatArray]:
-    """Return four wavelengths and weights W such that linear sRGB = radiance @ W.
+    """Four wavelengths, and weights W such that linear sRGB = radiance @ W.
 
     Parameters
     ----------
     irradiance : callable, array or None
         Spectrum of the star, as in ``rgb_weights``. [W m⁻² nm⁻¹]
     limits : (low, high)
-        Wavelengths between which a planet is known. [nm]
+        Wavelength range of a planet. [nm]
 
     Returns
     -------
@@ -72,12 +72,11 @@ def four_wavelengths(
 
 
 def few_wavelengths(count: int = 4, low: float = 280.0, high: float = 1000.0) -> FloatArray:
-    """Wavelengths for pictures of three or four, moved inside the limits of a planet.
+    """Three or four wavelengths of a picture, within the limits of a planet.
 
-    These have the smallest mean fourth power of the error over ``typical_light`` under the sun: the
-    four among all multiples of 20 nm, the three among those of 10 nm, at least 30 nm apart. Finer
-    steps lower that error by a third, but not the error on the planets. Under a star of 2600 K
-    another four would do better, by 0.3 ΔE of typical light.
+    They minimise the mean fourth power of the error over ``typical_light`` under the sun, among
+    multiples of 20 nm (four) or 10 nm (three), at least 30 nm apart. For a star of 2600 K the error
+    is 0.3 ΔE above that of the best four.
 
     Parameters
     ----------
@@ -110,9 +109,8 @@ def few_wavelengths(count: int = 4, low: float = 280.0, high: float = 1000.0) ->
 def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None) -> FloatArray:
     r"""Weights W such that linear sRGB = radiance @ W, for few wavelengths.
 
-    A few samples do not follow a spectrum, so nothing is interpolated: the weights minimise the
-    colour difference for light as it occurs in atmospheres, :math:`s_k(\lambda)` of
-    ``typical_light`` times the star's irradiance E,
+    The weights minimise the colour difference for typical spectra of atmospheres,
+    :math:`s_k(\lambda)` of ``typical_light`` times the star's irradiance E,
 
     .. math:: \min_M \sum_k \Big| J_k \Big( \sum_i s_k(\lambda_i) M_i
               - \int s_k E\, (\bar r, \bar g, \bar b)\, d\lambda \Big) \Big|^2
@@ -123,8 +121,8 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
     and luminance exact for the star's own light and its reflection by grey surfaces.
 
     With the four of ``few_wavelengths`` the median error on Earth, Mars and Titan is 0.2 to 0.6 ΔE
-    (CIE 2000), where ``rgb_weights`` has 5 to 9 with three wavelengths and 3 with four: the tables
-    are in docs/live.md. The error is up to 6 for light through the clouds of Venus at dusk.
+    (CIE 2000), against 5 to 9 for ``rgb_weights`` with three wavelengths and 3 with four
+    (docs/live.md), and up to 6 under the clouds of Venus at dusk.
 
     Parameters
     ----------
@@ -141,8 +139,8 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
     Raises
     ------
     ParameterError
-        If a wavelength is given twice or lies outside, there are too few or too many, or the
-        irradiance there is not above 0.
+        If a wavelength is repeated or out of range, the number is out of range, or an irradiance is
+        not positive.
 
     References
     ----------
@@ -175,7 +173,7 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
 
 
 def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None) -> FloatArray:
-    """Weights of a picture: fitted for the wavelengths of ``few_wavelengths``, else integrated.
+    """Weights of a picture: fitted for the wavelengths of ``few_wavelengths``, or integrated.
 
     Parameters
     ----------
@@ -203,7 +201,7 @@ def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None
 def _seen_differences(rgb: FloatArray) -> FloatArray:
     """Derivatives of (lightness, chroma, hue) of CIE94 by linear sRGB, shape (n, 3, 3).
 
-    Each light is exposed to luminance 0.5 of white's.
+    Each light is exposed to half the luminance of white.
     """
     xyz = rgb @ RGB_TO_XYZ.T
     exposure = _EXPOSED / xyz[:, 1:2]

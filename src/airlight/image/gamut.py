@@ -1,7 +1,7 @@
-"""Gamut of a display: colours beyond it lose chroma at their hue and lightness, softly.
+"""Gamut mapping of a display by reduction of chroma at constant hue and lightness.
 
-In OKLab, along the straight line from a colour to the grey of its lightness. The last fifth of the
-way to the edge of the gamut takes up all that lies beyond, so that gradients stay gradients.
+In OKLab, along the line from a colour to the grey of equal lightness. Colours outside are
+compressed into the outer fifth of the gamut, which preserves gradients.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _FLAT: Final = 1e-6
 
 
 def _rgb_to(name: str) -> NDArray[np.float64]:
-    """Linear sRGB to linear light of these primaries, with the same white."""
+    """Matrix from linear sRGB to linear light of these primaries, with the same white."""
     xyz = np.array([[x / y, 1.0, (1.0 - x - y) / y] for x, y in PRIMARIES[name]]).T
     white = RGB_TO_XYZ.sum(axis=1)
     to_xyz = xyz * np.linalg.solve(xyz, white)
@@ -85,7 +85,7 @@ def signed_light(light):
 
 @kernel
 def with_primaries(primaries, red, green, blue):
-    """Linear light of the display's primaries, of linear sRGB."""
+    """Linear light of the display's primaries, from linear sRGB."""
     if primaries == 0:
         return red, green, blue
     return (
@@ -97,7 +97,7 @@ def with_primaries(primaries, red, green, blue):
 
 @kernel
 def light_of_cones(primaries, long, medium, short):
-    """Linear light of the display's primaries, of the responses of the three cones."""
+    """Linear light of the display's primaries, from the responses of the three cones."""
     if primaries == 0:
         return rgb_of_cones(long, medium, short)
     return (
@@ -109,7 +109,7 @@ def light_of_cones(primaries, long, medium, short):
 
 @kernel
 def softened(share):
-    """Share of the gamut that is shown: the identity up to the knee, then towards the edge. [1]"""
+    """Compressed relative chroma: the identity up to the knee, then asymptotic to the edge. [1]"""
     if share <= KNEE:
         return share
     return KNEE + (EDGE - KNEE) * (1.0 - math.exp((KNEE - share) / (EDGE - KNEE)))
@@ -117,7 +117,7 @@ def softened(share):
 
 @kernel
 def to_white(grey, bounded):
-    """Reciprocal of a grey's distance to white; 0 for light, which has no bound. [1]"""
+    """Reciprocal of a grey's distance to white; 0 for unbounded light. [1]"""
     return 1.0 / max(1.0 - grey, _LEAST) if bounded else 0.0
 
 
@@ -132,12 +132,12 @@ def gamut_share(grey, up, red, green, blue):
     up : float
         Reciprocal of its distance to white, from ``to_white``. [1]
     red, green, blue : float
-        The colour, in linear light of the display's primaries. [1]
+        Colour in linear light of the display's primaries. [1]
 
     Returns
     -------
     float
-        Largest share of the channels, each of its way to 0 or to 1; 1 on the edge. [1]
+        Largest relative distance of the channels to 0 or 1; 1 on the boundary. [1]
     """
     above = max(red, max(green, blue)) - grey
     below = grey - min(red, min(green, blue))
@@ -146,7 +146,7 @@ def gamut_share(grey, up, red, green, blue):
 
 @kernel
 def share_at(primaries, lightness, up, by_long, by_medium, by_short, amount):
-    """Share of the gamut at an amount of the chroma, and its derivative by the amount.
+    """Relative chroma at a factor of the chroma, and its derivative by the factor.
 
     Parameters
     ----------
@@ -157,14 +157,14 @@ def share_at(primaries, lightness, up, by_long, by_medium, by_short, amount):
     up : float
         Argument of ``gamut_share``.
     by_long, by_medium, by_short : float
-        Cube roots of the cones' responses, less the lightness, at an amount of 1. [1]
+        Cube roots of the cones' responses, less the lightness, at the factor 1. [1]
     amount : float
         Factor of the chroma. [1]
 
     Returns
     -------
     (float, float)
-        Share of ``gamut_share``, and its derivative. [1]
+        Result of ``gamut_share``, and its derivative. [1]
     """
     x = lightness + amount * by_long
     y = lightness + amount * by_medium
@@ -195,11 +195,11 @@ def amount_of_share(primaries, lightness, up, by_long, by_medium, by_short, want
     primaries, lightness, up, by_long, by_medium, by_short :
         Arguments of ``share_at``.
     wanted : float
-        Share to reach. [1]
+        Relative chroma. [1]
     start : float
-        Amount from which Newton's method starts, above 0. [1]
+        Start of Newton's method, above 0. [1]
     most : float
-        Amount whose share is larger than the wanted one. [1]
+        Upper limit of the factor. [1]
     """
     least, amount = 0.0, start
     for _step in range(_STEPS):
@@ -221,7 +221,7 @@ def amount_of_share(primaries, lightness, up, by_long, by_medium, by_short, want
 
 @kernel
 def within_gamut(primaries, lightness, up, by_long, by_medium, by_short, red, green, blue, soft):
-    """Colour brought softly into the gamut at its hue and lightness.
+    """Colour mapped into the gamut at constant hue and lightness.
 
     Parameters
     ----------
@@ -230,7 +230,7 @@ def within_gamut(primaries, lightness, up, by_long, by_medium, by_short, red, gr
     red, green, blue : float
         The colour, in linear light of the display's primaries. [1]
     soft : bool
-        Whether colours near the edge make room for those beyond, which else lie on the edge.
+        Whether to compress colours near the boundary; otherwise colours outside are clipped to it.
 
     Returns
     -------
@@ -279,7 +279,7 @@ def into_gamut(primaries, bounded, soft, red, green, blue):
 
 @compiled_loop
 def gamut_pixels(colors, out, primaries, bounded, soft):
-    """Apply ``into_gamut`` to every colour."""
+    """``into_gamut`` of all colours."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = into_gamut(
             primaries, bounded, soft,
@@ -290,11 +290,10 @@ def gamut_pixels(colors, out, primaries, bounded, soft):
 def in_gamut(
     rgb: ArrayLike, primaries: str = "srgb", *, bounded: bool = True, soft: bool = True
 ) -> NDArray[Any]:
-    r"""Bring colours into a display's gamut at their hue and lightness, by less chroma.
+    r"""Colours mapped into a display's gamut by reduction of chroma.
 
-    With the share :math:`s` of the way from the grey to the edge of the gamut, a colour beyond
-    :math:`k = 0.8` gets the chroma whose share is :math:`k + (e - k)(1 - e^{-(s-k)/(e-k)})`, where
-    :math:`e = 0.96`.
+    With the chroma :math:`s` relative to the gamut boundary, colours beyond :math:`k = 0.8` get the
+    relative chroma :math:`k + (e - k)(1 - e^{-(s-k)/(e-k)})`, :math:`e = 0.96`.
 
     Parameters
     ----------
@@ -303,7 +302,7 @@ def in_gamut(
     primaries : str
         Name from ``PRIMARIES``.
     bounded : bool
-        Whether 1 is an edge as 0 is: of a display's values, not of light.
+        Whether channels are bounded by 1, as displayed values are.
     soft : bool
         Whether colours near the edge make room for those beyond, which else lie on the edge.
 
@@ -314,7 +313,8 @@ def in_gamut(
 
     References
     ----------
-    Ottosson (2021), "sRGB gamut clipping", on the way to the grey; the soft edge is ours.
+    Ottosson (2021), "sRGB gamut clipping", on the projection to grey; the compression is
+    airlight's.
 
     Examples
     --------

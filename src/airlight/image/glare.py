@@ -1,16 +1,15 @@
-r"""Glare: light that a lens spreads around bright points, by a pyramid of coarser pictures.
+r"""Glare: light scattered by a lens around bright points, by a pyramid of coarser pictures.
 
-Every lens, and the eye, scatters a few per cent of the light that enters, in a point spread that
-falls with about the square of the angle: equal light in every octave of angles. Level k of the
-pyramid is the picture in texels of 2ᵏ pixels, each a mean with the weights 1 3 3 1 of the level
-before; blurred by the weights 1 2 1 and brought back to the picture by the first ones, it shows a
-point as about a Gaussian with a standard deviation of 2ᵏ pixels. Each level gets the share of its
-octave, so that
+Lenses and the eye scatter a few per cent of the light with a point-spread function proportional to
+the inverse square of the angle. Level k of the pyramid has texels of 2ᵏ pixels, means of the
+previous level with the weights 1 3 3 1; blurred by the weights 1 2 1 and upsampled, a point becomes
+about a Gaussian with a standard deviation of 2ᵏ pixels. Each level has the weight of its octave of
+angles, so that
 
 .. math:: P(θ) = \frac{1}{2π \ln(θ_1/θ_0)} \frac{t}{θ^2}, \quad θ_0 < θ < θ_1
 
-with the total t. What is spread is missing where it came from, so that no light is lost; at the
-picture's edges it is mirrored. Angles are those of the middle of the picture.
+with the total t. Energy is conserved, with mirroring at the edges. Angles are those of the centre
+of the picture.
 
 References
 ----------
@@ -55,13 +54,13 @@ _BLOCK: Final = 1 << 16
 
 @kernel
 def glare_share(level, pixel_angle, shorter):
-    r"""Share of the light that a level of the pyramid spreads, for an amount of 1.
+    r"""Fraction of the light spread by a level of the pyramid, for an amount of 1.
 
     .. math:: \frac{t \ln 2}{\ln(θ_1/θ_0)}
               \frac{θ^2}{θ^2 + θ_0^2} \frac{θ_e^2}{θ^2 + θ_e^2}, \quad
               θ = 1.06 · 2^k θ_{px}
 
-    where θₑ is θ₁, or less where the picture ends before: what would leave it is not spread.
+    where θₑ is θ₁, or less for a small picture.
 
     Parameters
     ----------
@@ -134,7 +133,7 @@ def coarser_texel(finer, row, column):
     finer : array, shape (h, w)
         Level before, of one channel; in a shader of four.
     row, column : int
-        Its place, in a level of half as many rows and columns, rounded up.
+        Position in the coarser level, of half as many rows and columns, rounded up.
     """
     inner = _mean_across(finer, 2 * row, column) + _mean_across(finer, 2 * row + 1, column)
     outer = _mean_across(finer, 2 * row - 1, column) + _mean_across(finer, 2 * row + 2, column)
@@ -143,14 +142,14 @@ def coarser_texel(finer, row, column):
 
 @inlined
 def finer_texel(coarser, row, column):
-    """Value of a level at a texel of the next finer one: of its four texels around that.
+    """Level interpolated at a texel of the next finer one, from four texels.
 
     Parameters
     ----------
     coarser : array, shape (h, w)
         Level, of one channel; in a shader of four.
     row, column : int
-        Place in the finer level.
+        Position in the finer level.
     """
     near, beside = row // 2, column // 2
     far = min(max(near + 2 * (row - 2 * near) - 1, 0), coarser.shape[0] - 1)
@@ -170,14 +169,14 @@ def _blurred_across(level, row, column):
 
 @inlined
 def blurred_texel(level, row, column):
-    """Mean of a texel and its eight neighbours, without which texels would show.
+    """Mean of a texel and its eight neighbours.
 
     Parameters
     ----------
     level : array, shape (h, w)
         Level, of one channel; in a shader of four.
     row, column : int
-        Place in the level.
+        Position in the level.
     """
     beside = _blurred_across(level, row - 1, column) + _blurred_across(level, row + 1, column)
     return _HALF * _blurred_across(level, row, column) + _QUARTER * beside
@@ -190,7 +189,7 @@ def spread_texel(level, coarser, row, column, share, more):
     Parameters
     ----------
     level, coarser : array, shape (h, w)
-        Level, and what the next coarser one and those behind it have spread.
+        Level, and light spread by all coarser ones.
     row, column : int
         Place in the level.
     share : float
@@ -206,27 +205,27 @@ def spread_texel(level, coarser, row, column, share, more):
 
 @inlined
 def beyond_circle(row, column, height, width):
-    """Whether a pixel is beyond the largest circle that fits into a picture of a size. [pixel]"""
+    """Whether a pixel is outside the largest circle of a picture."""
     across, up, diameter = 2 * column + 1 - width, 2 * row + 1 - height, min(width, height)
     return across * across + up * up > diameter * diameter
 
 
 @inlined
 def glared_texel(picture, coarser, row, column, amount, total, circle):
-    """Light of a pixel behind the lens.
+    """Light of a pixel with glare.
 
     Parameters
     ----------
     picture, coarser : array, shape (h, w)
-        Picture, and what its levels have spread, in texels of two pixels.
+        Picture, and light spread by its levels, in texels of two pixels.
     row, column : int
-        Place in the picture.
+        Position in the picture.
     amount : float
         Amount of glare, 1 for that of a lens. [1]
     total : float
         Sum of the shares of all levels. [1]
     circle : bool
-        Whether the picture ends at the largest circle that fits, beyond which it stays as it is.
+        Whether the picture is limited to the largest circle, outside of which it is unchanged.
     """
     beyond = False
     if circle:
@@ -272,21 +271,21 @@ def _glare(first, last, picture, coarser, amount, total, circle, origin, out):
 
 
 class Glare:
-    """Glare of a picture, from which rows of the picture behind the lens are taken.
+    """Glare of a picture.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Linear light of any unit. What is not finite spreads no light.
+        Linear light of any unit; values that are not finite are not spread.
     pixel_angle : float
-        Angle of a pixel in the middle of the picture; 0 for no glare. [rad]
+        Angle of the central pixel; 0 for no glare. [rad]
     amount : float
         Amount, 0 to 10: 1 is that of a lens, 0 none. [1]
     circle : (int, int), optional
-        Width and height of the whole picture where that ends at the largest circle that fits: no
-        light is spread beyond it. [pixel]
+        Width and height of the whole picture of a dome: no light is spread beyond the circle.
+        [pixel]
     origin : (int, int)
-        Column and row of the whole picture at which this one begins. [pixel]
+        Column and row of the first pixel in the whole picture. [pixel]
 
     Raises
     ------
@@ -320,11 +319,11 @@ class Glare:
 
     @property
     def none(self) -> bool:
-        """Whether the picture stays as it is."""
+        """Whether there is no glare."""
         return self._total == 0.0
 
     def rows(self, first: int, last: int) -> NDArray[np.floating[Any]]:
-        """Rows ``first`` to ``last`` - 1 of the picture behind the lens.
+        """Rows ``first`` to ``last`` - 1 of the picture with glare.
 
         Parameters
         ----------
@@ -348,7 +347,7 @@ class Glare:
 
 
 def checked_amount(amount: float, field: str = "glare") -> float:
-    """Amount of glare, if it is allowed.
+    """Validated amount of glare.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """Radiance pictures, ``.hdr``: three mantissas of eight bits and a common exponent per pixel.
 
-Rows are written without run lengths, which every reader of the format accepts: a normalised pixel
-is never taken for the beginning of a run, because its largest mantissa is at least 128.
+Rows are written without run-length encoding, which all readers accept: the largest mantissa of a
+normalised pixel, at least 128, excludes confusion with a run.
 
 References
 ----------
@@ -43,21 +43,17 @@ def write_hdr(
 
     Parameters
     ----------
-    path : str or Path
-        Path of the file.
     rgb : array, shape (h, w, 3)
-        Linear sRGB radiance times the scale, weighted by the colour-matching functions. A channel
-        below 0, of light beyond sRGB, is written as 0; the others are within 0.4 % of the pixel's
+        Linear sRGB radiance times the scale, weighted by the colour-matching functions. Negative
+        channels, outside the gamut, are written as 0; the error of others is 0.4 % of the pixel's
         largest. [W m⁻² sr⁻¹]
     metadata : mapping of str to str, optional
         Texts to add, each name prefixed with ``airlight.``.
     scale : float
-        Factor of the numbers, written as ``EXPOSURE``, by which Radiance divides. [1]
+        Factor of the values, recorded as ``EXPOSURE``, by which readers divide. [1]
 
     Raises
     ------
-    ParameterError
-        If a value is not finite, or too large for the exponent.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -78,7 +74,7 @@ def rgbe(rgb: NDArray[Any]) -> NDArray[np.uint8]:
     Parameters
     ----------
     rgb : array, shape (h, w, 3)
-        Numbers; those below 0 become 0.
+        Values; negative ones become 0.
 
     Raises
     ------
@@ -105,13 +101,7 @@ def rgbe(rgb: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def read_hdr_header(path: str | Path) -> dict[str, str]:
-    """Texts in the header of a file written by ``write_hdr``.
-
-    Raises
-    ------
-    FileError
-        If it is no such file, or its pixels are cut off.
-    """
+    """Texts in the header of a file written by ``write_hdr``."""
     check_input(path, LARGEST_PICTURE)
     with Path(path).open("rb") as stream:
         start = stream.read(_LONGEST)

@@ -1,4 +1,4 @@
-"""Metadata in a picture's file, the same for every format."""
+"""Metadata of picture files, common to all formats."""
 
 from __future__ import annotations
 
@@ -12,18 +12,17 @@ PREFIX = "airlight."
 
 
 def header(metadata: Mapping[str, str]) -> dict[str, str]:
-    """Prepare metadata for a file.
+    """Metadata for a file.
 
     Parameters
     ----------
     metadata : mapping of str to str
-        Names such as ``altitude`` with texts such as ``400000 m``.
+        Texts by name, such as ``400000 m`` for ``altitude``.
 
     Returns
     -------
     dict of str to str
-        Names prefixed with ``airlight.``, and ``airlight.version``; all characters
-        are shown ones.
+        Printable texts with the prefix ``airlight.``, and ``airlight.version``.
 
     Examples
     --------

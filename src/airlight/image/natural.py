@@ -1,7 +1,6 @@
-"""Natural tone map: hue is held, bright colours pale to white, the gamut is approached softly.
+"""Natural tone map: constant hue, bright colours desaturate to white, soft gamut mapping.
 
-Works in OKLab, where chroma alone can be scaled: a red sun stays red until it is white-hot, instead
-of turning yellow as channels saturate one after another.
+In OKLab, so that a red sun does not turn yellow as channels saturate one after another.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ _WHITEST: Final = 1.0 - 1e-9
 
 @kernel
 def natural_curve(light):
-    """Displayed light of a grey: the identity, then a shoulder that never reaches 1. [1]"""
+    """Displayed light of a grey: the identity, then a shoulder that is asymptotic to 1. [1]"""
     over = light - SHOULDER
     if over <= 0.0:
         return light
@@ -92,7 +91,7 @@ def natural_color(red, green, blue):
 
 @compiled_loop
 def natural_pixels(colors, out):
-    """Apply ``natural_color`` to every colour."""
+    """``natural_color`` of all colours."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = natural_color(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -101,7 +100,7 @@ def natural_pixels(colors, out):
 
 @compiled_loop
 def natural_light_pixels(colors, out):
-    """Invert ``natural_color`` for every colour."""
+    """Inverse of ``natural_color`` of all colours."""
     for i in range(colors.shape[0]):
         lightness, green_red, blue_yellow = lab_of(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -129,7 +128,7 @@ def natural_light_pixels(colors, out):
 
 
 def natural(rgb: ArrayLike) -> NDArray[Any]:
-    r"""Map lightness by a curve with a shoulder, holding the hue, and bring colours into sRGB.
+    r"""Natural tone map of exposed light.
 
     In OKLab, with the light :math:`x = L^3` of the grey of equal lightness:
 
@@ -137,9 +136,9 @@ def natural(rgb: ArrayLike) -> NDArray[Any]:
               x_d = s + (1 - s)(1 - e^{-(x - s)/(1 - s)}), \quad
               C_d = C\,(x_d/x)^{2/3}
 
-    Chroma falls faster than lightness, so that bright colours pale to white. What is still
-    farther from grey than 0.8 of the way to the edge of the gamut is brought into it along the
-    same hue and lightness, softly. Dim colours well within the gamut are unchanged.
+    Chroma decreases faster than lightness, so that bright colours desaturate to white. Colours
+    outside are mapped into the gamut by ``in_gamut``. Dim colours well within the gamut are
+    unchanged.
 
     Parameters
     ----------
@@ -153,8 +152,8 @@ def natural(rgb: ArrayLike) -> NDArray[Any]:
 
     References
     ----------
-    Ottosson (2020), "A perceptual color space for image processing": OKLab. Curve, paling and
-    approach to the gamut are ours.
+    Ottosson (2020), "A perceptual color space for image processing": OKLab. Curve, desaturation and
+    gamut mapping are airlight's.
 
     Examples
     --------
@@ -166,7 +165,7 @@ def natural(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def natural_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """Invert ``natural``: the exposed light of a displayed colour, exact where it was not clipped.
+    """Inverse of ``natural``, exact where it does not clip.
 
     Parameters
     ----------

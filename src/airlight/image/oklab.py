@@ -1,7 +1,7 @@
-"""OKLab, a perceptual space whose hue does not change when colours fade to grey.
+"""OKLab, a perceptual colour space with constant hue under desaturation.
 
-The space scales: light k times as bright has cbrt(k) times the lightness and the chroma, at the
-same hue. A lightness of 1 is the white of linear sRGB at 1.
+Light k times as bright has cbrt(k) times the lightness and chroma, at the same hue. White of linear
+sRGB has the lightness 1.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def cone_roots(lightness, a, b):
 
 @kernel
 def rgb_of_cones(long, medium, short):
-    """Linear sRGB of the responses of the three cones."""
+    """Linear sRGB from the responses of the three cones."""
     return (
         _RL * long + _RM * medium + _RS * short,
         _GL * long + _GM * medium + _GS * short,
@@ -103,7 +103,7 @@ def rgb_to_oklab(rgb: ArrayLike) -> NDArray[Any]:
     Parameters
     ----------
     rgb : array, shape (..., 3)
-        Linear sRGB; channels may be negative, responses of cones that are count as 0. [1]
+        Linear sRGB; channels may be negative; negative cone responses are clamped to 0. [1]
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""PNG: eight or sixteen bits per channel, for viewing, with the scene in its text chunks."""
+"""PNG files: eight or sixteen bits per channel, with metadata in text chunks."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _END: Final = b"\0\0\0\0IEND\xaeB\x60\x82"
 
 
 def colour_chunks(encoding: str, primaries: str = "srgb") -> Chunks:
-    """Chunks of the colour space of a picture, most specific first.
+    """Colour-space chunks of a picture, most specific first.
 
     Parameters
     ----------
@@ -45,13 +45,8 @@ def colour_chunks(encoding: str, primaries: str = "srgb") -> Chunks:
     Returns
     -------
     list of (bytes, bytes)
-        Type and data: sRGB with the perceptual intent for that space alone; else cICP, where there
-        is a number, and gAMA and cHRM for older readers.
-
-    Raises
-    ------
-    ParameterError
-        If a name is unknown.
+        Type and data: sRGB with perceptual intent for that space; otherwise cICP, if defined, and
+        gAMA and cHRM for older readers.
 
     References
     ----------
@@ -91,8 +86,6 @@ def write_png(
 
     Parameters
     ----------
-    path : str or Path
-        Path of the file.
     pixels : array, shape (h, w, 3), uint8 or uint16
         Encoded red, green, blue, 0 to 255 or 0 to 65535.
     metadata : mapping of str to str, optional
@@ -104,8 +97,6 @@ def write_png(
 
     Raises
     ------
-    ParameterError
-        If the shape or type is not that, or a name is unknown.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -140,7 +131,7 @@ def _write_eight_bits(
 def _write_bands(
     stream: BinaryIO, pixels: NDArray[Any], chunks: Chunks, texts: Mapping[str, str]
 ) -> None:
-    """Write band by band: pictures of 16 bits per channel, which Pillow does not write, and large.
+    """Write band by band: large pictures, and 16 bits per channel, which Pillow does not write.
 
     References
     ----------
@@ -165,16 +156,16 @@ def _write_bands(
 
 
 def _plain_lines(pixels: NDArray[np.uint16]) -> Iterator[bytes]:
-    """Lines of bands, each behind the number of its filter, none."""
+    """Lines of bands, each with the filter type 0 (none)."""
     for band in bands(pixels):
         numbers = band.astype(">u2").reshape(len(band), -1).view(np.uint8)
         yield np.pad(numbers, ((0, 0), (1, 0))).tobytes()
 
 
 def _filtered_lines(pixels: NDArray[np.uint8]) -> Iterator[bytes]:
-    """Lines of bands as Pillow filters them, each behind the number of its filter.
+    """Lines of bands, filtered by Pillow, each with its filter type.
 
-    A filter reads the line above; so each band is filtered with the last line of the one before.
+    Each band is filtered together with the last line of the previous one, to which filters refer.
     """
     import png
     from PIL import Image
@@ -192,23 +183,12 @@ def _filtered_lines(pixels: NDArray[np.uint8]) -> Iterator[bytes]:
 
 
 def _worded(name: str, text: str) -> bytes:
-    """Data of an iTXt chunk: keyword, uncompressed, no language, the text in UTF-8."""
+    """Data of an iTXt chunk: keyword, uncompressed, no language, text in UTF-8."""
     return name.encode("latin-1") + b"\0\0\0\0\0" + text.encode()
 
 
 def read_png_metadata(path: str | Path) -> dict[str, str]:
-    """Read the text chunks of a PNG.
-
-    Parameters
-    ----------
-    path : str or Path
-        Path of the file.
-
-    Returns
-    -------
-    dict of str to str
-        Texts by name, with the prefix ``airlight.``.
-    """
+    """Read the text chunks of a PNG."""
     from PIL import Image
 
     check_input(path, LARGEST_PICTURE)
@@ -218,23 +198,7 @@ def read_png_metadata(path: str | Path) -> dict[str, str]:
 
 
 def read_png_header(path: str | Path) -> dict[str, str]:
-    """Text chunks in front of the pixels of a PNG, of a file that has its end.
-
-    Parameters
-    ----------
-    path : str or Path
-        Path of the file.
-
-    Returns
-    -------
-    dict of str to str
-        Texts by name, with the prefix ``airlight.``.
-
-    Raises
-    ------
-    OSError
-        If the file is missing, no PNG, or cut off.
-    """
+    """Text chunks before the pixels of a complete PNG."""
     from PIL import Image
 
     with Path(path).open("rb") as stream:

@@ -101,8 +101,8 @@ def sky_factors(
               \, d\lambda
 
     Channel c is red for the longest wavelength, blue for the shortest. Multiplied by a sky's
-    radiance over the sun's irradiance at λ_c it gives channel c. A sunset is not λ⁻³: its colour
-    errs by some tens of ΔE, where 16 wavelengths err by less than one.
+    radiance over the sun's irradiance at λ_c it gives channel c. The error is some tens of ΔE at
+    sunset, against less than one for 16 wavelengths.
 
     Parameters
     ----------
@@ -137,13 +137,11 @@ def sky_factors(
 def rgb_weights(
     wavelengths: ArrayLike, irradiance: Irradiance | None = None
 ) -> NDArray[np.float64]:
-    """Return weights W such that linear sRGB = radiance @ W.
+    """Weights W such that linear sRGB = radiance @ W.
 
-    The radiance divided by the sun's irradiance varies smoothly with wavelength, the sun's lines do
-    not. So that ratio is interpolated (cubic spline, constant beyond the ends), multiplied by the
-    sun's spectrum and the matching functions, and integrated at 1 nm. The whole operation is linear
-    in the radiance. It serves one, two or many wavelengths; exactly **three** get one channel each,
-    by ``sky_factors``.
+    Radiance over the sun's irradiance is interpolated (cubic spline, constant beyond the ends),
+    multiplied by the sun's spectrum and the matching functions, and integrated at 1 nm. Exactly
+    **three** wavelengths get one channel each, by ``sky_factors``.
 
     Parameters
     ----------
@@ -161,7 +159,7 @@ def rgb_weights(
     Raises
     ------
     ParameterError
-        If a wavelength is repeated or lies outside, or the irradiance there is not above 0.
+        If a wavelength is repeated or out of range, or an irradiance is not positive.
 
     Examples
     --------
@@ -208,13 +206,11 @@ def checked_wavelengths(wavelengths: ArrayLike) -> NDArray[np.float64]:
 def default_wavelengths(
     count: int = 16, low: float = 280.0, high: float = 1000.0
 ) -> NDArray[np.float64]:
-    """Evenly spaced wavelengths for spectral colour.
+    """Equidistant wavelengths for spectral colour.
 
-    Their ends, 410 and 695 nm (for 20 and more wavelengths 390 and 710 nm), were chosen among all
-    multiples of 5 nm for the smallest maximum colour error over typical skies, which is limited by
-    how the samples fall on ozone's Chappuis band. For 16 wavelengths the largest ΔE (CIE 2000) of
-    eleven skies is 0.31, at dusk under much ozone, and at noon it is 0.02; for 8, 12, 24 and 40 the
-    largest is 2.9, 1.2, 0.10 and 0.09, for three wavelengths 42.
+    Their ends, 410 and 695 nm (390 and 710 nm for 20 and more), minimise the maximum colour error
+    over typical skies among multiples of 5 nm. The largest ΔE (CIE 2000) of eleven skies is 2.9,
+    1.2, 0.31, 0.10 and 0.09 for 8, 12, 16, 24 and 40 wavelengths, and 42 for three.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Colours of single wavelengths."""
+"""Colours of monochromatic light."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ Normalization = Literal["none", "sum", "peak"]
 def wavelength_color(
     wavelengths: ArrayLike, normalization: Normalization = "none"
 ) -> NDArray[np.float64]:
-    """Linear sRGB of light of one wavelength.
+    """Linear sRGB of monochromatic light.
 
-    Pure wavelengths lie outside sRGB, so at least one channel is negative: clamp for display.
+    Monochromatic light is outside the gamut: at least one channel is negative.
 
     Parameters
     ----------

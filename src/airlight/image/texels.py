@@ -1,8 +1,6 @@
 """RGBA8 texels: sRGB-encoded colours, and a linear alpha.
 
-A map in this form takes a quarter of the memory of single precision and keeps every value of the
-pictures from which maps are made. The CPU decodes them by a table of the 256 values, a shader
-by the formula.
+The CPU decodes them by a table of the 256 values, a shader by the formula.
 """
 
 from __future__ import annotations
@@ -31,23 +29,19 @@ _CODES: Final = np.array([round(255.0 * srgb_curve.py_func(i / _STEPS)) for i in
 def channel_of(texels, texel, channel):
     """Decode a channel of a texel. [1]
 
-    A shader has the component of the texel, 0 to 1, and decodes it by ``srgb_curve_inverse``.
-
     Parameters
     ----------
     texels : array of uint8, flat
         Texels, four values each.
-    texel : int
-        Index of the texel.
     channel : int
-        0 to 2 of the colours, 3 of the share.
+        0 to 2 for the colours, 3 for alpha.
     """
     return DECODED[channel, texels[CHANNELS * texel + channel]]
 
 
 @inlined
 def code_of(value, channel):
-    """Encode a linear value, 0 to 1, of a channel: the number of eight bits nearest to it. [1]"""
+    """Nearest 8-bit code of a linear value, 0 to 1, of a channel. [1]"""
     if channel == CHANNELS - 1:
         return np.uint8(255.0 * value + 0.5)
     return _CODES[int(value * _STEPS + 0.5)]

@@ -1,7 +1,7 @@
-"""Tone maps by name: exposed light of any strength to a display's 0 to 1, each with its inverse.
+"""Tone maps by name, with their inverses: exposed light to displayed light from 0 to 1.
 
-Each takes linear sRGB, shape (..., 3), and returns linear sRGB of the same floating type. Negative
-light and NaN count as black, infinite light as very bright: no input gives a NaN.
+They map linear sRGB, shape (..., 3), to linear sRGB of the same floating type. Negative light and
+NaN count as black, infinite light as very bright.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def hable_curve(light):
 
 @kernel
 def hable_curve_inverse(y):
-    """The root x ≥ 0 of A(1 - t) x² + B(C - t) x + D(E - tF) = 0, halved; t = y·white + E/F. [1]"""
+    """Root x ≥ 0 of A(1 - t) x² + B(C - t) x + D(E - tF) = 0, halved; t = y·white + E/F. [1]"""
     t = y * _AT_WHITE + _E / _F
     a = _A * (1.0 - t)
     b = _B * (_C - t)
@@ -138,7 +138,7 @@ def reinhard_extended_pixels(colors, out, white):
 
 
 def exponential(rgb: ArrayLike) -> NDArray[Any]:
-    """Map each channel by 1 - e^{-x}.
+    """Exponential tone map: each channel by 1 - e^{-x}.
 
     Parameters
     ----------
@@ -163,12 +163,12 @@ def exponential(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def exponential_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """Invert ``exponential``; infinite for 1."""
+    """Inverse of ``exponential``; infinite for 1."""
     return each(exponential_curve_inverse, np.minimum(physical(rgb), 1.0))
 
 
 def hable(rgb: ArrayLike) -> NDArray[Any]:
-    """Map each channel by Hable's filmic curve: toe, linear part, shoulder that ends at 5.6.
+    """Hable's filmic tone map of each channel: toe, linear part, shoulder that ends at 5.6.
 
     Parameters
     ----------
@@ -193,12 +193,12 @@ def hable(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def hable_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """Invert ``hable``: light from 0 to 5.6."""
+    """Inverse of ``hable``, from 0 to 5.6."""
     return each(hable_curve_inverse, np.minimum(physical(rgb), 1.0))
 
 
 def reinhard(rgb: ArrayLike) -> NDArray[Any]:
-    """Map the luminance by L / (1 + L), keeping the ratios of the channels.
+    """Reinhard's tone map: luminance by L / (1 + L), at constant ratios of the channels.
 
     Parameters
     ----------
@@ -223,14 +223,14 @@ def reinhard(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def reinhard_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """Invert ``reinhard``, for luminance below 1."""
+    """Inverse of ``reinhard``, for luminance below 1."""
     shown = physical(rgb)
     darkening = np.maximum(1.0 - luminance(shown)[..., None], np.finfo(shown.dtype).eps)
     return np.asarray(shown / darkening)
 
 
 def reinhard_extended(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[Any]:
-    r"""Map the luminance by Reinhard's curve with a white point.
+    r"""Reinhard's tone map with a white point.
 
     .. math:: L_d = L (1 + L/L_w^2) / (1 + L)
 
@@ -265,7 +265,7 @@ def reinhard_extended(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[
 
 
 def reinhard_extended_inverse(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[Any]:
-    """Invert ``reinhard_extended``: L² / L_w² + (1 - L_d) L - L_d = 0."""
+    """Inverse of ``reinhard_extended``: root of L² / L_w² + (1 - L_d) L - L_d = 0."""
     _check_white(white)
     shown = physical(rgb)
     target = luminance(shown)[..., None].astype(np.float64)
@@ -318,10 +318,10 @@ _curved = chosen_kernel("curved", [one.color for one in TONE_MAPS.values()][1:],
 
 @kernel
 def shown_light(which, primaries, red, green, blue):
-    """Light of a display, 0 to 1, of exposed light: tone map and gamut.
+    """Displayed light, 0 to 1, from exposed light: tone map and gamut mapping.
 
-    All maps but ``natural`` get light without negative channels, by ``in_gamut``; what they leave
-    beyond white goes to the edge of the gamut at its hue, what they leave within stays.
+    Except for ``natural``, ``in_gamut`` removes negative channels before the tone map, and channels
+    above white are mapped to the gamut boundary at constant hue.
 
     Parameters
     ----------
@@ -347,7 +347,7 @@ def shown_light(which, primaries, red, green, blue):
 
 
 def tone_map_named(name: str) -> ToneMap:
-    """Return the tone map of the given name.
+    """Tone map by name.
 
     Raises
     ------

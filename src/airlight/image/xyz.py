@@ -1,4 +1,4 @@
-"""CIE XYZ and linear sRGB, both ways, with the matrix used for the golden numbers.
+"""Conversion between CIE XYZ and linear sRGB.
 
 Values are tristimulus values of a radiance or irradiance, in W m⁻² (sr⁻¹) weighted by the
 colour-matching functions: 683 lm/W times Y is a luminance or illuminance.

@@ -38,7 +38,7 @@ _KEPT_FINGERPRINTS: Final = 8
 
 @cache
 def _compiled_folder(source: str, kind: str) -> tuple[Path, bool] | None:
-    """Folder of code compiled from a source file, and whether it is trusted; None at a prompt."""
+    """Folder of compiled code of a source file, and whether it is trusted; None without a file."""
     try:
         key = fingerprint(Path(source))
     except OSError:  # typed at a prompt
@@ -70,12 +70,12 @@ def _declare(function: Callable[..., Any], kind: str, **options: Any) -> Any:
 
 
 def kernel(function: Callable[..., Any]) -> Any:
-    """Compile a scalar formula so that other kernels and compiled loops inline it.
+    """Compiled scalar formula, inlined by other kernels and compiled loops.
 
-    The function takes and returns scalars (or tuples of them), in restricted Python: floats
-    and ints, ``if``/``else``, bounded ``for`` loops, ``math`` and other kernels. An array's index
-    counts from the start: below zero it reads beyond the array, unless it is written as a number.
-    ``vectorized`` makes it a function of arrays.
+    The function takes and returns scalars (or tuples of them), in restricted Python: floats and
+    ints, ``if``/``else``, bounded ``for`` loops, ``math`` and other kernels. An array index counts
+    from the start: unless it is a negative literal, one below 0 reads outside the array.
+    ``vectorized`` makes a function of arrays.
 
     Examples
     --------
@@ -89,21 +89,20 @@ def kernel(function: Callable[..., Any]) -> Any:
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """Mark a part of a compiled loop to be always inlined: for functions of arrays in hot loops."""
+    """Function of arrays that is always inlined in compiled loops."""
     return _declare(function, "functions", forceinline=True)
 
 
 def compiled_loop(function: Callable[..., Any]) -> Any:
-    """Compile a loop over arrays; it runs without the interpreter's lock, for threads."""
+    """Compiled loop over arrays, which releases the interpreter's lock."""
     return _declare(function, "functions")
 
 
 @cache
 def vectorized(scalar: Any) -> Callable[..., Any]:
-    """Convert a kernel to a function of arrays that broadcasts like NumPy's functions.
+    """Function of arrays from a kernel, with NumPy's broadcasting.
 
-    Numba's ufuncs would do the same, but wrap the compiled code anew in every process, which takes
-    40 ms each; this loop is loaded from the cache in 5 ms.
+    Numba's ufuncs take 40 ms per process and function; this loop is loaded from the cache in 5 ms.
 
     Parameters
     ----------
@@ -113,8 +112,7 @@ def vectorized(scalar: Any) -> Callable[..., Any]:
     Returns
     -------
     callable
-        Function of arrays or numbers, which broadcast; the result has their shape, and the type
-        that the formula gives for their types. Compiled at the first call with given types.
+        Function of arrays or numbers, compiled at the first call with given types.
 
     Examples
     --------
@@ -140,10 +138,10 @@ def vectorized(scalar: Any) -> Callable[..., Any]:
 
 
 def _elementwise_loop(scalar: Any) -> Any:
-    """Return ``loop(count, *arrays)``, the kernel of every element; arrays of one element repeat.
+    """Function ``loop(count, *arrays)``: the kernel of every element; arrays of length 1 broadcast.
 
-    Written out for the kernel's number of arguments, under its name and line, since Numba takes no
-    list of arrays of several types, and keeps what it compiles by file, name and line.
+    Generated for the kernel's number of arguments, since Numba has no lists of arrays of several
+    types, under its name and line, by which Numba caches.
     """
     function = scalar.py_func
     code = function.__code__

@@ -1,7 +1,6 @@
-"""Compilation in a background process, into the same folder on disk.
+"""Compilation in a background process, to the cache on disk.
 
-Numba compiles one function at a time in a process. Another process can meanwhile compile what is
-needed later; this process then loads it.
+Numba compiles one function at a time in a process; a second process compiles what is needed next.
 """
 
 from __future__ import annotations
@@ -25,11 +24,11 @@ class BackgroundCompiler:
     Parameters
     ----------
     compiler : str
-        ``module:function`` without arguments, which compiles the loops: the process calls it.
+        ``module:function`` without arguments, which compiles the loops in the background process.
     loops : sequence of compiled functions
-        The loops, in the order in which the function compiles them.
+        Loops in the order of compilation.
     later : sequence of compiled functions
-        Loops that it compiles after them, which are not counted.
+        Further loops, which are not counted.
 
     Attributes
     ----------
@@ -38,8 +37,8 @@ class BackgroundCompiler:
 
     Notes
     -----
-    A process that cannot be started, or fails, counts as ready: this process then compiles. Without
-    a cache on disk no process is started.
+    If the process fails or cannot start, or without a cache on disk, ``ready`` is True and the
+    loops are compiled in this process.
     """
 
     def __init__(self, compiler: str, loops: Sequence[Any], later: Sequence[Any] = ()) -> None:

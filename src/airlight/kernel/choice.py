@@ -1,4 +1,4 @@
-"""One kernel that chooses among several by number: for lists that an entry joins by a line."""
+"""Dispatch of a kernel by number, for registries of kernels."""
 
 from __future__ import annotations
 
@@ -10,25 +10,18 @@ from airlight.kernel import kernel
 
 
 def chosen_kernel(name: str, choices: Sequence[Any], module: str) -> Any:
-    """Kernel of a number and the arguments of the chosen kernel, which it calls.
+    """Kernel that calls the kernel of a number, its first argument, with the other arguments.
 
-    Written out as a chain of ``if``, since GPUs have no tables of functions: compilers,
-    Numba's and the emitter's, choose at once where the number is a constant.
+    Generated as a chain of ``if``, since shaders have no function pointers; a constant number is
+    resolved at compilation.
 
     Parameters
     ----------
-    name : str
-        Name of the kernel.
     choices : sequence of kernels
-        Kernels of the same arguments and results; counted from 0. The last is also called for all
-        larger numbers.
+        Kernels with equal signatures, numbered from 0. The last is also called for all larger
+        numbers.
     module : str
-        ``__name__`` of the module that lists the choices: compiled code on disk is keyed by its
-        file and its imports.
-
-    Returns
-    -------
-    kernel
+        ``__name__`` of the module with the list, by which compiled code is cached.
 
     Examples
     --------

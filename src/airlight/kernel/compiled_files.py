@@ -1,10 +1,8 @@
 """Compiled code on disk with a checksum: damaged files are recompiled.
 
-Numba trusts its cache: a flipped bit in a file of machine code would be run, a truncated index is
-an error of ``pickle``, a full disk one of the command. It also writes a file before it reads one,
-so that a folder that cannot be written would not be read. And processes that need the same function
-at once would all compile it. The checksum is against damage; that nobody else has written a file is
-seen to by ``airlight.files.cache_folders``.
+Numba's cache has no checksum, treats an unreadable index or a full disk as an error, writes to a
+folder before it reads from it, and lets processes compile the same function at once. The checksum
+detects damage; ``airlight.files.cache_folders`` ensures that only this user can write.
 """
 
 from __future__ import annotations
@@ -47,20 +45,20 @@ class CompiledFolder(_CacheLocator):
     Parameters
     ----------
     folder : Path
-        Path in which the source's fingerprint stands, so that no older code is found in it.
+        Path that contains the source's fingerprint, which excludes outdated code.
     line : int
-        Line of the function, which tells it from others of its name.
+        Line of the function, which distinguishes functions of equal name.
     """
 
     def __init__(self, folder: Path, line: int) -> None:
         self._folder, self._line = folder, line
 
     def from_function(self, py_func: Any, py_file: str) -> CompiledFolder:
-        """Return this folder: it is one function's."""
+        """The folder itself, as it belongs to one function."""
         return self
 
     def ensure_cache_path(self) -> None:
-        """Make the folder if that is possible."""
+        """Make the folder if possible."""
         with contextlib.suppress(OSError):
             make_folder(self._folder)
 
@@ -80,17 +78,14 @@ class CompiledFolder(_CacheLocator):
 def check_files(files: Any, read: Callable[[Path], bytes]) -> None:
     """Make the cache of a function verify checksums, and ignore failed writes.
 
-    Code files have names that no other process gives. Numba numbers them by its index at that
-    moment: two processes that compile a function for different types at once would take the same
-    number, and one's code would later run as the other's. With distinct names, at worst an entry of
-    the index is lost and compiled again.
+    Numba numbers code files by its index at that moment: two processes that compile a function for
+    different types at once would take the same number. File names are therefore unique; at worst an
+    entry of the index is lost and its code is compiled again.
 
     Parameters
     ----------
-    files : numba.core.caching.IndexDataCacheFile
-        Index and data files of the function.
     read : callable
-        Reads a file, or raises ``OSError`` for one that is not to be trusted.
+        Function that reads a file, or raises ``OSError`` if it is not trusted.
     """
     pattern = files._data_name_pattern
     files._data_name_pattern = pattern.replace("{number:d}", f"{_process()}-{{number:d}}")
@@ -133,12 +128,10 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
 
     Parameters
     ----------
-    index : Path
-        Index file of the function.
     folder : Path
-        Receives index and code, if any is wanted; it is made then.
+        Target of index and code; made if needed.
     wanted : callable
-        Whether code is, from what is kept of it.
+        Predicate of a cached entry.
 
     Returns
     -------
@@ -162,13 +155,13 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
 
 @contextlib.contextmanager
 def one_process(file: Path) -> Iterator[None]:
-    """Run the block in one process at a time, for a limited time; re-entrant.
+    """Inter-process lock of a block, for a limited time; re-entrant.
 
     Parameters
     ----------
     file : Path
-        Path of a file that is locked meanwhile, and left empty. The lock ends with its process.
-        Without such a file, or without locks, and after two minutes, the block runs unlocked.
+        Locked file, left empty. The block runs unlocked after two minutes, or if locks are
+        unsupported.
     """
     if file in _held:
         yield
@@ -207,18 +200,12 @@ def _process() -> str:
 
 
 def _checksum(name: str, content: bytes) -> bytes:
-    """Checksum of a file and its name, so that another function's file is refused too."""
+    """Checksum of a file and its name, which also rejects another function's file."""
     return hashlib.sha256(name.encode() + b"\0" + content).digest()
 
 
 def _sound(name: str, whole: bytes) -> bytes:
-    """Content of a file without its checksum.
-
-    Raises
-    ------
-    OSError
-        If it is damaged, which Numba takes as absent.
-    """
+    """Content of a file without its checksum."""
     content = whole[:-_LENGTH]
     if whole[-_LENGTH:] != _checksum(name, content):
         raise OSError(f"{name} is damaged")

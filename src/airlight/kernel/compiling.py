@@ -1,8 +1,7 @@
-"""Functions that have to be compiled before a loop can run: which, how many, how far.
+"""Functions that have to be compiled before a loop can run, and remaining compilation time.
 
-A compiled function is found by the names that its source uses, from a loop down. Numba tells when
-one is compiled; one that is loaded from disk needs nothing. So the count is of functions, not of
-time: what is left is estimated by the code that each takes in from those that it calls.
+They are found by the names in the source of a loop and of its callees. Progress counts functions;
+the remaining time is estimated from the code that each inlines.
 """
 
 from __future__ import annotations
@@ -71,7 +70,7 @@ def _names(code: types.CodeType) -> set[str]:
 
 
 def on_disk(function: Any) -> bool:
-    """Whether compiled code of a function, for some types, is on disk."""
+    """Whether compiled code of a function is on disk for some types."""
     return bool(getattr(function, "on_disk", False))
 
 
@@ -85,8 +84,6 @@ def work_left(loops: Iterable[Any], finished: Collection[str]) -> int:
 
     Parameters
     ----------
-    loops : iterable of compiled functions
-        Functions that Python calls.
     finished : collection of str
         Names of functions that are compiled.
     """
@@ -101,19 +98,19 @@ def _work(function: Any) -> int:
 
 
 class Compiling:
-    """Count of the functions that loops still need.
+    """Progress of the compilation of loops.
 
     Parameters
     ----------
     loops : iterable of compiled functions
-        Loops that will run; those with compiled code on disk count for nothing.
+        Loops that will run; those with compiled code on disk are not counted.
     here : bool
-        Whether this process compiles them; otherwise ``finish`` is called for each.
+        Whether this process compiles them; otherwise the caller reports each by ``finish``.
 
     Attributes
     ----------
     total, done : int
-        Number of functions to compile, and of those that are. [1]
+        Number of functions, and of compiled ones. [1]
     on_change : callable
         Called without arguments, on any thread, after each function.
     """
@@ -141,7 +138,7 @@ class Compiling:
 
     @property
     def finished(self) -> frozenset[str]:
-        """Names of those that are compiled, by this process or another."""
+        """Names of compiled functions."""
         now = perf_counter()
         with self._lock:
             if now - self._looked > _EVERY:
@@ -174,7 +171,7 @@ class Compiling:
         return rest / done * (perf_counter() - self._began)
 
     def close(self) -> None:
-        """Stop listening to Numba."""
+        """Unsubscribe from Numba's compilation events."""
         if self._listens:
             self._listens = False
             event.unregister("numba:compile", self._listener)
@@ -185,14 +182,14 @@ def _length(function: Any) -> int:
 
 
 class CompileListener(event.Listener):
-    """Listener of Numba that names each function once it is compiled."""
+    """Listener of Numba's events that reports the name of each compiled function."""
 
     def __init__(self, on_compiled: Callable[[str], None]) -> None:
         self._on_compiled = on_compiled
 
     def on_start(self, _: Any) -> None:
-        """Do nothing."""
+        """Ignore the start of a compilation."""
 
     def on_end(self, ended: Any) -> None:
-        """Name the function."""
+        """Report the compiled function."""
         self._on_compiled(name_of(ended.data["dispatcher"]))

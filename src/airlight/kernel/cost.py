@@ -1,8 +1,8 @@
 """Estimated time of long work, announced before it begins: amount over measured rate.
 
-The rates that stand here are of a core of 2.1 GHz. Each machine measures its own by all work that
-takes long enough, and keeps them beside the solutions: in CPU time, which other programs do
-not change, and the fastest of late, as a first run also compiles.
+The default rates are those of a core of 2.1 GHz. Each machine measures its own, in CPU time, during
+any work that takes long enough, and stores the fastest recent ones, as a first run includes
+compilation.
 """
 
 from __future__ import annotations
@@ -54,9 +54,9 @@ _lock = threading.Lock()
 
 @contextlib.contextmanager
 def timed(kind: str, count: float, work: str) -> Iterator[None]:
-    """Announce long work, and measure its rate.
+    """Context that announces long work and measures its rate.
 
-    Work inside other work is neither announced nor measured, nor is work that fails measured.
+    Nested work is neither announced nor measured; failed work is not measured.
 
     Parameters
     ----------
@@ -116,15 +116,7 @@ def announce_all(work: str, amounts: Iterable[tuple[str, float]]) -> None:
 
 
 def expected_seconds(kind: str, count: float) -> float:
-    """Expected time of some work with all threads of this process. [s]
-
-    Parameters
-    ----------
-    kind : str
-        Key of ``RATES``.
-    count : float
-        Amount of work. [1]
-    """
+    """Expected time of some work with all threads of this process. [s]"""
     together = 1 if kind == DEVICE else thread_count()
     return count / (_rates()[kind] * together)
 
@@ -152,7 +144,7 @@ def _file() -> Path:
 
 
 def _rates() -> dict[str, float]:
-    """Rates of this machine; those above where none is measured, or the file is damaged."""
+    """Rates of this machine; the defaults where none is measured or the file is damaged."""
     try:
         found = json.loads(_file().read_text(encoding="ascii"))
         measured = {kind: float(found[kind]) for kind in RATES if kind in found}
@@ -166,7 +158,7 @@ def _believed(kind: str, rate: float) -> bool:
 
 
 def _measured(kind: str, count: float, seconds: float) -> None:
-    """Store a measured rate, or slightly less than the previous one."""
+    """Store a measured rate, but not much less than the previous one."""
     if seconds < MEASURABLE or count < SUBSTANTIAL * RATES[kind]:
         return
     with _lock, contextlib.suppress(OSError):

@@ -1,4 +1,4 @@
-"""Cube root of a number above 0, six times as fast as a power."""
+"""Cube root of a positive number, six times as fast as a power."""
 
 from __future__ import annotations
 
@@ -15,11 +15,10 @@ _BITS: Final = 0x2A9F7893782DA1CE
 
 @kernel
 def cube_root(x):
-    """Cube root, 0 for numbers that are not above 0.
+    """Cube root; 0 for negative numbers.
 
-    A third of the exponent gives a first value; two of Halley's steps, each of which cubes the
-    error, refine it to 2e-14, for numbers from 1e-90 to 1e90. Shaders and JavaScript use what
-    their languages have.
+    An initial value from the exponent is refined by two Halley steps to a relative error of 2e-14,
+    for numbers from 1e-90 to 1e90. Shaders and JavaScript use built-in functions.
 
     Examples
     --------

@@ -1,10 +1,8 @@
 """Denormals flushed to zero (FTZ, DAZ) while a thread runs blocks of work.
 
-Light that fades by exponentials passes through the last numbers of single precision, from 1e-38 to
-1e-45, which have fewer digits the smaller they are. x86 CPUs, those of Intel above all, take
-some hundred cycles for an operation on a denormal, unless they flush it to zero, as GPUs do. No
-visible light is as small. The mode belongs to a thread; the caller's is restored, since other
-libraries may rely on it.
+Exponentially attenuated radiance reaches the denormals of single precision, 1e-38 to 1e-45, on
+which x86 CPUs take some hundred cycles per operation. The mode belongs to a thread; the caller's is
+restored, since other libraries may rely on it.
 """
 
 from __future__ import annotations
@@ -28,10 +26,7 @@ _HAS_REGISTER: Final = platform.machine().lower() in ("x86_64", "amd64", "i386",
 
 @intrinsic
 def _exchanged(typing_context: Any, bits: Any, kept: Any) -> Any:
-    """Replace the bits of the control register outside the mask ``kept``; its value before.
-
-    0 on a CPU without the register.
-    """
+    """Set the control register's bits outside the mask ``kept``; returns its old value."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         if not _HAS_REGISTER:
@@ -58,7 +53,7 @@ def _exchange(bits, kept):
 
 
 def flush_denormals() -> int:
-    """Flush denormals of this thread to zero from now on; returns its mode before."""
+    """Set flush-to-zero mode for this thread; returns the previous mode."""
     return 0 if config.DISABLE_JIT else int(_exchange(_AS_ZERO, -1))
 
 

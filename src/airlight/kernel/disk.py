@@ -1,8 +1,7 @@
 """Cache on disk: named arrays under a key.
 
-A file is written beside its target and renamed, so that it is complete or absent. The key and a
-checksum of every array are verified before anything is used: a truncated, damaged or foreign file
-counts as absent. Large arrays can stay in their file, whose memory all processes share.
+Files are written atomically, and key and checksums are verified: a truncated, damaged or foreign
+file counts as absent. Large arrays can be memory-mapped, shared by all processes.
 """
 
 from __future__ import annotations
@@ -45,8 +44,7 @@ def load(
     folder : str
         Folder of the cache.
     in_place : bool
-        Whether arrays of bytes stay in the file. What is written to them is seen by nobody else,
-        and lost where they are released.
+        Whether arrays of bytes are memory-mapped, copy-on-write.
     """
     home = trusted_folder(cache_folder(), folder)
     if home is None:
@@ -68,7 +66,7 @@ def load(
 
 
 def _in_place(stream: IO[bytes]) -> dict[str, NDArray[Any]]:
-    """Arrays of bytes of an archive that is not compressed, in the memory of its file."""
+    """Memory-mapped arrays of bytes of an uncompressed archive."""
     memory = FileMemory(stream.fileno(), 0, access=mmap.ACCESS_COPY)
     arrays: dict[str, NDArray[Any]] = {}
     with zipfile.ZipFile(stream) as archive:
@@ -93,7 +91,7 @@ def _in_place(stream: IO[bytes]) -> dict[str, NDArray[Any]]:
 
 
 def save(key: str, arrays: Mapping[str, NDArray[Any]], folder: str = _SOLUTIONS) -> None:
-    """Keep arrays under a key; if the folder cannot be written to, or by others, do nothing."""
+    """Store arrays under a key; no effect if the folder is not writable or not trusted."""
     file = cache_folder() / folder / f"{key}.npz"
     try:
         if trusted_folder(cache_folder(), folder) is None:

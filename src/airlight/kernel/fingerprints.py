@@ -1,8 +1,8 @@
 """Fingerprints of source files and of their imports: keys of the caches on disk.
 
-Numba watches only the file of the outermost function, so a formula changed in another file would
-go unnoticed. A file's fingerprint covers every file of the package that its imports lead to, and no
-other: a change of the renderer does not recompile the solver.
+Numba checks only the file of the outermost function. A fingerprint covers every file of the package
+that is imported directly or indirectly, and no other: a change of the renderer does not recompile
+the solver.
 """
 
 from __future__ import annotations
@@ -30,17 +30,12 @@ def fingerprint(file: Path) -> str:
     Parameters
     ----------
     file : Path
-        Path of Python source, of the package or not.
+        Path of a Python source file.
 
     Returns
     -------
     str
         Hash of sixteen hexadecimal digits.
-
-    Raises
-    ------
-    OSError
-        If the file cannot be read.
     """
     digest = hashlib.sha256(numba.__version__.encode())
     for one in sorted(_reached(file)):
@@ -49,7 +44,7 @@ def fingerprint(file: Path) -> str:
 
 
 def _reached(file: Path) -> set[Path]:
-    """The file and all files of the package that its imports lead to."""
+    """The file and all files of the package that it imports, directly or indirectly."""
     found = {file}
     waiting = [file]
     while waiting:

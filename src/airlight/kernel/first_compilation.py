@@ -1,10 +1,8 @@
-"""Line about the first compilation, after two seconds.
+"""Message about the first compilation, after two seconds.
 
-What compiles before a solve may be short, and the solve's loops long: these have a line of their
-own.
-
-It goes to the listener of ``airlight.kernel.cost``, as the command line has one, and otherwise to
-the logger ``airlight``, whose warnings Python writes to the standard error stream by itself.
+The loops of a solve have a message of their own. It goes to the listener of
+``airlight.kernel.cost`` if there is one, as in the command line, otherwise to the logger
+``airlight``.
 """
 
 from __future__ import annotations
@@ -44,7 +42,7 @@ class FirstCompilation(event.Listener):
         self._timer: threading.Timer | None = None
 
     def expect(self, loops: Iterable[Any]) -> None:
-        """Count loops that will run besides the one that is being compiled."""
+        """Add loops that will be compiled in this process."""
         with self._lock:
             fresh = {name_of(one): one for one in loops if name_of(one) not in self._loops}
             self._loops |= fresh
@@ -53,7 +51,7 @@ class FirstCompilation(event.Listener):
 
     @contextlib.contextmanager
     def elsewhere(self, loops: Iterable[Any]) -> Iterator[None]:
-        """Count loops that another process compiles, and for which this one waits."""
+        """Add loops compiled by another process, for which this one waits."""
         waited_for = tuple(one for one in loops if not on_disk(one))
         if self._said or not waited_for:
             yield
@@ -68,7 +66,7 @@ class FirstCompilation(event.Listener):
             timer.cancel()
 
     def on_start(self, started: Any) -> None:
-        """Begin to count time where no compilation is under way."""
+        """Start the clock at the outermost compilation."""
         with self._lock:
             self._depth += 1
             if self._depth > 1 or self._said:
@@ -82,7 +80,7 @@ class FirstCompilation(event.Listener):
             self._timer.start()
 
     def on_end(self, ended: Any) -> None:
-        """Add the time of a compilation that has ended."""
+        """Add the time of a finished compilation."""
         with self._lock:
             self._finished.add(name_of(ended.data["dispatcher"]))
             self._depth -= 1
@@ -93,7 +91,7 @@ class FirstCompilation(event.Listener):
                 self._cpu += time.process_time() - self._began[1]
 
     def _say(self, listener: Callable[[str], None] | None) -> None:
-        """Emit the line; the time assumes the CPU load so far."""
+        """Emit the message; the time assumes the CPU load so far."""
         with self._lock:
             if self._said:
                 return

@@ -1,8 +1,8 @@
 """SIMD lanes: a value type of eight wavelengths for compiled loops.
 
-Loops over a handful of wavelengths are too short for a compiler to vectorise by itself (measured:
-16 ns per path node in scalar code, 3 ns in lanes). ``lane_view`` is an array of them over a float32
-array with wavelengths on its last axis; ``+ - * /`` work lane by lane, also with a plain number.
+Compilers do not vectorise loops over so few wavelengths (16 ns per path node in scalar code, 3 ns
+in lanes). ``lane_view`` is an array of lanes over a float32 array with wavelengths on its last
+axis; ``+ - * /`` are lane-wise, also with a scalar.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def _as_vector(context: Any, builder: Any, value: Any, kind: Any) -> Any:
 
 
 def _declare_operator(symbol: Callable[..., Any], instruction: str) -> None:
-    """Declare one operator to Numba: lanes with lanes, lanes with a number, a number with lanes."""
+    """Declare an operator to Numba: of two lanes, and of lanes and a scalar in either order."""
     pairs = [(_LANES, _LANES)]
     pairs += [(_LANES, number) for number in _NUMBERS] + [(number, _LANES) for number in _NUMBERS]
 
@@ -104,9 +104,8 @@ def _address(context: Any, builder: Any, array_type: Any, array: Any, index: Any
 def lane_view(typing_context: Any, array: Any, at: Any = None) -> Any:
     """View of a contiguous float32 array (..., w) as an array (...) of lanes.
 
-    ``view[i, j]`` is lanes ``at`` to ``at + LANES`` of ``array[i, j]``, to read or to assign. Left
-    out, ``at`` is 0 and w is ``LANES``. Indices are not checked. In a shader, where an element is a
-    texel of all lanes, the view is the array itself.
+    ``view[i, j]`` is ``array[i, j, at : at + LANES]``, to read or to assign. Without ``at``, w is
+    ``LANES``. Indices are not checked. In a shader the view is the array itself.
     """
     if not (isinstance(array, types.Array) and array.layout == "C" and array.ndim > 1):
         return None
@@ -139,10 +138,9 @@ def lane_view(typing_context: Any, array: Any, at: Any = None) -> Any:
 
 @intrinsic
 def load(typing_context: Any, array: Any, index: Any) -> Any:
-    """Load eight adjacent elements of a flat float32 array, from ``index`` on (not checked).
+    """Eight adjacent elements of a flat float32 array, from ``index`` on (not checked).
 
-    A number represents all wavelengths and is returned unchanged, so that code written for lanes
-    also runs at one wavelength.
+    A scalar is returned unchanged, so that code for lanes also runs at one wavelength.
     """
     if isinstance(array, types.Float):
         return array(array, index), lambda context, builder, signature, arguments: arguments[0]
@@ -175,7 +173,7 @@ def store(typing_context: Any, array: Any, index: Any, value: Any) -> Any:
 
 @intrinsic
 def splat(typing_context: Any, value: Any) -> Any:
-    """Return the same number in all eight lanes."""
+    """Broadcast of a number to all eight lanes."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         return _as_vector(context, builder, arguments[0], signature.args[0])
@@ -232,7 +230,7 @@ def square_root(typing_context: Any, value: Any) -> Any:
 
 @intrinsic
 def floored(typing_context: Any, value: Any) -> Any:
-    """Largest whole number that each lane is not below."""
+    """Floor of each lane."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         return _call(builder, "floor", arguments[0])
@@ -242,7 +240,7 @@ def floored(typing_context: Any, value: Any) -> Any:
 
 @intrinsic
 def looked_up(typing_context: Any, table: Any, index: Any) -> Any:
-    """Elements of a flat float32 array at the whole numbers in the lanes (not checked)."""
+    """Gather of a flat float32 array at the integers in the lanes (not checked)."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         data = context.make_array(signature.args[0])(context, builder, value=arguments[0]).data
@@ -259,7 +257,7 @@ def looked_up(typing_context: Any, table: Any, index: Any) -> Any:
 
 @intrinsic
 def where_positive(typing_context: Any, sign: Any, first: Any, second: Any) -> Any:
-    """Lanes of ``first`` where ``sign`` is above 0, else of ``second``."""
+    """Lanes of ``first`` where ``sign`` is positive, else of ``second``."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         zero = ir.Constant(_VECTOR, [0.0] * LANES)
@@ -270,7 +268,7 @@ def where_positive(typing_context: Any, sign: Any, first: Any, second: Any) -> A
 
 @intrinsic
 def load_two(typing_context: Any, array: Any, low: Any, high: Any) -> Any:
-    """Load four adjacent elements from ``low`` on, and four from ``high`` on (not checked)."""
+    """Four adjacent elements from ``low`` on, and four from ``high`` on (not checked)."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         data = context.make_array(signature.args[0])(context, builder, value=arguments[0]).data
@@ -287,7 +285,7 @@ def load_two(typing_context: Any, array: Any, low: Any, high: Any) -> Any:
 
 @intrinsic
 def largest(typing_context: Any, value: Any) -> Any:
-    """Largest number of all lanes."""
+    """Maximum of the lanes."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         kind = ir.FunctionType(ir.FloatType(), [_VECTOR])
@@ -335,7 +333,7 @@ _EXP2 = tuple(log(2.0) ** k / factorial(k) for k in range(7))
 
 @intrinsic
 def exponential(typing_context: Any, value: Any) -> Any:
-    """Return e to the power of each lane, to 3e-7; 0 below -87, and no overflow above 88."""
+    """Exponential of each lane, relative error 3e-7; 0 below -87, no overflow above 88."""
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         def constant(x: float) -> Any:

@@ -1,9 +1,7 @@
 """Arrays too large for memory, mapped to an anonymous file.
 
-The file lies in the folder of the cache and ends with the array, whatever ends the process. The
-array is one like any other; loops that pass over it band by band call ``release``, so that only
-what they work on is resident. Nothing is lost by that: the system keeps what it can in its own
-memory and writes the rest.
+The file is in the cache folder and is deleted with the array. Loops that process an array band by
+band call ``release``, so that only the current band is resident.
 """
 
 from __future__ import annotations
@@ -32,26 +30,19 @@ _BAND: Final = 1 << 22
 
 
 class FileMemory(mmap.mmap):
-    """Memory-mapped file, which the system may page out.
+    """Memory-mapped file, which the system can page out.
 
     Attributes
     ----------
     used : int
-        Amount used since it was taken back. [byte]
+        Memory used since the last release. [byte]
     """
 
     used: int = 0
 
 
 def zeros(shape: tuple[int, ...], dtype: DTypeLike) -> NDArray[Any]:
-    """Return an array of zeros: in memory, or in a file if it is large and the disk has room.
-
-    Parameters
-    ----------
-    shape : tuple of int
-        Shape.
-    dtype : dtype
-        Type of its numbers.
+    """Array of zeros: in memory, or in a file if it is large and the disk has room.
 
     Examples
     --------
@@ -69,7 +60,7 @@ def release(array: NDArray[Any]) -> None:
     Parameters
     ----------
     array : array
-        Part of an array, as long as it was used; only those in files are concerned.
+        Array or part of one; ignored unless in a file.
     """
     owner: Any = array
     while isinstance(owner, np.ndarray):
@@ -83,14 +74,14 @@ def release(array: NDArray[Any]) -> None:
 
 
 def bands(array: NDArray[Any], rows: int = 0) -> Iterator[NDArray[Any]]:
-    """Bands of rows of an array, each released at the next.
+    """Bands of rows of an array, each released when the next is taken.
 
     Parameters
     ----------
     array : array, shape (height, ...)
         Array.
     rows : int
-        Rows at a time; by default as many as have four million bytes.
+        Rows of a band; by default as many as have four million bytes.
 
     Yields
     ------
@@ -110,7 +101,7 @@ def bands(array: NDArray[Any], rows: int = 0) -> Iterator[NDArray[Any]]:
 
 
 def free_disk() -> float:
-    """Room for large arrays; 0 where there are none, or nothing can be written. [byte]"""
+    """Disk space for large arrays; 0 if unsupported or not writable. [byte]"""
     if not hasattr(mmap, "MADV_DONTNEED") or not hasattr(os, "posix_fallocate"):
         return 0.0
     folder = cache_folder()
@@ -123,7 +114,7 @@ def free_disk() -> float:
 
 
 def _file(size: int) -> FileMemory | None:
-    """Memory of a file of zeros, or None where the disk has too little room."""
+    """Memory-mapped file of zeros; None if the disk has too little space."""
     if free_disk() < size:
         return None
     try:

@@ -1,13 +1,12 @@
-"""Kernels that other kernels call, compiled only as far as their callers need them.
+"""Compilation of kernels to intermediate code, inlined by their callers.
 
-Numba makes machine code of every function that a loop reaches, with wrappers for calls from Python
-and from C, although the loop takes in its intermediate code and optimises that once more: in a
-tower of kernels, again on each floor. Here a kernel that is compiled for a caller stays
-intermediate code, which is optimised once, in the loop. If Python calls it, it is compiled to
-the end.
+Numba compiles every function that a loop reaches to machine code with wrappers for Python and C,
+although the loop inlines its intermediate code and optimises it again. Here a kernel that is
+compiled for a caller remains intermediate code, optimised once in the loop. If Python calls it, it
+is compiled to machine code.
 
-An index counts from the start. Python's ``a[-1]`` counts from the end, for which Numba tests every
-index of every access; here only an index that is written as a negative number does.
+Array indices count from the start: only a negative literal counts from the end. Numba would test
+the sign of every index.
 """
 
 from __future__ import annotations
@@ -44,7 +43,7 @@ _here = threading.local()
 
 @contextlib.contextmanager
 def _for_a_caller() -> Iterator[None]:
-    """Compile for a caller, on this thread, as long as the block lasts."""
+    """Context in which this thread compiles for a caller."""
     before = _is_for_a_caller()
     _here.for_a_caller = True
     try:
@@ -58,18 +57,18 @@ def _is_for_a_caller() -> bool:
 
 
 class IntermediateCode(JITCodeLibrary):
-    """Library of a function as LLVM's intermediate code, with that of all that it calls."""
+    """LLVM intermediate code of a function and of its callees."""
 
     def _optimize_final_module(self) -> None:
-        """Leave the code to the caller's optimisation."""
+        """Leave optimisation to the caller."""
 
     def _finalize_final_module(self) -> None:
-        """Close the library, without machine code."""
+        """Close the library without machine code."""
         self._finalize_dynamic_globals()
         self._finalized = True
 
     def serialize_using_object_code(self) -> tuple[str, str, bytes]:
-        """Name, form and code, for the disk."""
+        """Name, form and code, for the cache."""
         self._ensure_finalized()
         return self.name, _INTERMEDIATE, self._final_module.as_bitcode()
 
@@ -83,7 +82,7 @@ class IntermediateCode(JITCodeLibrary):
 
 
 def _from_the_start(kind: Any) -> Any:
-    """Type of an index, or of a tuple of them, with integers that cannot count from the end."""
+    """Type of an index, or of a tuple of indices, with unsigned integers."""
     if isinstance(kind, types.BaseTuple):
         return types.BaseTuple.from_types([_from_the_start(part) for part in kind.types])
     if isinstance(kind, types.IntegerLiteral) and kind.literal_value < 0:
@@ -94,7 +93,7 @@ def _from_the_start(kind: Any) -> Any:
 
 
 class _IndexedFromStart(Lower):
-    """Lowering in which the indices of arrays count from the start; see the head of this file."""
+    """Lowering with array indices that count from the start."""
 
     def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
         """Lower ``value[index]``."""
@@ -198,7 +197,7 @@ class _Cache(FunctionCache):
 
     @property
     def is_there(self) -> bool:
-        """Whether code of the function, for some types, is on disk."""
+        """Whether code of the function is on disk for some types."""
         return any(Path(one._cache_file._index_path).is_file() for one in self._places)
 
     def has(self, sig: Any, codegen: Any) -> bool:
@@ -221,7 +220,7 @@ class _Cache(FunctionCache):
 
 
 class CompiledKernel(CPUDispatcher):
-    """Compiled function that is intermediate code for its callers and machine code for Python."""
+    """Compiled function: intermediate code for callers, machine code for Python."""
 
     def __init__(self, py_func: Any, **options: Any) -> None:
         options = {"nopython": True, "boundscheck": None, **options}
@@ -233,7 +232,7 @@ class CompiledKernel(CPUDispatcher):
         Parameters
         ----------
         folder : Path
-            Its last three names are those of the code's folder in ``prebuilt_cache.PREBUILT`` too.
+            Folder, whose last three names are also those in ``prebuilt_cache.PREBUILT``.
         trusted : bool
             Whether only this user can write there; otherwise the folder is not used.
         """
@@ -246,7 +245,7 @@ class CompiledKernel(CPUDispatcher):
 
     @property
     def on_disk(self) -> bool:
-        """Whether compiled code, for some types, is on disk."""
+        """Whether compiled code is on disk for some types."""
         return isinstance(self._cache, _Cache) and self._cache.is_there
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
@@ -255,9 +254,9 @@ class CompiledKernel(CPUDispatcher):
             return super().get_call_template(args, kws)
 
     def compile(self, sig: Any) -> Any:
-        """Compile for a signature, unless that has been done as far as it is needed.
+        """Compile for a signature, as far as needed and not done before.
 
-        Processes that need the same code at once wait for the first of them.
+        Other processes that need the same code wait.
         """
         types, _ = sigutils.normalize_signature(sig)
         if not _is_for_a_caller() and _is_intermediate(self.overloads.get(tuple(types))):
@@ -267,7 +266,7 @@ class CompiledKernel(CPUDispatcher):
             return super().compile(sig)
 
     def _alone(self, types: tuple[Any, ...]) -> AbstractContextManager[None]:
-        """Keep other processes from compiling this too, where it has to be compiled."""
+        """Prevent concurrent compilation by other processes, if compilation is needed."""
         cache = self._cache
         if types in self.overloads or not isinstance(cache, _Cache) or not cache.trusted:
             return contextlib.nullcontext()
@@ -278,7 +277,7 @@ class CompiledKernel(CPUDispatcher):
         return one_process(Path(cache._cache_file._index_path).with_suffix(".lock"))
 
     def add_overload(self, cres: Any) -> None:
-        """Cache compiled code; only machine code can be called from Python."""
+        """Register compiled code; only machine code can be called from Python."""
         if _is_intermediate(cres):
             self.overloads[tuple(cres.signature.args)] = cres
         else:

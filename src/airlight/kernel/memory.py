@@ -1,4 +1,4 @@
-"""Free memory of this machine, checked before large work, and its release."""
+"""Free memory of this machine, checked before large computations, and its release."""
 
 from __future__ import annotations
 
@@ -32,17 +32,14 @@ _GROUP: Final = Path("/sys/fs/cgroup")
 def free_memory() -> float:
     """Memory available to this process; infinite if unknown. [byte]
 
-    The least of: what the machine has free, what its container may take, what the process may.
+    The least of the machine's free memory and the limits of container and process.
     """
     free = [_of_machine(), _of_container(), _of_process()]
     return min(free)
 
 
 def give_back() -> None:
-    """Return memory that is no longer used to the system, where the C library keeps it for later.
-
-    Worthwhile after work that took much of it and is not repeated.
-    """
+    """Return unused memory of the C library to the system."""
     if sys.platform == "linux":
         trim = getattr(ctypes.CDLL(None), "malloc_trim", None)  # glibc's
         if trim is not None:
@@ -50,7 +47,7 @@ def give_back() -> None:
 
 
 def check_memory(needed: float, work: str) -> None:
-    """Refuse work that needs more memory than is free.
+    """Raise an error if a computation needs more memory than is free.
 
     Parameters
     ----------
@@ -58,11 +55,6 @@ def check_memory(needed: float, work: str) -> None:
         Estimate of the memory. [byte]
     work : str
         Subject of the error: ``"a picture of 20000x10000 pixels"``.
-
-    Raises
-    ------
-    CostError
-        If the machine has less.
 
     Examples
     --------
@@ -81,21 +73,14 @@ def check_memory(needed: float, work: str) -> None:
 
 
 def check_drawn(width: int, height: int, layers: int = 1) -> None:
-    """Refuse a picture that does not fit into the memory, before it is drawn.
+    """Raise an error if a picture to be rendered does not fit into memory.
 
-    A large one needs less of it where the disk has room, see ``kernel.large_arrays``.
+    Large pictures use the disk, see ``kernel.large_arrays``.
 
     Parameters
     ----------
     width, height : int
         Size. [pixel]
-    layers : int
-        Number of pictures of that size.
-
-    Raises
-    ------
-    CostError
-        If the machine has less.
     """
     pixels = float(width) * height * layers
     needed = _DRAWN * pixels
@@ -107,14 +92,12 @@ def check_drawn(width: int, height: int, layers: int = 1) -> None:
 
 
 def check_picture(file: str | Path, width: int, height: int, each: int = DECODED) -> None:
-    """Refuse a picture by the size in its header, before any of it is decoded.
+    """Raise an error if a picture is too large by the size in its header.
 
     Parameters
     ----------
     file : str or Path
         Subject of the error.
-    width, height : int
-        Size. [pixel]
     each : int
         Memory of a pixel while it is decoded. [byte]
 
@@ -122,8 +105,6 @@ def check_picture(file: str | Path, width: int, height: int, each: int = DECODED
     ------
     FileError
         If it has more than 200 million pixels.
-    CostError
-        If the machine has less memory than they take.
 
     Examples
     --------

@@ -1,10 +1,8 @@
 """Cache of compiled code in the package, for all CPUs of a family.
 
-``builders/compiled_code.py`` puts it beside the source before a wheel is built. It is for a set of
-features that nearly all CPUs of a family have, and is found by the source's fingerprint, the
-version of Numba and that of Python: where any of these differs, code is compiled as in a checkout,
-which has none of it. It is trusted as the source beside it is: who can write the one can write the
-other.
+``builders/compiled_code.py`` places it beside the source before a wheel is built. It uses features
+that nearly all CPUs of a family have, and is found by the source's fingerprint and the versions of
+Numba and Python; otherwise code is compiled. It is as trustworthy as the source beside it.
 """
 
 from __future__ import annotations
@@ -24,14 +22,14 @@ PREBUILT: Final = Path(__file__).parents[1] / "compiled"
 
 
 class CpuTarget(NamedTuple):
-    """Processors that code is compiled for.
+    """CPUs that code is compiled for.
 
     Attributes
     ----------
     cpu : str
-        LLVM's name of the least of them.
+        LLVM's name of the oldest CPU.
     features : tuple of str
-        LLVM's names of the features that they need.
+        LLVM's names of the required features.
     """
 
     cpu: str
@@ -39,7 +37,7 @@ class CpuTarget(NamedTuple):
 
     @property
     def written(self) -> str:
-        """Features as LLVM and Numba take them."""
+        """Features in the syntax of LLVM and Numba."""
         return ",".join(f"+{one}" for one in self.features)
 
 
@@ -68,14 +66,8 @@ class PrebuiltCache(FunctionCache):
 
     Parameters
     ----------
-    py_func : function
-        The function.
     implementation : type
         Numba's implementation of a cache, which takes a function and a folder.
-    folder : Path
-        Folder of its code.
-    cpu_target : CpuTarget
-        Target of the code.
     """
 
     def __init__(
@@ -96,8 +88,6 @@ def prebuilt_cache(py_func: Any, implementation: Any, cache_folder: Path) -> Pre
 
     Parameters
     ----------
-    py_func, implementation :
-        See ``PrebuiltCache``.
     cache_folder : Path
         Cache folder of the function on this machine; the prebuilt code has the same last three
         folder names.
@@ -119,7 +109,7 @@ def copy_machine_code(cache: Path, to: Path) -> int:
     cache : Path
         Folder of ``<source>/<fingerprint>/<kind>``, with code made for one ``Target``.
     to : Path
-        Folder like it, for instance ``PREBUILT``; what is in it stays.
+        Target folder, for instance ``PREBUILT``; existing code is preserved.
 
     Returns
     -------

@@ -1,10 +1,9 @@
 """Declaration of the fields of a NamedTuple for shaders: numbers and tables.
 
 A field of type ``int``, ``float`` or ``bool`` is a number of a uniform struct. ``Annotated`` adds
-what its type does not say: ``CHOICE`` for an index that is fixed for a whole picture, ``Always``
-for a constant of all shaders, ``InTexture`` for an array. Struct, readers in every language, layout
-of the textures and upload follow (``render.gpu.emit.uniform_struct``); the formulas that take the
-NamedTuple decide who reads the table.
+``CHOICE`` for an index that is constant in a frame, ``Always`` for a constant of all shaders,
+``InTexture`` for an array. Struct, read functions, texture layout and upload are generated
+(``render.gpu.emit.uniform_struct``).
 """
 
 from __future__ import annotations
@@ -26,12 +25,11 @@ class InTexture:
     spectral : bool
         Whether an element is a texel of four wavelengths rather than a single number.
     whole : bool
-        Whether the table is the whole texture, whose lengths nobody reads: the target of a pass.
+        Whether the table is the whole texture, without lengths: the target of a pass.
     packed : bool
-        Whether it is the whole texture, of four channels of eight bits: texels of
-        ``airlight.image.texels``.
+        Whether it is a texture of 8-bit RGBA texels, see ``airlight.image.texels``.
     image : bool
-        Whether the texture is a picture, read at row and column: no flat texture.
+        Whether the texture is an image, read by row and column, rather than flat.
     """
 
     texture: str
@@ -43,13 +41,13 @@ class InTexture:
 
     @property
     def channels(self) -> int:
-        """Numbers in a texel of the texture."""
+        """Channels of the texture."""
         return 4 if self.spectral or self.packed else 1
 
 
 @dataclass(frozen=True)
 class Choice:
-    """Index that is fixed for a whole picture, as are all switches."""
+    """Index that is constant in a frame, as are all booleans."""
 
 
 @dataclass(frozen=True)
@@ -74,13 +72,7 @@ DISC: Final = InTexture("disc", spectral=True)
 
 
 def image(texture: str) -> InTexture:
-    """Picture of four channels in a texture of its own.
-
-    Parameters
-    ----------
-    texture : str
-        Name of the texture.
-    """
+    """Image of four channels in a separate texture."""
     return InTexture(texture, 2, spectral=True, whole=True, image=True)
 
 
@@ -96,13 +88,7 @@ def spectra(rank: int) -> InTexture:
 
 
 def scalars(rank: int = 1) -> InTexture:
-    """Table of single numbers.
-
-    Parameters
-    ----------
-    rank : int
-        Number of axes.
-    """
+    """Table of scalars."""
     return InTexture("scalars", rank)
 
 
@@ -114,7 +100,7 @@ class ShaderField(NamedTuple):
     name : str
         Name of the field.
     kind : type
-        Its type; a NamedTuple is a group of further fields.
+        Type; a NamedTuple is a group of further fields.
     mark : InTexture, Choice, Always or None
         Mark of an array, of an index or of a constant.
     """
@@ -126,11 +112,6 @@ class ShaderField(NamedTuple):
 
 def shader_fields(bundle: Any) -> list[ShaderField]:
     """Fields of a NamedTuple in their order.
-
-    Parameters
-    ----------
-    bundle : type
-        NamedTuple.
 
     Examples
     --------

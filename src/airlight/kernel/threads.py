@@ -1,7 +1,7 @@
 """Independent blocks of work on all cores, with progress and cancellation.
 
-Each block writes its own part of the result, so that the result does not depend on the number of
-threads. Subnormal numbers count as zero in all of them.
+Blocks write disjoint parts of the result, which does not depend on the number of threads. Denormals
+are flushed to zero.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ if hasattr(os, "register_at_fork"):
 
 
 class _Blocks:
-    """Blocks that the calling thread and its helpers take one after the other."""
+    """Queue of blocks for the calling thread and its helpers."""
 
     def __init__(self, block: Callable[[int], object], count: int) -> None:
         self.block, self.count, self.done = block, count, 0
@@ -78,12 +78,12 @@ class _Blocks:
         return True
 
     def run_all(self) -> None:
-        """Run blocks until there is none."""
+        """Run all remaining blocks."""
         while self.run_next():
             pass
 
     def stop(self) -> None:
-        """Begin no further block."""
+        """Stop the queue: no further block begins."""
         self._stopped = True
 
 
@@ -104,23 +104,14 @@ def run_blocks(
     progress: Progress | None = None,
     message: str = "",
 ) -> None:
-    """Run ``block(0)`` … ``block(count - 1)`` on all cores, that of the calling thread among them.
+    """Run ``block(0)`` … ``block(count - 1)`` on all cores, including the calling thread.
 
     Parameters
     ----------
     block : callable
-        Function of the block's index; it must release the interpreter's lock to gain from threads.
-    count : int
-        Number of blocks.
-    cancel, progress : callable, optional
-        See ``Cancel`` and ``Progress``; called from the calling thread, after its own blocks.
+        Function of the block's index, which should release the interpreter's lock.
     message : str
         Message for ``progress``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True, after the running blocks have ended.
     """
     blocks = _Blocks(block, count)
     if getattr(_here, "inside", False):  # a block's own blocks would wait for its own thread

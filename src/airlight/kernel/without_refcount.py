@@ -1,8 +1,8 @@
 """Arrays in a compiled loop without reference counts.
 
-Numba counts a reference each time that an array is taken out of a tuple, by an atomic instruction
-on a counter that all threads share: half the time of a loop over pixels. A loop whose caller holds
-the arrays needs no count.
+Numba counts references by atomic instructions on a counter shared by all threads whenever an array
+is taken from a tuple: half the time of a loop over pixels. A loop whose caller holds the arrays
+needs none.
 """
 
 from __future__ import annotations

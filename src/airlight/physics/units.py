@@ -1,8 +1,7 @@
-"""Conversion of text with a unit and of quantities to numbers: by a table, by pint, by themselves.
+"""Conversion of texts with units and of quantities to numbers.
 
-A value is a number in the unit that is asked for, text with a unit, a quantity of pint, astropy or
-unyt, a labelled array with the attribute ``units``, or a list of these. ``values_in`` converts all
-of them: no value with a unit is ever taken as a plain number.
+A value is a number in the requested unit, text with a unit, a quantity of pint, astropy or unyt, a
+labelled array with the attribute ``units``, or a list of these. Units are never ignored.
 """
 
 from __future__ import annotations
@@ -39,9 +38,9 @@ if TYPE_CHECKING:
 
 
 class Measured(Generic[Read]):
-    """Type of a field of a dataclass that is set by any ``Measure`` and read as a number.
+    """Type of a dataclass field that is set by any ``Measure`` and read as a number.
 
-    It stands in annotations only: the class converts the value when it is made.
+    For annotations only: the class converts the value at construction.
     """
 
     def __get__(self, instance: object, owner: Any) -> Read:
@@ -118,7 +117,7 @@ def _registry() -> pint.UnitRegistry[Any]:
 def quantity(
     text: Measure, unit: str, field: str = "value", *, bare: bool = False, allowed: str = ""
 ) -> float:
-    """Convert one number, text with a unit or quantity to a float in the given unit.
+    """Number in a unit, from a number, text with a unit or quantity.
 
     Parameters
     ----------
@@ -130,20 +129,14 @@ def quantity(
     field : str
         Field named in the error.
     bare : bool
-        Whether a number without a unit is taken to be in ``unit``; otherwise it is refused.
+        Whether a number without a unit is in ``unit``; otherwise it is an error.
     allowed : str
-        Allowed values in the error; by default a finite number with its unit.
+        Allowed values in the error message.
 
     Returns
     -------
     float
         Finite value. [unit]
-
-    Raises
-    ------
-    ParameterError
-        If the text is not a number, has no unit, one that is unknown or of another dimension, or is
-        not finite.
 
     Examples
     --------
@@ -182,7 +175,7 @@ def quantity(
 def values_in(
     value: Measures, unit: str, field: str = "value", *, allowed: str = ""
 ) -> NDArray[float64]:
-    """Convert a value of any kind to numbers in the given unit.
+    """Numbers in a unit, from a value of any kind.
 
     Parameters
     ----------
@@ -191,23 +184,15 @@ def values_in(
         or a range with its end (``"0:80:10 deg"``); a quantity of pint, astropy or unyt; a labelled
         array, whose attribute ``units`` counts; or a list of these.
     unit : str
-        Unit of the result, as for ``quantity``. Lists and ranges in a text may leave out those of
-        ``UNDERSTOOD``; a single number there has its unit.
-    field : str
-        Field named in the error.
+        Unit of the result, as for ``quantity``. Lists and ranges in a text may omit units of
+        ``UNDERSTOOD``.
     allowed : str
-        Allowed values in the error; by default numbers in ``unit``.
+        Allowed values in the error message.
 
     Returns
     -------
     array, shape (...)
         Numbers; their range is not checked. [unit]
-
-    Raises
-    ------
-    ParameterError
-        If a value is not a number, or its unit is unknown or of another dimension. A plain number
-        counts for no angle: quantities without dimension are refused in degrees.
 
     Examples
     --------
@@ -269,7 +254,7 @@ def _unit_of(value: Any) -> Any:
 
 
 def without_unit(value: Any, field: str) -> Any:
-    """Value as it is; a quantity, whose unit would be lost, is refused."""
+    """Value without a unit; raises an error for a quantity."""
     unit = _unit_of(value)
     if unit is not None and str(unit).strip() not in _UNITLESS:
         raise ParameterError(field, value, f"numbers without a unit, not in {str(unit)!r}")
@@ -277,14 +262,14 @@ def without_unit(value: Any, field: str) -> Any:
 
 
 def _has_attributes(value: object) -> bool:
-    """Whether a value is an array of xarray, whose attribute ``units`` counts."""
+    """Whether a value is an array of xarray, with the attribute ``units``."""
     return hasattr(value, "dims") and hasattr(value, "attrs")
 
 
 def _values_of_quantity(
     value: Any, given: str, unit: str, field: str, allowed: str
 ) -> NDArray[float64]:
-    """Numbers of a quantity by its own conversion, of a labelled array by ours. [unit]"""
+    """Numbers of a quantity by its own conversion, or of a labelled array. [unit]"""
     import numpy as np
 
     if given in _UNITLESS and unit == "deg":
@@ -303,7 +288,7 @@ def _values_of_quantity(
 
 
 def _labelled_factor(given: str, unit: str, field: str, allowed: str) -> float:
-    """Factor of a labelled array's unit, written as in the CF conventions: ``W m-2 nm-1``."""
+    """Factor of a labelled array's unit in CF notation: ``W m-2 nm-1``."""
     text = "degree" if _CF_DEGREES.fullmatch(given) else with_powers(given)
     if text == unit or (text in _UNITLESS and unit == "1"):
         return 1.0
@@ -311,7 +296,7 @@ def _labelled_factor(given: str, unit: str, field: str, allowed: str) -> float:
 
 
 def with_powers(unit: str) -> str:
-    """Unit with its powers marked.
+    """Unit with explicit powers.
 
     Examples
     --------
@@ -322,7 +307,7 @@ def with_powers(unit: str) -> str:
 
 
 def _product(unit: str) -> str:
-    """Unit as pint, astropy and unyt all read it: ``W*m**-2*nm**-1`` for ``W/m^2/nm``."""
+    """Unit in a notation common to pint, astropy and unyt: ``W*m**-2*nm**-1`` for ``W/m^2/nm``."""
     top, *below = unit.split("/")
     parts = [] if top in ("1", "") else [top.replace("^", "**")]
     for part in below:
@@ -373,7 +358,7 @@ def _parse(text: str, unit: str, field: str, allowed: str) -> tuple[float, bool]
 
 @cache
 def _factor(given: str, unit: str) -> float:
-    """What a number in the unit given is multiplied with; pint's errors where nothing fits."""
+    """Conversion factor between two units; errors of pint if there is none."""
     usual, usual_target = _usual(given), _usual(unit)
     if usual is not None and usual_target is not None and usual[1] == usual_target[1]:
         return usual[0] / usual_target[0]
@@ -388,7 +373,7 @@ _PART: Final = re.compile(r"\s*([*/ ]?)\s*([A-Za-zµ]+|1)(?:(?:\^|\*\*)(-?[1-9])
 
 
 def _usual(text: str) -> tuple[float, _Dimension] | None:
-    """Factor to SI and dimension of a product of usual units, read from left to right; or None."""
+    """Factor to SI and dimension of a product of common units; None if unknown."""
     text = text.strip().replace("μ", "µ")
     factor, powers = 1.0, [0] * len(_NUMBER)
     at = 0
@@ -413,11 +398,10 @@ def _usual(text: str) -> tuple[float, _Dimension] | None:
 def quantities(
     text: Measures, unit: str, field: str = "value", *, bare: bool = False, allowed: str = ""
 ) -> list[float]:
-    """Convert a list of numbers with units to floats in the given unit.
+    """Numbers in a unit, from a list of numbers with units.
 
-    Accepts a single quantity, a list or an array of quantities, or one text with commas whose last
-    item carries the unit for all that have none: ``"680, 550, 440 nm"``. ``bare`` and ``allowed``
-    as for ``quantity``.
+    Accepts a quantity, a list or array of quantities, or a text with commas whose last unit applies
+    to items without one: ``"680, 550, 440 nm"``. ``bare`` and ``allowed`` as for ``quantity``.
 
     Examples
     --------

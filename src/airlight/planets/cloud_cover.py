@@ -1,4 +1,4 @@
-"""Cover of clouds from the picture that a planet file names: its pixels, and their mean."""
+"""Cloud cover from the picture of a planet file: pixels and mean."""
 
 from __future__ import annotations
 
@@ -18,17 +18,12 @@ def cloud_pixels(clouds: str) -> NDArray[np.uint8]:
     Parameters
     ----------
     clouds : str
-        Path of an equirectangular picture; of a coloured one the brightness counts.
+        Path of an equirectangular picture; colours are converted to grey.
 
     Returns
     -------
     array of uint8, shape (h, w)
-        Cover, linear, 255 for 1.
-
-    Raises
-    ------
-    FileError
-        If there is no such file, or ``map_pixels`` refuses it.
+        Cloud cover, linear; 255 is full cover.
     """
     try:
         return map_pixels(Path(clouds), grey=True)
@@ -38,22 +33,12 @@ def cloud_pixels(clouds: str) -> NDArray[np.uint8]:
 
 @cache
 def mean_cover(clouds: str) -> float:
-    """Mean cover over the sphere's area, which solvers use for the whole ground; it is read once.
+    """Area-weighted mean cloud cover, used by solvers for the whole ground; cached.
 
     Parameters
     ----------
     clouds : str
         Argument of ``cloud_pixels``.
-
-    Returns
-    -------
-    float
-        Mean of the rows, each weighted by its area, 0 to 1. [1]
-
-    Raises
-    ------
-    FileError
-        Errors of ``cloud_pixels``.
     """
     rows = cloud_pixels(clouds).mean(axis=1, dtype=np.float64) / 255.0
     edges = np.sin(np.linspace(0.5 * np.pi, -0.5 * np.pi, rows.size + 1))

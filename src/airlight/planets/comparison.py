@@ -1,4 +1,4 @@
-"""Differences between two planets: parameters and the optical quantities that follow."""
+"""Differences between two planets: parameters and derived optical quantities."""
 
 from __future__ import annotations
 
@@ -37,9 +37,8 @@ class Difference:
     Parameters
     ----------
     part : str
-        ``planet``, ``shell``, ``ground``, ``star``, the name of a constituent, or ``all`` of them.
-    quantity : str
-        Name of the quantity.
+        ``planet``, ``shell``, ``ground``, ``star``, the name of a constituent, or ``all``
+        constituents.
     unit : str
         Unit of numerical values; empty without a unit.
     wavelength : float or None
@@ -101,17 +100,17 @@ def compare(
     Parameters
     ----------
     first, second : Planet
-        Planets in the standard and in the advanced mode, or any two.
+        Planets to compare.
     wavelengths : tuple of float, optional
         Wavelengths at which spectral values are compared; ``common_wavelengths`` by default. [nm]
 
     Returns
     -------
     tuple of Difference
-        Parameters of planet, shell, ground and star, then each constituent by name with its
-        parameters, column, optical depth, single-scattering albedo and phase function, then the
-        whole air. A constituent that one planet lacks has an optical depth of 0 there, and its
-        parameters are not listed. Differences of less than a part in a million are left out.
+        Parameters of planet, shell, ground and star; parameters and optical quantities of each
+        constituent by name; optical quantities of the whole atmosphere. Of a constituent that one
+        planet lacks, only optical quantities are listed. Relative differences below 1e-6 are
+        omitted.
 
     Examples
     --------
@@ -130,7 +129,7 @@ def compare(
 
 
 def differs(first: Value, second: Value) -> bool:
-    """Whether two values differ, numbers by more than a part in a million."""
+    """Whether two values differ, numbers by more than 1e-6 of the larger."""
     if isinstance(first, float) and isinstance(second, float):
         return not math.isclose(first, second, rel_tol=SAME, abs_tol=0.0)
     return first != second
@@ -237,7 +236,7 @@ def _parameters(
 
 
 class _Light:
-    """Optical quantities of a planet's constituents, and of all of them, for vertical light."""
+    """Vertical optical quantities of each constituent and of the whole atmosphere."""
 
     def __init__(self, planet: Planet, nm: tuple[float, ...]) -> None:
         medium = Medium.from_planet(planet, nm)

@@ -38,19 +38,19 @@ def coefficient_key(label: str, text: str, **more: Any) -> Field:
 
 
 def _coefficients_alone(constituent: Mapping[str, Any]) -> bool:
-    """Whether a missing absorption means none: no other key determines it."""
+    """Whether an omitted absorption is 0, as no other key determines it."""
     others = ("extinction", "single_scattering_albedo", "optical_depth", "absorption")
     return not any(name in constituent for name in others)
 
 
 @parameters
 class Constituent(TomlModel):
-    """One constituent of the air.
+    """Constituent of the atmosphere.
 
     Parameters
     ----------
     name : str
-        1 to 60 letters; no two constituents of a planet share one.
+        Name of 1 to 60 letters, unique within a planet.
     profile : Exponential, Tent, Layered, Tabulated or Uniform
         Relative density over altitude.
     scattering : float, PerWavelength, GasScattering or RefractiveScattering
@@ -58,18 +58,19 @@ class Constituent(TomlModel):
     absorption : float, PerWavelength or Absorber
         Coefficient at relative density 1, 0 to 1. [m⁻¹]
     phase_function : Rayleigh, CornetteShanks, …, optional
-        Needed if it scatters; replaces the phase function of a gas or of ``matter``.
+        Required for scattering without a phase function of its own; replaces that of a gas or of
+        ``matter``.
     matter : Matter, optional
-        Substance, a gas mixture or particles; then ``scattering`` is not given, and ``absorption``
-        ``absorption`` comes on top of the matter's own.
+        Gas mixture or particles, instead of ``scattering``; ``absorption`` is then added to that of
+        the matter.
     amount : float
         Factor of scattering and absorption at all wavelengths, 0 to 100; refraction by a
         gas is unchanged. [1]
 
     Notes
     -----
-    Coefficients at given wavelengths follow power laws between them, see ``spectra.power_law``, and
-    are constant for 10 nm beyond; scattering with a ``Rayleigh`` phase function follows λ⁻⁴ there.
+    Coefficients follow power laws between given wavelengths (``spectra.power_law``), and beyond
+    them are constant for 10 nm or, with a ``Rayleigh`` phase function, follow λ⁻⁴.
     """
 
     name: Annotated[
@@ -159,12 +160,12 @@ class Constituent(TomlModel):
 
     @property
     def bends(self) -> bool:
-        """Whether it is a gas of known refractivity, so that it bends light."""
+        """Whether it refracts: a gas of known refractivity."""
         return self._substance is not None and self._substance.bends
 
     @property
     def scatters(self) -> bool:
-        """Whether any light is scattered at any wavelength."""
+        """Whether it scatters at any wavelength."""
         if isinstance(self.scattering, PerWavelength):
             return any(value > 0.0 for value in self.scattering.values)
         return self._substance is not None or self.scattering != 0.0
@@ -175,7 +176,7 @@ class Constituent(TomlModel):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which all its properties are known. [nm]"""
+        """Wavelength range of all its properties. [nm]"""
         own = (self._substance, self.absorption, self.phase_function)
         limits = [part.limits for part in own if isinstance(part, TomlModel)]
         given = [self.absorption, *([] if self._follows_fourth_power else [self.scattering])]
@@ -190,7 +191,7 @@ class Constituent(TomlModel):
         wavelengths : array, shape (nl,)
             Wavelengths. [nm]
         thickness : float
-            Thickness of the shell, over which an optical depth is spread. [m]
+            Thickness of the shell. [m]
         """
         return self.amount * self._scattering(wavelengths, thickness)
 
@@ -204,14 +205,7 @@ class Constituent(TomlModel):
         return power_law_at(self.scattering, wavelengths)
 
     def absorption_coefficients(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
-        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths, thickness
-            See ``scattering_coefficients``; a column of gas is spread over the shell too.
-            [nm], [m]
-        """
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         if isinstance(self.absorption, Absorber):
             total = self.absorption.coefficients(wavelengths, self._column(thickness))
         else:
@@ -222,18 +216,7 @@ class Constituent(TomlModel):
         return self.amount * total
 
     def refractivities(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
-        """Refractivity n - 1 of a gas at relative density 1, shape (nl,); otherwise 0. [1]
-
-        Parameters
-        ----------
-        wavelengths, thickness
-            See ``scattering_coefficients``. [nm], [m]
-
-        Raises
-        ------
-        ParameterError
-            If the gas is denser than any gas is.
-        """
+        """Refractivity n - 1 of a gas at relative density 1, shape (nl,); otherwise 0. [1]"""
         if self._substance is None:
             return np.zeros(np.shape(wavelengths))
         return self._substance.refractivities(wavelengths)
@@ -247,7 +230,7 @@ class Constituent(TomlModel):
     def phase_values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]
 
-        Zero where it does not scatter.
+        Zero if it does not scatter.
         """
         nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
@@ -257,7 +240,7 @@ class Constituent(TomlModel):
     def polarising_values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Element F₁₂ of its phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]
 
-        Zero where it does not scatter, or polarises nothing.
+        Zero if it does not scatter or polarise.
         """
         nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
@@ -265,7 +248,7 @@ class Constituent(TomlModel):
         return self.phase_function_at(nm).phase_f12(nu, nm)
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Elements that polarise, see ``PhaseFunction``, shape (nl, 4). [1]"""
+        """Expansion coefficients of the phase matrix, see ``PhaseFunction``, shape (nl, 4). [1]"""
         nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
             return np.zeros((len(nm), 4))
@@ -274,7 +257,7 @@ class Constituent(TomlModel):
     def phase_moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments of the phase function, shape (nl, degree + 1). [1]
 
-        See ``physics.optics.legendre``; all zero where it does not scatter.
+        See ``physics.optics.legendre``; zero if it does not scatter.
 
         Parameters
         ----------
@@ -289,18 +272,7 @@ class Constituent(TomlModel):
         return self.phase_function_at(nm).moments(nm, degree)
 
     def phase_function_at(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """Explicit phase function, or that of the gas or matter at these wavelengths.
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-
-        Raises
-        ------
-        ParameterError
-            If it does not scatter.
-        """
+        """Explicit phase function, or that of the gas or matter at some wavelengths."""
         if self.phase_function is not None:
             return self.phase_function
         if self._substance is None:

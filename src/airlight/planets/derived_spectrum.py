@@ -1,4 +1,4 @@
-"""Positive spectra that follow from others at every wavelength, such as scattering from a depth."""
+"""Positive spectra derived from others, such as scattering from an optical depth."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def _beside(scattering: npt.ArrayLike, albedo: npt.ArrayLike) -> FloatArray:
-    """Absorption with this scattering at this albedo; infinite at albedo 0."""
+    """Absorption by scattering and single-scattering albedo; infinite at albedo 0."""
     part, whole = np.broadcast_arrays(np.asarray(scattering, float), np.asarray(albedo, float))
     infinite = np.where(part > 0.0, np.inf, 0.0)
     known = (part > 0.0) & (whole > 0.0)
@@ -34,23 +34,16 @@ FORMULAS: Final[dict[str, Callable[..., Any]]] = {
 
 @parameters
 class DerivedSpectrum(PerWavelength):
-    """Positive spectrum that follows from others, between their wavelengths too.
+    """Positive spectrum by a formula of other spectra, at any wavelength.
 
     Parameters
     ----------
     wavelengths, values : tuple of float
         See ``PerWavelength``; the values are those of the formula. [nm]
     formula : str
-        Name in ``FORMULAS`` of a function of the spectra, then the fractions.
-    spectra : tuple of float or PerWavelength
-        Positive spectra.
+        Name from ``FORMULAS`` of a function of the spectra, then of the fractions.
     fractions : tuple of float or PerWavelength
-        Numbers that are linear between wavelengths, such as albedos.
-
-    Raises
-    ------
-    ParameterError
-        If the values are not those of the formula.
+        Numbers with linear interpolation between wavelengths, such as albedos.
     """
 
     formula: Annotated[str, one_of(*FORMULAS)]

@@ -1,4 +1,4 @@
-"""Absorption bands of a planet's gases that its file omits, with their size."""
+"""Absorption bands of a planet's gases that its file omits, with their strength."""
 
 from __future__ import annotations
 
@@ -74,9 +74,9 @@ class OmittedBands:
     table : str
         Table of the bands; empty if there is none.
     loss : array, shape (nl,)
-        Share of the direct light that they would take at airmass 1.5; nan where it is unknown. [1]
+        Fraction of direct light absorbed at air mass 1.5; NaN if unknown. [1]
     strongest, wavelength : float
-        Largest share between 380 and 780 nm, and its wavelength [nm]; nan if it is unknown. [1]
+        Largest fraction between 380 and 780 nm [1], and its wavelength [nm]; NaN if unknown.
     """
 
     name: str
@@ -96,26 +96,24 @@ class OmittedBands:
 
 
 def _percent(loss: float) -> str:
-    """Change of the light by a loss, in per cent; "?" if it is unknown."""
+    """Absorbed fraction as a text in per cent; "?" if unknown."""
     if np.isnan(loss):
         return "?"
     return "0" if loss < LEAST else f"{-100.0 * loss:.2g}"
 
 
 def omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[OmittedBands, ...]:
-    """Bands of the gases of a planet's mixtures that none of its constituents has.
+    """Absorption bands of a planet's gases that none of its constituents has.
 
-    Bands that nowhere take more than 5e-5 of the visible light are none.
-
-    The cross-sections are means over 10 nm that are right for the Earth's air, those of methane for
-    some kilometres of the pure gas at 0 °C and 101 325 Pa; elsewhere the size is of the right order
-    only.
+    Bands that absorb less than 5e-5 of visible light are neglected. Cross-sections are means over
+    10 nm for the Earth's atmosphere, or for some kilometres of methane at 0 °C and 101 325 Pa;
+    elsewhere only the order of magnitude is right.
 
     Parameters
     ----------
     planet : Planet
-        Planet; its gases are those of its mixtures, of air and carbon dioxide by name, and of
-        ``WORLD_COLUMNS``. Others by coefficients are not known, and left out here.
+        Planet; its gases are those of its mixtures, air and carbon dioxide by name, and those of
+        ``WORLD_COLUMNS``.
     wavelengths : array, shape (nl,)
         Wavelengths. [nm]
 
@@ -139,10 +137,7 @@ def omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[OmittedBa
 
 
 def gas_columns(planet: Planet) -> dict[str, float]:
-    """Vertical columns of gases, by formula: of the planet's own, or of its world's. [m⁻²]
-
-    They are kept with the planet.
-    """
+    """Vertical columns of gases by formula, of a planet's mixtures or of its world. [m⁻²]"""
     kept: dict[str, float] | None = vars(planet).get("_gas_columns")
     if kept is None:
         kept = vars(planet)["_gas_columns"] = _gas_columns(planet)
@@ -167,7 +162,7 @@ def _gas_columns(planet: Planet) -> dict[str, float]:
 
 
 def _mixture(constituent: Constituent) -> tuple[tuple[tuple[str, float], ...], float]:
-    """Mole fractions and number density of a gas at relative density 1. [1], [m⁻³]"""
+    """Mole fractions [1] and number density [m⁻³] of a gas at relative density 1."""
     if isinstance(constituent.matter, GasMixture):
         return constituent.matter.composition, constituent.matter.number_density
     gas = constituent.scattering
@@ -178,7 +173,7 @@ def _mixture(constituent: Constituent) -> tuple[tuple[tuple[str, float], ...], f
 
 
 def _absorbs(planet: Planet, formula: str, table: str) -> bool:
-    """Whether a constituent absorbs by a table, or by a cross-section of its own for this gas."""
+    """Whether a constituent absorbs by a table, or by an explicit cross-section of this gas."""
     for one in planet.constituents:
         if isinstance(one.absorption, CrossSectionAbsorption):
             own = one.absorption.cross_section

@@ -1,4 +1,4 @@
-"""Ground below the air."""
+"""Ground of a planet: albedo, reflectance law, maps."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def reflectances() -> tuple[str, ...]:
 
 
 def _read_albedo(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
-    """Read a number, a list, or the name of a table."""
+    """Read an albedo: a number, a list, or the name of a table."""
     given = section.raw(name)
     if isinstance(given, str) and given[:1].isalpha():
         return given
@@ -50,39 +50,37 @@ def _read_albedo(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any
 
 
 def _clouded(table: FileTable) -> bool:
-    """Offer the key to a table with clouds."""
+    """Whether an editor shows the key: for a table with clouds."""
     return "clouds" in table
 
 
 @parameters
 class Ground(TomlModel):
-    """Ground: how much it reflects, and where to.
+    """Ground: albedo and reflectance law.
 
     Parameters
     ----------
     albedo : float, PerWavelength or str
-        Fraction of light that is reflected, 0 to 1, or the name of a table of it. [1]
+        Albedo, 0 to 1, or the name of a table. [1]
     map : str, optional
-        Name of a picture of the ground, used where the ground is seen, and by
-        ``airlight.local_ground``; otherwise the light that the ground sends back into the air comes
-        from ``albedo``.
+        Name of a picture of the ground, for rendering and ``airlight.local_ground``; otherwise
+        solvers use ``albedo``.
     lights : str, optional
-        Name of a picture of the lights of towns, which are seen but light no air.
+        Name of a picture of city lights, which do not illuminate the atmosphere.
     clouds : str, optional
-        Path of a picture of clouds, a flat layer above the ground; grey is their cover.
+        Path of a picture of cloud cover, a thin layer above the ground.
     cloud_albedo : float
-        Albedo of full cover, 0 to 1. [1]
+        Albedo of complete cloud cover, 0 to 1. [1]
     cloud_altitude : float
         Altitude of the layer, 0 to 100 km. [m]
     brightness : float
-        Factor of albedo and picture, 0 to 100; no albedo exceeds that of the law, 1 of Lambert's.
-        [1]
+        Factor of albedo and picture, 0 to 100, limited to the largest albedo of the law. [1]
     law : str
-        Name from ``airlight.physics.optics.reflection.LAWS``: ``lambert`` reflects alike into all
-        directions, ``lommel-seeliger`` as dark, porous ground does, ``water`` as the open sea.
+        Name from ``optics.reflection.LAWS``: ``lambert``, ``lommel-seeliger`` for dark
+        porous ground, ``water`` for the open sea.
     wind : float, optional
-        Wind speed over water, 0.5 to 25, which roughens it. With it the water of a map mirrors star
-        and sky; without it only the law ``water`` does, at 5 m/s. [m s⁻¹]
+        Wind speed over water, 0.5 to 25. If given, the water of a map is specular; otherwise only
+        the law ``water`` is, at 5 m/s. [m s⁻¹]
     """
 
     has_wavelengths = True
@@ -221,7 +219,7 @@ class Ground(TomlModel):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which the albedo is known. [nm]"""
+        """Wavelength range of the albedo. [nm]"""
         if isinstance(self.albedo, str):
             return table_limits(self.albedo)
         return spectral_limits(self.albedo)
@@ -241,13 +239,7 @@ class Ground(TomlModel):
 
     @property
     def reflection(self) -> Reflection:
-        """Law of reflection with its parameters, for an albedo of 1.
-
-        Raises
-        ------
-        FileError
-            If the picture of clouds cannot be read.
-        """
+        """Reflectance law with its parameters, for an albedo of 1."""
         if self.clouds is None:
             return self._clear
         cover = mean_cover(self.clouds) if self.local is None else self.local.here.cover
@@ -261,12 +253,12 @@ class Ground(TomlModel):
         return clear if self.wind is None else clear._replace(wind=self.wind)
 
     def local_line(self, wavelength: float) -> str:
-        """Line of a report about the local ground; empty if it is that of the whole planet.
+        """Line of a report about the local ground; empty for the mean ground of the planet.
 
         Parameters
         ----------
         wavelength : float
-            Wavelength at which the albedos are given. [nm]
+            Wavelength of the albedos. [nm]
         """
         if self.local is None:
             return ""

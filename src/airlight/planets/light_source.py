@@ -1,9 +1,8 @@
 """Light sources of a scene: the star, a second star, a moon.
 
-A solution holds the light of one source of irradiance 1 at all its elevations, so no further source
-costs another solve: the radiance at a point is the sum over lights of irradiance times the solution
-at that light's direction. This module holds a source's properties, seen from the planet; a light of
-a scene (``Scene.lights``) has the direction and names its source.
+A solution is per irradiance of a source, for all its elevations: the radiance of several sources is
+the sum of irradiance times the solution at the direction of each. Directions belong to the lights
+of a scene (``Scene.lights``).
 """
 
 from __future__ import annotations
@@ -28,11 +27,11 @@ class Occulter(NamedTuple):
     Attributes
     ----------
     x, y, z : float
-        Direction of its middle, in the observer's frame with x to the source's side. [1]
+        Direction of its centre, in the observer's frame with x towards the source. [1]
     radius : float
         Angular radius. [rad]
     left : float
-        Share of the source's light that it leaves, above 0. [1]
+        Unocculted fraction of the source's irradiance, above 0. [1]
     """
 
     x: float
@@ -44,7 +43,7 @@ class Occulter(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LightSource:
-    """Disc at infinity that lights the planet.
+    """Disc at infinity that illuminates the planet.
 
     Attributes
     ----------
@@ -57,21 +56,19 @@ class LightSource:
     irradiance : array, shape (nl,)
         Irradiance at the planet, on a plane that faces the source. [W m⁻² nm⁻¹]
     spectrum : callable or None
-        ``spectrum(wavelengths)``, the irradiance at any wavelengths, or anything proportional to
-        it; None where only the samples are known: then colours use the sun's spectral shape
-        between them.
+        ``spectrum(wavelengths)``, proportional to the irradiance; None if only the samples are
+        known: colours then use the sun's spectral shape between them.
     darkening : callable or None
-        ``darkening(wavelengths)``, coefficients of the darkening towards the rim, shape (nl, 6),
-        see ``physics.spectra.limb_darkening``; None for a uniform disc.
+        ``darkening(wavelengths)``, coefficients of limb darkening, shape (nl, 6), see
+        ``physics.spectra.limb_darkening``; None for a uniform disc.
     phase : float or None
-        Phase angle of a body that reflects, 0 full, below 180; None for a star. [deg]
+        Phase angle of a reflecting body, 0 to below 180; None for a star. [deg]
     limb : float
-        Direction from that body's middle to its bright limb, clockwise from the zenith's. [deg]
+        Position angle of the bright limb of a reflecting body, clockwise from the zenith. [deg]
     occulter : Occulter or None
-        Moon in front of it; ``irradiance`` is then what it leaves.
+        Moon in front of it; ``irradiance`` is then the unocculted part.
     hidden : array, shape (nl,)
-        Share of the light that the moon leaves as a whole over that at each wavelength; 1 without
-        a moon. [1]
+        Mean unocculted fraction over that at each wavelength; 1 without a moon. [1]
     """
 
     name: str
@@ -87,11 +84,7 @@ class LightSource:
 
     @property
     def darkenings(self) -> FloatArray:
-        """Coefficients of the darkening at the wavelengths, shape (nl, 6); even without a law.
-
-        Behind a moon the colour is that of the whole disc, whose mean over what the moon leaves of
-        the light is then not 1 at each wavelength.
-        """
+        """Limb-darkening coefficients at the wavelengths, (nl, 6); uniform without a law. [1]"""
         count = self.wavelengths.size
         law = (
             np.tile(UNIFORM, (count, 1)) if self.darkening is None
@@ -100,7 +93,7 @@ class LightSource:
         return np.asarray(law * np.broadcast_to(self.hidden, count)[:, None])
 
     def colors(self, weights: npt.ArrayLike | None = None) -> FloatArray:
-        """Linear sRGB of light that is known per irradiance of this source, shape (nl, 3).
+        """Linear sRGB of radiance per irradiance of this source, shape (nl, 3).
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Surface albedo of a region, relative to the mean of its planet."""
+"""Surface albedo of a region, relative to the planetary mean."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ class GroundMeans(NamedTuple):
     Attributes
     ----------
     color : tuple of float, length 3
-        Linear sRGB reflectance; of no effect if it is that of the planet too. [1]
+        Linear sRGB reflectance. [1]
     water : float
-        Share of water. [1]
+        Fraction of water. [1]
     cover : float
-        Cover of clouds. [1]
+        Cloud cover. [1]
     """
 
     color: tuple[float, float, float]
@@ -32,14 +32,14 @@ class GroundMeans(NamedTuple):
     cover: float
 
     def reflectances(self, wavelengths: npt.ArrayLike, wind: float | None) -> FloatArray:
-        """Reflectance under a uniform sky without the clouds, shape (nl,). [1]
+        """Reflectance under a uniform sky, without clouds, shape (nl,). [1]
 
         Parameters
         ----------
         wavelengths : array, shape (nl,)
             Wavelengths. [nm]
         wind : float or None
-            Wind speed over the water, which then mirrors the sky. [m s⁻¹]
+            Wind speed over water, whose reflection is then specular. [m s⁻¹]
         """
         known = np.clip(reflectance_basis(wavelengths) @ np.asarray(self.color), 0.0, 1.0)
         specular = 0.0 if wind is None else float(mean_specular(wind))
@@ -57,9 +57,9 @@ class LocalGround:
     altitude : float
         Altitude of the observer. [m]
     reach : float
-        Distance along the ground within which half of its weight lies. [m]
+        Radius of half of the weight, along the ground. [m]
     here, planet : GroundMeans
-        Means over the region, by that weight, and over the planet.
+        Weighted means over the region, and means over the planet.
     """
 
     latitude: float
@@ -70,13 +70,7 @@ class LocalGround:
     planet: GroundMeans
 
     def ratio(self, wavelengths: npt.ArrayLike, wind: float | None) -> FloatArray:
-        """Reflectance over that of the planet, shape (nl,); 1 where the planet's is 0. [1]
-
-        Parameters
-        ----------
-        wavelengths, wind :
-            Arguments of ``GroundMeans.reflectances``.
-        """
+        """Reflectance over that of the planet, shape (nl,); 1 where the planet's is 0. [1]"""
         here = self.here.reflectances(wavelengths, wind)
         planet = self.planet.reflectances(wavelengths, wind)
         return np.asarray(np.divide(here, planet, out=np.ones_like(here), where=planet > 0.0))

@@ -19,9 +19,8 @@ EYES: Final = 2.0
 def lowered_ground(planet: PlanetLike, altitude: Measure) -> Planet:
     """Planet with all of its ground lowered to an altitude below 0.
 
-    Profiles go on below their reference level, see ``Continued``, and coefficients, optical depths
-    and columns of the planet's file keep their meaning above it. Altitudes above the new ground are
-    larger by its depth.
+    Profiles are continued below their reference level, see ``Continued``; optical depths and
+    columns of the planet's file refer to the part above it. Altitudes count from the new ground.
 
     Parameters
     ----------
@@ -63,19 +62,15 @@ def lowered_ground(planet: PlanetLike, altitude: Measure) -> Planet:
 
 
 def stands_on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
-    """Planet whose ground is below an observer at negative altitude, and the altitude above it. [m]
+    """Planet lowered to an observer at negative altitude, and the altitude above its ground. [m]
 
     Parameters
     ----------
     planet : Planet
-        Planet; it and the altitude are returned as they are for an altitude of 0 or more.
+        Planet; returned unchanged with an altitude of 0 or more.
     altitude : float
-        Altitude of his eyes, ``EYES`` above the floor, or less at the bottom of the basin. [m]
-
-    Raises
-    ------
-    ParameterError
-        If the planet has no such basin.
+        Altitude of the observer, who is ``EYES`` above the ground, or less at the bottom of the
+        basin. [m]
 
     Examples
     --------

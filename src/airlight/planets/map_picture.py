@@ -1,4 +1,4 @@
-"""Picture file of a map: checked by its header before anything of it is decoded."""
+"""Picture file of a map, checked by its header before decoding."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ _DEEP_PIXEL: Final = 32
 def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
     """Read the pixels of an equirectangular picture.
 
-    Grey, palette and CMYK pictures become RGB, channels of sixteen bits eight; transparency counts
-    as nothing: the colours below it are kept.
+    Grey, palette and CMYK pictures are converted to RGB, 16-bit channels to 8 bits; transparency is
+    ignored.
 
     Parameters
     ----------
     file : Path
         Picture file of any format that Pillow reads.
     grey : bool
-        Whether a single channel is wanted, without a conversion of its numbers if it has one.
+        Whether to return a single channel; that of a grey picture is not converted.
 
     Returns
     -------
@@ -43,10 +43,8 @@ def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
     Raises
     ------
     FileError
-        If it is no picture, larger than 4 GB, has more than 200 million pixels, is not twice as
-        wide as high, or holds numbers that are no reflectance: in floats not 0 to 1.
-    FileNotFoundError
-        If there is no such file.
+        If it is not a picture, is larger than 4 GB or 200 million pixels, is not twice as wide as
+        high, or has floats outside 0 to 1.
     """
     from PIL import Image, UnidentifiedImageError
 
@@ -96,7 +94,7 @@ def _as_bytes(file: Path, picture: Image, mode: str) -> NDArray[np.uint8]:
 
 
 def _check_values(file: Path, values: NDArray[np.float64], largest: float) -> None:
-    """Refuse marks of missing data, such as NaN or -9999."""
+    """Raise an error for markers of missing data, such as NaN or -9999."""
     # floats that are rounded to 0 or to 255 have only overshot in an enlargement
     half = 0.4999 / 255.0 if largest == 1.0 else 0.0
     wrong = ~((values >= -half) & (values <= largest + half))

@@ -52,12 +52,12 @@ MOST_KEPT_WAVELENGTHS: Final = 64
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Medium:
-    """Planet sampled at ``nl`` wavelengths, with ``nc`` constituents.
+    """Optical properties of a planet at ``nl`` wavelengths, with ``nc`` constituents.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        Radii of the ground and of the top of the air, see ``effective_top``. [m]
+        Radii of the ground and of the top of the atmosphere, see ``effective_top``. [m]
     wavelengths : array, shape (nl,)
         Wavelengths in the order given. [nm]
     names : tuple of str, length nc
@@ -76,17 +76,17 @@ class Medium:
     star_angular_radius : float
         Angular radius of the star. [rad]
     refractivity : array, shape (nc,)
-        n - 1 of each constituent at relative density 1, at 550 nm or the nearest wavelength known;
-        zero without refraction. Dispersion is neglected: the refractivity of the Earth's air
-        varies by 3 % over the visible. [1]
+        n - 1 of each constituent at relative density 1, at 550 nm or the nearest possible
+        wavelength; zero without refraction. Dispersion, 3 % over the visible for the Earth, is
+        neglected. [1]
     constituents : tuple of Constituent
         Constituents from which the arrays were sampled.
     surface : Surface
         Appearance of the ground in pictures, without effect on a solution or the fingerprint.
     resolve_layers : bool
-        Whether grids follow layers aloft of any width as they follow thin ones.
+        Whether grids resolve layers aloft of any width, not only thin ones.
     reflection : Reflection
-        Law by which the ground reflects, for an albedo of 1.
+        Reflectance law of the ground, for an albedo of 1.
 
     Examples
     --------
@@ -121,7 +121,7 @@ class Medium:
         self._freeze()
 
     def _freeze(self) -> None:
-        """Make the arrays read-only; for Numba that is a type, and each type is compiled for."""
+        """Make the arrays read-only, which gives Numba a single array type."""
         for array in self._arrays().values():
             array.flags.writeable = False
 
@@ -132,7 +132,7 @@ class Medium:
 
     @property
     def lights(self) -> tuple[LightSource, ...]:
-        """Light sources, sampled at the wavelengths: that for which the medium is solved."""
+        """Light sources at the wavelengths of the medium."""
         star = LightSource(
             name="star",
             angular_radius=self.star_angular_radius,
@@ -142,7 +142,7 @@ class Medium:
         return (star,)
 
     def with_light(self, source: LightSource) -> Medium:
-        """Medium under another light source, sampled at the same wavelengths."""
+        """Medium under another light source at the same wavelengths."""
         other = copy.copy(self)
         object.__setattr__(other, "solar_irradiance", source.irradiance)
         object.__setattr__(other, "star_angular_radius", source.angular_radius)
@@ -162,20 +162,19 @@ class Medium:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Medium:
-        """Sample a planet; the last samples are cached with the planet.
+        """Medium of a planet at some wavelengths, cached with the planet.
 
         Parameters
         ----------
-        planet : Planet
         wavelengths : array, shape (nl,)
             Wavelengths within ``planet.wavelength_limits``. [nm]
         progress, cancel : callable, optional
-            See ``airlight.kernel.threads``: new particles take seconds.
+            See ``airlight.kernel.threads``; Mie computations take seconds.
 
         Raises
         ------
         ParameterError
-            If a wavelength is outside, or the planet is impossible: the constituent is named.
+            If a wavelength is out of range, or a constituent is unphysical.
         FileError
             If the picture of its clouds cannot be read.
         Cancelled
@@ -268,9 +267,9 @@ class Medium:
         )
 
     def in_optical_radius(self) -> Medium:
-        """Medium over the optical radius, in which rays are straight; itself without refraction.
+        """Medium in the optical radius, in which rays are straight; itself without refraction.
 
-        It has one more constituent, the refraction column, which neither scatters nor absorbs; see
+        An additional constituent is the refraction column, which neither scatters nor absorbs; see
         ``physics.optics.refracting_shell``.
         """
         shell = self.refracting_shell
@@ -301,7 +300,7 @@ class Medium:
 
     @property
     def vertical_optical_depth(self) -> FloatArray:
-        """Optical depth from the ground straight up to space, shape (nc, nl). [1]"""
+        """Vertical optical depth, shape (nc, nl). [1]"""
         return self.extinction * self.columns[:, None]
 
     @property
@@ -340,14 +339,14 @@ class Medium:
         Returns
         -------
         array, shape (..., nc, nl)
-            Negative where light swings across the scattering plane. [sr⁻¹]
+            Negative where light is polarised normal to the scattering plane. [sr⁻¹]
         """
         return np.stack(
             [one.polarising_values(nu, self.wavelengths) for one in self.constituents], axis=-2
         )
 
     def polarising_moments(self) -> FloatArray:
-        """Elements that polarise, see ``PhaseFunction``, shape (nc, nl, 3). [1]"""
+        """Expansion coefficients of the phase matrix, see ``PhaseFunction``, (nc, nl, 3). [1]"""
         return np.stack([one.polarising_moments(self.wavelengths) for one in self.constituents])
 
     def phase_moments(self, degree: int) -> FloatArray:
@@ -361,7 +360,7 @@ class Medium:
         Returns
         -------
         array, shape (nc, nl, degree + 1)
-            g_0 = 1; all zero for a constituent that does not scatter. [1]
+            Moments; zero for a constituent that does not scatter. [1]
         """
         moments = self._moments(degree)
         # A table's integral is 1 within INTEGRAL_TOLERANCE; the division conserves energy exactly.
@@ -405,7 +404,7 @@ class Medium:
         }
 
     def _check(self) -> None:
-        """Refuse values that passed the checks of the parts but are NaN or absurd."""
+        """Raise an error for values that are NaN or unphysical."""
         for name, array in self._arrays().items():
             if not np.isfinite(array).all():
                 raise ParameterError(name, float(array[~np.isfinite(array)][0]), "finite numbers")
@@ -449,7 +448,7 @@ def _refractivity(planet: Planet) -> FloatArray:
 
 @contextlib.contextmanager
 def _prefix_errors(where: str) -> Iterator[None]:
-    """Put a constituent before the field of an error."""
+    """Context that prefixes the field of an error with a constituent."""
     try:
         yield
     except ParameterError as error:

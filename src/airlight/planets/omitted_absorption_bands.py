@@ -50,21 +50,20 @@ WEAKEST: Final = 0.02
 
 
 def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
-    """Describe the absorption bands of a planet's gases that are omitted at some wavelengths.
+    """Descriptions of absorption bands omitted at some wavelengths.
 
     Parameters
     ----------
     planet : Planet
-        Planet, whose gases are those of ``gas_bands``: one whose gases are coefficients only has
-        none that could be named, unless its ``body`` is the Earth.
+        Planet, whose gases are those of ``gas_bands``.
     wavelengths : array, shape (nl,)
         Wavelengths of the spectrum. [nm]
 
     Returns
     -------
     list of str
-        One line for the bands whose size is known, one for those that no table describes; empty if
-        nothing is missing.
+        One line for bands of known strength, one for bands without a table; empty if there are
+        none.
 
     Examples
     --------
@@ -98,15 +97,12 @@ def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list
 
 
 def warn_of_omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> None:
-    """Warn of omitted absorption bands, one line for each kind.
+    """Warn about omitted absorption bands, one line for each kind.
 
-    Wavelengths of pictures are exempt: each stands for a part of the spectrum, and a colour of the
-    Earth's sky has 0.3 % of its light in bands.
+    Wavelengths of pictures are exempt: bands contribute 0.3 % to colours of the Earth's sky.
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
     wavelengths : array, shape (nl,)
         Wavelengths of the solution. [nm]
     """

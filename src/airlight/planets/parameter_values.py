@@ -1,8 +1,4 @@
-"""Given numbers of a constituent, each with its name and unit, from any of its parts.
-
-Constituents are made of nested parameter objects: profiles, gases, particles, phase functions.
-Here they become one flat table, so that two of them can be compared.
-"""
+"""Parameter values of a constituent as a flat table, for comparison."""
 
 from __future__ import annotations
 
@@ -45,11 +41,10 @@ _DERIVED_SPECTRA: Final = {
 def parameter_values(
     constituent: Constituent, thickness: float, wavelengths: tuple[float, ...]
 ) -> dict[ValueKey, float | str]:
-    """All explicit values of a constituent, and its column.
+    """Explicit values of a constituent and of its nested parameter objects, and its column.
 
     Parameters
     ----------
-    constituent : Constituent
     thickness : float
         Thickness of the shell. [m]
     wavelengths : tuple of float
@@ -88,7 +83,7 @@ def parameter_values(
 
 
 def _flattened(value: Any, label: str, unit: str, nm: tuple[float, ...]) -> Iterator[Any]:
-    """Pairs of key and value below one part."""
+    """Pairs of key and value of nested objects."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         yield (label, "", None), _kind(value)
         yield from _fields(value, label, nm)
@@ -135,7 +130,7 @@ def _listed(values: Any, label: str, unit: str, nm: tuple[float, ...]) -> Iterat
 
 
 def _derived(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
-    """Derived quantities of the object, if it is a gas."""
+    """Derived quantities of a gas."""
     given = {field.name for field in dataclasses.fields(value)}
     for name, unit in _DERIVED.items():
         with contextlib.suppress(ParameterError):  # a gas without gravity has no scale height
@@ -170,15 +165,14 @@ def composition_of(
 
     Parameters
     ----------
-    constituent : Constituent
     wavelengths : tuple of float
         Wavelengths at which spectral values are taken. [nm]
 
     Returns
     -------
     dict
-        Map from (name, unit) to one value, or one for each wavelength; empty for a constituent
-        that is given by its coefficients.
+        Map from (name, unit) to a value, or one per wavelength; empty for a constituent given by
+        coefficients.
 
     Examples
     --------

@@ -19,7 +19,7 @@ Instance = TypeVar("Instance")
 
 
 class _Missing:
-    """Marker of a missing value: its error reads ``… is missing``."""
+    """Marker of a missing value in errors."""
 
     def __repr__(self) -> str:
         return "missing"
@@ -31,7 +31,7 @@ MISSING = _Missing()
 
 @dataclass_transform(frozen_default=True, kw_only_default=True)
 def parameters(cls: Class) -> Class:
-    """Make a class a frozen, keyword-only pydantic dataclass that raises ``ParameterError``.
+    """Decorator for frozen, keyword-only pydantic dataclasses that raise ``ParameterError``.
 
     Fields carry their range as an annotation (``Length``, ``between(0.0, 1.0)``); relations
     between fields are checked in ``__post_init__``.
@@ -67,7 +67,7 @@ def _parameter_error(owner: str, error: pydantic.ValidationError) -> ParameterEr
 
 
 def replace(instance: Instance, **changes: Any) -> Instance:
-    """Copy a parameter object with some fields changed, checked again.
+    """Copy of a parameter object with some fields changed, validated.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ def replace(instance: Instance, **changes: Any) -> Instance:
 
 
 def finite(value: Any, field: str, allowed: str = "a finite number", unit: str = "") -> float:
-    """Convert a number or a quantity to a float; text is for files, whose reader knows its unit."""
+    """Finite float of a number or a quantity; text is rejected, as its unit is unknown."""
     if isinstance(value, (str, bytes)):
         raise ParameterError(field, value, allowed)
     return quantity(value, unit or "1", field, bare=True, allowed=allowed)
@@ -106,7 +106,7 @@ def finite(value: Any, field: str, allowed: str = "a finite number", unit: str =
 def inside(
     value: Any, field: str, low: float, high: float, unit: str, *, above: bool, below: bool
 ) -> float:
-    """Return ``value`` if it lies from low to high; ``above`` and ``below`` exclude the ends."""
+    """Validated value from low to high; ``above`` and ``below`` exclude the ends."""
     lower = f"more than {low:g}" if above else f"{low:g}"
     upper = f"less than {high:g}" if below else f"{high:g}"
     allowed = f"{lower} to {upper} {unit}".rstrip()
@@ -124,7 +124,7 @@ def between(
     Parameters
     ----------
     low, high : float
-        Ends, which belong to the range.
+        Inclusive ends of the range.
     unit : str
         Unit in the error.
     above, below : bool
@@ -161,7 +161,7 @@ def all_between(low: float, high: float, unit: str = "") -> BeforeValidator:
 
 
 def ascending(values: tuple[float, ...], field: str, unit: str = "") -> None:
-    """Refuse a list that is not strictly ascending."""
+    """Raise an error for a list that is not strictly ascending."""
     for index in range(1, len(values)):
         if values[index] <= values[index - 1]:
             raise ParameterError(
@@ -184,7 +184,7 @@ def instance_of(*classes: type[Any]) -> BeforeValidator:
 
 
 def one_of(*words: str) -> BeforeValidator:
-    """Validator of a field: one of several words."""
+    """Validator of a field: a word from a list."""
 
     def check(value: Any, info: ValidationInfo) -> Any:
         if value not in words:

@@ -1,7 +1,7 @@
-"""Wavelengths of a picture of a planet: a common policy of all renderers.
+"""Wavelengths of a picture, common to all renderers.
 
-Still pictures have sixteen, evenly spaced; interactive pictures, and everything that a texel of a
-GPU holds, have the few that reproduce colours best.
+Still pictures have sixteen, evenly spaced; interactive pictures and GPUs have three or four,
+optimised for colours.
 """
 
 from __future__ import annotations
@@ -30,28 +30,23 @@ COUNTS: Final = {"three": 3, "four": 4, "eight": 8, "sixteen": 16}
 def picture_wavelengths(
     planet: Planet, choice: int | str | None = None, *, most: int | None = None
 ) -> FloatArray:
-    """Choose the wavelengths of a picture.
+    """Wavelengths of a picture of a planet.
 
     Parameters
     ----------
     planet : Planet
-        Planet, known between its limits.
+        Planet, with its wavelength range.
     choice : int or str, optional
-        A number: as many over the visible, evenly spaced; three are 680, 550 and 440 nm. A word of
-        ``COUNTS``: few are chosen for their colours, many are evenly spaced. By default sixteen, or
-        the four chosen wavelengths where no more fit.
+        Number of wavelengths, evenly spaced over the visible; three are 680, 550 and 440 nm. Or a
+        word from ``COUNTS``, whose small sets are optimised for colours. Default: sixteen, or four
+        optimised ones if ``most`` requires.
     most : int, optional
-        Limit where the picture is drawn: 3 or 4; a word for more wavelengths gets 4.
+        Limit of the renderer, 3 or 4.
 
     Returns
     -------
     array, shape (n,)
         Wavelengths. [nm]
-
-    Raises
-    ------
-    ParameterError
-        If the word is unknown, or the planet is known at no visible wavelength.
 
     Examples
     --------
@@ -79,13 +74,7 @@ def picture_wavelengths(
 
 
 def texel_wavelengths(planet: Planet, choice: int | str | None = None) -> FloatArray:
-    """Wavelengths of a picture that only a GPU renders, the browser's or this machine's.
-
-    Parameters
-    ----------
-    planet, choice :
-        Arguments of ``picture_wavelengths``; a word for more wavelengths than a texel holds gets
-        as many as that.
+    """Wavelengths of a picture that is rendered on a GPU, at most those of a texel.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Planet: ground, shell of air, star, and constituents of the air."""
+"""Planet: ground, star, and constituents of the atmosphere."""
 
 from __future__ import annotations
 
@@ -45,26 +45,25 @@ LARGEST_RATIO: Final = 10.0
 
 @parameters
 class Planet(TomlModel):
-    """Spherical ground under a shell of air, lit by a star.
+    """Spherical planet with an atmospheric shell, illuminated by a star.
 
     Parameters
     ----------
     name : str
-        1 to 60 letters.
+        Name of 1 to 60 letters.
     bottom_radius, top_radius : float
-        Radii of the ground and of the top of the air, from the centre. [m]
-    ground : Ground
-    star : Star
+        Radii of the ground and of the top of the atmosphere. [m]
     constituents : tuple of Constituent
         Constituents, 1 to 64.
     default_wavelengths : tuple of float, optional
         Default wavelengths of the planet. [nm]
     description : str, optional
-        Nature and sources of the numbers, in a sentence or two.
+        Description and sources, in a sentence or two.
     body : str, optional
-        World whose sky it has by place and time: ``"earth"``, ``"mars"`` or ``"titan"``.
+        Body of the solar system, for the sun by place and time: ``"earth"``, ``"mars"`` or
+        ``"titan"``.
     refraction : str, optional
-        ``"bouguer"``: the gases bend light; ``"none"``: rays are straight.
+        ``"bouguer"`` for refraction by gases; ``"none"`` for straight rays.
 
     Examples
     --------
@@ -243,11 +242,11 @@ class Planet(TomlModel):
 
     @property
     def wavelength_limits(self) -> Limits:
-        """Wavelengths at which every part is known, lowest and highest. [nm]"""
+        """Wavelength range of all parts. [nm]"""
         return narrowest([(SHORTEST, LONGEST), *self._limits_by_part().values()])
 
     def lights(self, wavelengths: npt.ArrayLike) -> tuple[LightSource, ...]:
-        """Light sources of the planet: today only the star.
+        """Light sources of the planet: the star.
 
         Parameters
         ----------
@@ -268,7 +267,7 @@ class Planet(TomlModel):
         return (star,)
 
     def lit_at(self, time: datetime) -> Planet:
-        """Planet with the sun at its true distance at a time; itself if its light has no distance.
+        """Planet with the sun at its distance at a time; itself if the star has no distance.
 
         Parameters
         ----------
@@ -278,7 +277,7 @@ class Planet(TomlModel):
         Raises
         ------
         ParameterError
-            If the planet names no ``body``, or the time is unusable.
+            If the planet has no ``body``, or the time is out of range.
 
         Examples
         --------
@@ -296,23 +295,17 @@ class Planet(TomlModel):
 
     @property
     def world(self) -> World:
-        """World that it represents.
-
-        Raises
-        ------
-        ParameterError
-            If it names none.
-        """
+        """Body of the solar system that it represents."""
         if self.body is None:
             raise ParameterError("body", MISSING, f"one of {', '.join(WORLDS)}")
         return world_named(self.body)
 
     @property
     def wavelengths(self) -> tuple[float, ...]:
-        """Own wavelengths of the planet. [nm]
+        """Default wavelengths of the planet. [nm]
 
-        ``default_wavelengths`` if given; otherwise 680, 550 and 440 if every part is known there;
-        otherwise those of the first part that names any.
+        ``default_wavelengths`` if given; otherwise 680, 550 and 440 nm if in the range of all
+        parts; otherwise those of the first part that has a list.
         """
         if self.default_wavelengths is not None:
             return self.default_wavelengths
@@ -328,7 +321,7 @@ class Planet(TomlModel):
         return (0.5 * (low + high),)
 
     def check_wavelengths(self, wavelengths: tuple[float, ...]) -> None:
-        """Refuse a wavelength at which some part of the planet is not known."""
+        """Raise an error for a wavelength outside the range of some part."""
         low, high = self.wavelength_limits
         for nm in wavelengths:
             if not low <= nm <= high:

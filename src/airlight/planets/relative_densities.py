@@ -8,18 +8,7 @@ from airlight.planets.planet import Planet
 
 
 def relative_densities(planet: Planet) -> DensitySegments:
-    """Density profiles of a planet's constituents over its shell, cached with the planet.
-
-    Parameters
-    ----------
-    planet : Planet
-        Planet.
-
-    Raises
-    ------
-    ParameterError
-        If a profile is impossible: the constituent is named.
-    """
+    """Density profiles of a planet's constituents over its shell, cached with the planet."""
     kept: DensitySegments | None = vars(planet).get("_relative_densities")
     if kept is None:
         rows = [_row(planet, i) for i in range(len(planet.constituents))]

@@ -1,8 +1,8 @@
-"""Spectral values: a constant, or numbers at listed wavelengths.
+"""Spectral values: a constant, or values at wavelengths.
 
-Between given wavelengths, positive spectra (coefficients, optical depths, cross-sections,
-irradiances, refractivities, imaginary parts of an index) follow power laws, and all else (albedos,
-asymmetries, weights, ratios, real parts) straight lines.
+Between wavelengths positive spectra (coefficients, optical depths, cross-sections, irradiances,
+refractivities, imaginary parts of an index) follow power laws; albedos, asymmetries, weights,
+ratios and real parts are linear.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ class PerWavelength:
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which the value is known, the 10 nm included. [nm]"""
+        """Wavelength range, 10 nm beyond the listed ones. [nm]"""
         return min(self.wavelengths) - BEYOND, max(self.wavelengths) + BEYOND
 
     def at(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -86,17 +86,14 @@ class PerWavelength:
         return power_law(nm, self.wavelengths, self.values)
 
     def at_fourth_power(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Value at any wavelength [nm], shape (...): a power law between its own, λ⁻⁴ beyond.
-
-        The law of Rayleigh scattering, which the given values need not follow exactly.
-        """
+        """Value at any wavelength [nm], shape (...): a power law between its own, λ⁻⁴ beyond."""
         nm = values_in(wavelengths, "nm", "wavelengths")
         factor = np.asarray(self.values) * np.asarray(self.wavelengths) ** 4
         return power_law(nm, self.wavelengths, factor) / nm**4
 
 
 def check_wavelength_list(wavelengths: tuple[float, ...], field: str = "wavelengths") -> None:
-    """Refuse a list that is empty, too long or names a wavelength twice."""
+    """Raise an error for a list that is empty, too long or repeats a wavelength."""
     if not 1 <= len(wavelengths) <= MOST_WAVELENGTHS:
         raise ParameterError(field, wavelengths, f"1 to {MOST_WAVELENGTHS} wavelengths")
     if len(set(wavelengths)) != len(wavelengths):
@@ -117,7 +114,7 @@ def spectral(low: float, high: float, unit: str = "") -> BeforeValidator:
 
 
 def check_spectral(value: Any, field: str, low: float, high: float, unit: str = "") -> Spectral:
-    """Return the number or ``PerWavelength``, or raise an error with the value out of range."""
+    """Validated number or ``PerWavelength``; errors show the value out of range."""
     if isinstance(value, PerWavelength):
         numbers(value.values, field, low, high, unit)
         return value
@@ -139,12 +136,12 @@ def power_law_at(value: Spectral, wavelengths: npt.ArrayLike) -> FloatArray:
 
 
 def spectral_limits(*values: Spectral) -> Limits:
-    """Wavelengths at which all the values are known. [nm]"""
+    """Common wavelength range of several values. [nm]"""
     return narrowest(value.limits for value in values if isinstance(value, PerWavelength))
 
 
 def narrowest(limits: Any) -> Limits:
-    """Overlap of several limits; lowest above highest if there is none. [nm]"""
+    """Overlap of several ranges; lowest above highest if there is none. [nm]"""
     low, high = EVERYWHERE
     for one_low, one_high in limits:
         low, high = max(low, one_low), min(high, one_high)
@@ -152,7 +149,7 @@ def narrowest(limits: Any) -> Limits:
 
 
 def table_limits(name: str) -> Limits:
-    """Wavelengths at which a table of ``spectra`` is known, 10 nm included. [nm]"""
+    """Wavelength range of a table of ``airlight.physics.spectra``, 10 nm beyond its ends. [nm]"""
     from airlight.physics.spectra.tables import read_spectrum
 
     wavelengths = read_spectrum(name).wavelengths

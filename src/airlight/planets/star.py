@@ -1,4 +1,4 @@
-"""Star that lights the planet."""
+"""Star of a planet: spectrum, distance and size."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def _read_spectrum(section: TomlTable, name: str, wavelengths: Wavelengths) -> s
 
 
 def _read_irradiance(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
-    """Read one number, a list, or the spectrum of a file at the planet's distance. [W m⁻² nm⁻¹]"""
+    """Read a number, a list, or the spectrum of a file at the planet's distance. [W m⁻² nm⁻¹]"""
     if name not in section:
         return None
     value, field = section.raw(name), section.name_of(name)
@@ -80,25 +80,24 @@ def _spectrum_of_file(section: TomlTable, name: str, field: str) -> PerWavelengt
 
 @parameters
 class Star(TomlModel):
-    """Incoming light: a measured spectrum, given values, or a black body.
+    """Star with a measured spectrum, given irradiances, or a black-body spectrum.
 
     Exactly one of ``spectrum``, ``irradiance`` and ``temperature`` is given.
 
     Parameters
     ----------
     spectrum : str, optional
-        ``"astm-g173"``, the sun at 1 au; it is scaled to ``distance``.
+        ``"astm-g173"``, the sun at 1 au, scaled to ``distance``.
     irradiance : float or PerWavelength, optional
         Irradiance at the planet, 0 to 1e9. [W m⁻² nm⁻¹]
     temperature : float, optional
-        Temperature of a black body, seen at ``distance``; needs ``radius``. [K]
+        Temperature of a black body at ``distance``; requires ``radius``. [K]
     distance : float, optional
         Distance from the star to the planet; 1 au for the solar spectrum. [m]
     radius : float, optional
         Radius of the star; the nominal solar radius for the solar spectrum. [m]
     angular_radius : float, optional
-        Half the angle that the star subtends, 0 (a point) to 30; from radius and distance by
-        default. [deg]
+        Angular radius, 0 (a point) to 30; default: from radius and distance. [deg]
 
     Examples
     --------
@@ -240,19 +239,19 @@ class Star(TomlModel):
 
     @property
     def known_distance(self) -> float | None:
-        """Distance to the planet: 1 au for the solar spectrum by default; None if unknown. [m]"""
+        """Distance to the planet; default 1 au for the solar spectrum, otherwise None. [m]"""
         if self.distance is None and self.spectrum is not None:
             return ASTRONOMICAL_UNIT
         return self.distance
 
     @property
     def known_radius(self) -> float | None:
-        """Radius: the sun's for the solar spectrum by default; None if unknown. [m]"""
+        """Radius; default that of the sun for the solar spectrum, otherwise None. [m]"""
         return SOLAR_RADIUS if self.radius is None and self.spectrum is not None else self.radius
 
     @property
     def angular_radius_degrees(self) -> float:
-        """Half the angle that the star subtends at the planet. [deg]"""
+        """Angular radius at the planet. [deg]"""
         if self.angular_radius is not None:
             return self.angular_radius
         assert self.known_radius is not None
@@ -260,7 +259,7 @@ class Star(TomlModel):
         return math.degrees(math.asin(self.known_radius / self.known_distance))
 
     def at_distance(self, distance: Measure) -> Star:
-        """Star at another distance, and of the size that it has there.
+        """Star at another distance, with its angular radius there.
 
         Parameters
         ----------
@@ -270,8 +269,8 @@ class Star(TomlModel):
         Returns
         -------
         Star
-            Star whose angular radius is rounded to three digits, so that solutions of neighbouring
-            days are one; itself if it is known only by its irradiance.
+            Star with its angular radius rounded to three digits, so that nearby dates share a
+            solution; itself if only its irradiance is given.
 
         Examples
         --------
@@ -287,7 +286,7 @@ class Star(TomlModel):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which the light is known. [nm]"""
+        """Wavelength range of the spectrum. [nm]"""
         if self.spectrum is not None:
             return table_limits(self.spectrum)
         if self.irradiance is not None:
@@ -314,10 +313,10 @@ class Star(TomlModel):
 
     @property
     def darkening(self) -> Callable[[npt.ArrayLike], FloatArray] | None:
-        """Law of the disc's darkening towards its rim, of wavelengths, see ``LightSource``.
+        """Limb-darkening law as a function of wavelengths, see ``LightSource``.
 
-        The sun's where the spectrum is the sun's, that of a grey atmosphere where a temperature is
-        known; None, a uniform disc, beside an irradiance alone.
+        That of the sun for the solar spectrum, of a grey atmosphere with a temperature, None (a
+        uniform disc) otherwise.
         """
         from airlight.physics.spectra.limb_darkening import black_body_darkening, solar_darkening
 

@@ -1,4 +1,4 @@
-"""Appearance of the ground in pictures: maps of colour, town lights and clouds."""
+"""Appearance of the ground in pictures: maps of colour, city lights and clouds."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
-    """Maps that pictures of the ground are made of; no input of a solver.
+    """Maps of the ground for rendering, which do not affect solvers.
 
     Parameters
     ----------
     map, lights, clouds : str or None
-        Names or paths of the maps of colour, of town lights and of clouds.
+        Names or paths of the maps of colour, city lights and clouds.
     brightness : float
         Factor of the map of colour. [1]
     cloud_altitude : float
-        Altitude of the clouds; 0 without a map of them. [m]
+        Altitude of the clouds; 0 without a map. [m]
     """
 
     map: str | None = None

@@ -1,4 +1,4 @@
-"""Constituents whose profile a low top of the shell truncates."""
+"""Constituents whose profile is truncated by a low top of the shell."""
 
 from __future__ import annotations
 
@@ -19,12 +19,8 @@ _STEP: Final = 1e-3
 def truncated_constituents(planet: Planet) -> list[str]:
     """Constituents that the top of the shell truncates.
 
-    Above the top each is taken to go on with the scale height that it has there, H, so that the
-    column n H is missing. Uniform layers have no scale height and are not named.
-
-    Parameters
-    ----------
-    planet : Planet
+    With the scale height H at the top and the density n there, the column n H is missing. Uniform
+    layers are not listed.
 
     Returns
     -------

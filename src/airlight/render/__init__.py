@@ -1,7 +1,7 @@
 """CPU rendering of a solution and a scene to a frame of linear radiance.
 
-``airlight.render(solution, scene)`` is the function ``render.render``. Importing this package also
-makes it the attribute ``render`` of ``airlight``; hence the package is callable as that function.
+``airlight.render`` is the function ``render.render``; as the import of this package replaces it,
+the package is callable.
 """
 
 from __future__ import annotations

@@ -17,8 +17,6 @@ def fits(planet: Planet, wavelengths: int) -> bool:
     ----------
     planet : Planet
         Planet, whose constituents are counted.
-    wavelengths : int
-        Number of wavelengths.
     """
     try:
         check_planet(planet, wavelengths)
@@ -28,20 +26,7 @@ def fits(planet: Planet, wavelengths: int) -> bool:
 
 
 def check_planet(planet: Planet, wavelengths: int) -> None:
-    """Raise if a planet exceeds the capacity of the shaders.
-
-    Parameters
-    ----------
-    planet : Planet
-        Planet, whose constituents are counted.
-    wavelengths : int
-        Number of wavelengths.
-
-    Raises
-    ------
-    ParameterError
-        If there are too many wavelengths or constituents.
-    """
+    """Raise if a planet exceeds the capacity of the shaders."""
     from airlight.render.pixels.capacity import check_capacity
 
     constituents = len(planet.constituents) + (planet.refraction != "none")  # "refraction" is one

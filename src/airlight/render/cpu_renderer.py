@@ -98,18 +98,7 @@ class CpuRenderer:
     def fill_sky_view(
         self, *, cancel: Cancel | None = None, progress: Progress | None = None
     ) -> None:
-        """Fill the sky-view LUT, if any; to be called before rendering.
-
-        Parameters
-        ----------
-        cancel, progress : callable, optional
-            See ``airlight.kernel.threads``.
-
-        Raises
-        ------
-        Cancelled
-            If ``cancel`` requested it.
-        """
+        """Fill the sky-view LUT, if any; to be called before rendering."""
         if self.window is None:
             return
         layers = fill_sky_view(
@@ -164,11 +153,6 @@ class CpuRenderer:
 
 def color_weights(solution: MomentsSolution) -> FloatArray:
     """Linear sRGB per radiance of unit irradiance at each wavelength.
-
-    Parameters
-    ----------
-    solution : MomentsSolution
-        Solution of the planet.
 
     Returns
     -------

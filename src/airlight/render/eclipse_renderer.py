@@ -19,13 +19,7 @@ Float32Array = NDArray[np.float32]
 
 
 def check_unfiltered(scene: Scene) -> None:
-    """Raise if the camera has a polarising filter, which eclipses do not support.
-
-    Raises
-    ------
-    ParameterError
-        If it has.
-    """
+    """Raise if the camera has a polarising filter, which eclipses do not support."""
     angle = scene.camera.polariser
     if angle is not None:
         raise ParameterError("camera.polariser", angle, "none where a moon's shadow is rendered")
@@ -43,11 +37,6 @@ class EclipseRenderer(CpuRenderer):
     local : array, shape (3, 3)
         Axes of the observer's local frame in that of the eclipse, as rows: x horizontally towards
         the star, z to the zenith. [1]
-
-    Raises
-    ------
-    ParameterError
-        If the camera has a polarising filter, as eclipses are rendered without polarisation.
     """
 
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
@@ -60,18 +49,12 @@ class EclipseRenderer(CpuRenderer):
     def fill_sky_view(
         self, *, cancel: Cancel | None = None, progress: Progress | None = None
     ) -> None:
-        """Do nothing: there is no sky-view LUT."""
+        """No effect, as there is no sky-view LUT."""
 
     def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """See ``CpuRenderer``; Stokes Q and U are not supported.
-
-        Raises
-        ------
-        ParameterError
-            If Q or U is requested.
-        """
+        """See ``CpuRenderer``; Stokes Q and U are not supported."""
         if element is not None:
             raise ParameterError("stokes", True, "False where a moon's shadow is rendered")
         out = np.empty((px.size, self._tables.lanes), np.float32)

@@ -38,8 +38,6 @@ class Written:
 
     Parameters
     ----------
-    path : Path
-        Path of the file.
     size : int
         Size of the file. [byte]
     exposure : float or None
@@ -52,22 +50,12 @@ class Written:
 
 
 def picture_suffix(path: str | Path) -> str:
-    """Return the suffix of a picture to be written, after checking that it can be written.
+    """Suffix of a picture to be written; an error if it cannot be.
 
     Parameters
     ----------
     path : str or Path
-        Path of the future file.
-
-    Returns
-    -------
-    str
-        Suffix, one of ``SUFFIXES``.
-
-    Raises
-    ------
-    FileError
-        If the suffix is unknown, or nothing can be written there.
+        Path of the file.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
@@ -94,39 +82,37 @@ def write_picture(
 ) -> Written:
     """Write a frame's colours as PNG (exposed, tone mapped, encoded), or linear as EXR or HDR.
 
-    An EXR of a frame with Q and U has them as layers, ``Q.R`` to ``U.B``, beside I in ``R`` to
-    ``B``. An HDR has eight bits of each channel and no channel below 0, see ``write_hdr``.
+    An EXR has Q and U of the frame as layers ``Q.R`` to ``U.B``. For the limits of HDR see
+    ``write_hdr``.
 
     Parameters
     ----------
     path : str or Path
         Path ending in ``.png``, ``.exr`` or ``.hdr``.
     picture : Frame or array, shape (h, w, 3)
-        Frame, which knows its metadata, the angle of its pixels and what counts for its exposure;
-        or linear sRGB radiance, weighted by the colour-matching functions, float32.
-        [W m⁻² sr⁻¹]
+        Frame, or linear sRGB radiance, weighted by the colour-matching functions, float32. [W m⁻²
+        sr⁻¹]
     metadata : mapping of str to str, optional
-        Further facts of how the frame was made, recorded in the file.
+        Further metadata for the file.
     exposure : float or "auto"
-        The colours are multiplied by 2 to this power; ``auto`` measures it, see
-        ``Frame.exposure`` and, of an array, ``airlight.image.exposure.automatic_exposure``. Only
-        for PNG. [EV]
+        Exponent of two that multiplies the colours; ``auto``: see ``Frame.exposure`` and, for an
+        array, ``airlight.image.exposure.automatic_exposure``. Only for PNG. [EV]
     tone_map, encoding, primaries : str
         Names of ``airlight.image``. Only for PNG.
     eye : bool, optional
-        Whether light of less than 4 cd m⁻² is seen as by an eye in the dark; by default where the
-        exposure is ``auto``. Only for PNG.
+        Whether to simulate mesopic vision below 4 cd m⁻²; default: with exposure ``auto``. Only for
+        PNG.
     bits : int
         Bits per channel of a PNG, 8 or 16.
     glare : float
-        Amount of glare around bright points, 0 to 10: 1 is that of a lens. Only for PNG. [1]
+        Amount of glare, 0 to 10; 1 is that of a lens. Only for PNG. [1]
     pixel_angle : float
         Angle of a pixel of an array; without it there is no glare. [rad]
     layers : mapping of str to array, optional
         Further channels of an EXR, as for ``airlight.image.exr.write_exr``.
     crop : (int, int, int, int), optional
-        Window that is written: its left and top edge, width and height. Exposure and glare are
-        those of the whole picture. Only for PNG. [pixel]
+        Written window: left and top edge, width and height. Exposure and glare are those of the
+        whole picture. Only for PNG. [pixel]
 
     Returns
     -------
@@ -185,7 +171,7 @@ def write_picture(
 
 
 def read_picture_metadata(path: str | Path) -> dict[str, str]:
-    """Texts in the header of a picture, of a file that was written to its end.
+    """Metadata of a complete picture file.
 
     Parameters
     ----------
@@ -196,11 +182,6 @@ def read_picture_metadata(path: str | Path) -> dict[str, str]:
     -------
     dict of str to str
         Texts by name, with the prefix ``airlight.``.
-
-    Raises
-    ------
-    FileError
-        If the file is missing, no such picture, or cut off.
     """
     try:
         if Path(path).suffix.lower() == ".exr":

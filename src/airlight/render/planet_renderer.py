@@ -38,23 +38,14 @@ def planet_renderer(
 
     Parameters
     ----------
-    lights : SceneLights
-        Lights of the scene.
     light, body : Light, Body
         Light, and planet with air.
-    lit : MomentsSolution
-        Solution of the planet under the light.
     scene : Scene
         Observer and camera in the frame of the light.
     local : array, shape (3, 3)
         Axes of that frame in the scene's, as rows. [1]
     cache, progress, cancel :
         See ``render_system``.
-
-    Raises
-    ------
-    ParameterError
-        If the camera has a polarising filter and a shadow falls on the air.
     """
     source = lights.seen_from(light, body)
     star = None if light.star is None else occulting_moon(lights, light, body, source)
@@ -74,8 +65,6 @@ def occulting_moon(
 
     Parameters
     ----------
-    lights : SceneLights
-        Lights of the scene.
     star, body : Light, Body
         Star, and planet with air.
     source : LightSource

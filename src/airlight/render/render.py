@@ -50,7 +50,7 @@ def render(
         Solution of at least three wavelengths; or a planet, preset name or path, which is solved
         as by ``render_scene``, with the albedo around the observer, at sixteen wavelengths.
     scene : Scene
-        Observer, lights and camera; each light takes as long as the first.
+        Observer, lights and camera; time is proportional to the number of lights.
     orders : str
         Orders of scattering and reflection: ``"all"``; ``"single"``, the first; or ``"multiple"``,
         the second and higher. The star's disc is visible only with ``"all"``.

@@ -108,24 +108,11 @@ def render_scene(
         Whether the star catalogue is added, for planets with a known ``body``.
     refused : callable, optional
         Receives one line with the reason when ``gpu`` falls back to the CPU.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------
     Frame
         Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device and the local ground.
-
-    Raises
-    ------
-    ParameterError
-        If there are fewer than three wavelengths or one is outside the planet's range, the quality
-        or the orders are unknown, the observer is below the planet's deepest basin, or the planet
-        or projection does not support stars.
-    ConvergenceError
-        If the solver does not converge.
-    Cancelled
-        If ``cancel`` requested it.
 
     Examples
     --------
@@ -176,15 +163,6 @@ def render_with_solution(
         Whether the discs of the lights are rendered.
     refused, progress, cancel :
         Arguments of ``render_scene``.
-
-    Returns
-    -------
-    RenderedScene
-
-    Raises
-    ------
-    ParameterError, ConvergenceError, Cancelled
-        As ``render_scene``.
     """
     planet = load_planet(planet, progress=progress, cancel=cancel)
     if stars:

@@ -93,23 +93,11 @@ def render_system(
         Window to render, as for ``Camera``. [pixel]
     cache : bool
         Whether solutions are read from and stored on disk.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------
     Frame
         Linear sRGB radiance. [W m⁻² sr⁻¹]
-
-    Raises
-    ------
-    ParameterError
-        If bodies overlap, the observer is inside a body, a wavelength is outside a planet's range,
-        or the camera has a polarising filter and a moon's shadow falls on an atmosphere.
-    ConvergenceError
-        If the solver does not converge.
-    Cancelled
-        If ``cancel`` requested it.
     """
     samples = _SAMPLES if samples is None else samples
     if not isinstance(samples, int) or not 1 <= samples <= 16:

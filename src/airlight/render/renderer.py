@@ -6,8 +6,8 @@ The policy of command line, window and saved frames alike:
 * A still frame is rendered once, at full resolution.
 * Live frames of the CPU start coarse and become finer; a newer request interrupts all but the
   first.
-* A live frame of a hardware GPU is rendered once, at full resolution: that takes milliseconds.
-* A software GPU renders from a small sky-view LUT while the view changes; after a short time
+* A live frame of a hardware GPU is rendered once, at full resolution. * A software GPU renders from
+a small sky-view LUT while the view changes; after a short time
   without changes the CPU renders the final frame, which, unlike a long pass, leaves the GPU
   queue free for the window.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
@@ -172,8 +172,6 @@ class Renderer:
 
         Parameters
         ----------
-        solution : MomentsSolution
-            Solution of a planet.
         scene : Scene
             Observer, star and camera.
         exact : bool
@@ -188,21 +186,11 @@ class Renderer:
             Whether the frame has Stokes Q and U; CPU only.
         weights : array, shape (nl, 3), optional
             Linear sRGB per radiance, on the GPU; by default ``picture_weights``.
-        progress, cancel : callable, optional
-            See ``airlight.kernel.threads``.
 
         Returns
         -------
         Frame
             Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
-
-        Raises
-        ------
-        ParameterError
-            If the solution or the frame exceeds the capacity of the GPU, or Q and U are requested
-            of the GPU.
-        Cancelled
-            If ``cancel`` requested it.
         """
         if self._device is None:
             if not self._are_compiled(SKY_VIEW_LOOPS, cancel or (lambda: False)):
@@ -243,11 +231,6 @@ class Renderer:
         Yields
         ------
         LiveFrame
-
-        Raises
-        ------
-        Cancelled
-            If the request became stale during rendering on the CPU.
         """
         step = LiveFrame(scene=scene, orders=orders, finished=True)
         if self._device is None:

@@ -55,8 +55,6 @@ def rendering_gpu(
         ``auto`` ignores software GPUs and falls back silently; ``gpu`` accepts both.
     planet : Planet
         Planet whose constituents the shaders must hold.
-    wavelengths : int
-        Number of wavelengths.
     width : int
         Width of the frame. [pixel]
     refused : callable, optional

@@ -128,8 +128,6 @@ class SceneLights:
 
         Parameters
         ----------
-        star : Light
-            Star.
         points : array, shape (n, 3)
             Positions on the surface or at the centre of a body. [m]
         own : Body

@@ -64,11 +64,6 @@ def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> t
     -------
     tuple of SkyColor
         Colours in the order of ``LOOKS``.
-
-    Raises
-    ------
-    ParameterError
-        If the planet's range does not include the visible.
     """
     from airlight.solver import solve
 

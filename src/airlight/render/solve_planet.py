@@ -62,8 +62,6 @@ def solve_planet(
 
     Parameters
     ----------
-    planet : Planet
-        Planet to solve.
     wavelengths : array, shape (nl,), optional
         Wavelengths; by default ``picture_wavelengths``. [nm]
     quality : str or MomentsSettings
@@ -74,20 +72,6 @@ def solve_planet(
         GPU from ``open_device``; by default the CPU solves.
     cache : bool
         Whether the CPU reads and stores solutions on disk.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Returns
-    -------
-    MomentsSolution
-        Solution.
-
-    Raises
-    ------
-    ParameterError
-        If a wavelength is outside the range of the planet's file, or the quality is unknown.
-    ConvergenceError
-        If the solver does not converge on the CPU.
     """
     if wavelengths is None:
         chosen = picture_wavelengths if device is None else texel_wavelengths

@@ -40,8 +40,6 @@ def add_catalogue(
         Linear sRGB, modified in place. [W m⁻² sr⁻¹]
     scene : Scene
         Scene; discs of its lights occult stars.
-    solution : MomentsSolution
-        Solution of the planet.
     body : str or None
         Celestial body of the planet, from ``WORLDS``.
 
@@ -116,8 +114,6 @@ def apparent_points(
 
     Parameters
     ----------
-    solution : MomentsSolution
-        Solution of the planet.
     altitude : float
         Altitude of the observer. [m]
     true : array, shape (n, 3)

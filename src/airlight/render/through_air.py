@@ -20,8 +20,6 @@ def through_air(
 
     Parameters
     ----------
-    solution : MomentsSolution
-        Solution of the planet.
     altitude : float
         Altitude of the observer. [m]
     directions : array, shape (n, 3)

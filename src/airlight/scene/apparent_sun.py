@@ -27,8 +27,6 @@ def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> flo
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
     altitude : float
         Altitude of the observer. [m]
     sun_zenith : float
@@ -64,10 +62,6 @@ def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
-    altitude : float
-        Altitude of the observer. [m]
     zenith : float
         True zenith angle. [deg]
 

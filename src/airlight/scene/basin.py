@@ -17,14 +17,8 @@ def on_basin_floor(planet: Planet, scene: Scene) -> tuple[Planet, Scene]:
 
     Parameters
     ----------
-    planet : Planet
     scene : Scene
         Scene; scene and planet are returned unchanged for altitudes of 0 or more.
-
-    Raises
-    ------
-    ParameterError
-        If the altitude is below the planet's deepest basin.
 
     Examples
     --------

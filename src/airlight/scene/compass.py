@@ -65,11 +65,6 @@ def bearing(value: Measure, field: str) -> float:
     field : str
         Field named in the error.
 
-    Raises
-    ------
-    ParameterError
-        If the value is not a bearing.
-
     Examples
     --------
     >>> bearing("SW", "sun_azimuth"), bearing("90 deg", "heading"), bearing(-20.0, "heading")

@@ -50,15 +50,13 @@ def lattice_origin(component, radius, cell):
     ----------
     component : float
         Component of the unit vector from the planet's centre to that point. [1]
-    radius : float
-        Radius of the ground. [m]
     cell : float
         Size of the finest cells. [m]
 
     Returns
     -------
     whole, part : float
-        Number of the cell, modulo the period, and the part of it before the point. [1]
+        Index of the cell, modulo the period, and fraction before the point. [1]
 
     Examples
     --------
@@ -74,7 +72,8 @@ def lattice_origin(component, radius, cell):
 def below_289(number):
     """Positive integer modulo 289, as a float; exact despite rounded quotients.
 
-    Drivers compute whole rests lane by lane, and SwiftShader compiled ten gigabytes for this noise.
+    Drivers compute integer remainders lane by lane; SwiftShader then needed ten gigabytes to
+    compile.
 
     Examples
     --------
@@ -105,9 +104,9 @@ def lattice_value(column, k):
     Parameters
     ----------
     column : float
-        Shuffled numbers of the point along two axes, 0 to 288.
+        Permuted indices along two axes, 0 to 288.
     k : float
-        Its number along the third, 0 to 255.
+        Index along the third axis, 0 to 255.
     """
     return shuffled(column + k) / 144.0 - 1.0
 
@@ -131,7 +130,7 @@ def smooth_noise(x, y, z):
     Parameters
     ----------
     x, y, z : float
-        Place. [cell]
+        Position. [cell]
     """
     i, j, k = float(floor(x)), float(floor(y)), float(floor(z))
     u, v, w = quintic(x - i), quintic(y - j), quintic(z - k)
@@ -157,8 +156,6 @@ def ground_detail(dx, dy, dz, footprint, cell, whole_x, whole_y, whole_z, part_x
         Ground position relative to the point below the observer, in the planet's frame. [m]
     footprint : float
         Longer axis of the pixel footprint. [m]
-    cell : float
-        Size of the finest cells. [m]
     whole_x, whole_y, whole_z, part_x, part_y, part_z : float
         Results of ``lattice_origin``.
     """

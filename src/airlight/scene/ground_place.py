@@ -81,8 +81,6 @@ def map_level(pixel_angle, reach, cosine, bottom, rows):
         Distance from the observer to the ground. [m]
     cosine : float
         Cosine of the angle between line of sight and vertical there. [1]
-    bottom : float
-        Radius of the ground. [m]
     rows : float
         Number of rows of the full map.
 

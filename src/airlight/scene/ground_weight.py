@@ -185,7 +185,6 @@ def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, Float
 
     Parameters
     ----------
-    medium : Medium
     radius : array, shape (n,)
         Radii of the points. [m]
 

@@ -32,11 +32,6 @@ class LightPosition:
     index : int
         Index of its source among those of the planet.
 
-    Raises
-    ------
-    ParameterError
-        If an angle is out of range.
-
     Examples
     --------
     >>> LightPosition(zenith=90.0).direction.round(12) + 0.0
@@ -75,13 +70,7 @@ class LightPosition:
         return star
 
     def relative_to(self, star: LightPosition) -> LightPosition:
-        """Light with a disc that may depend on the first light of the scene.
-
-        Parameters
-        ----------
-        star : LightPosition
-            First light of the scene.
-        """
+        """Light with a disc that may depend on the first light of the scene."""
         return self
 
     def source(self, sources: tuple[LightSource, ...]) -> LightSource:
@@ -91,11 +80,6 @@ class LightPosition:
         ----------
         sources : tuple of LightSource
             Sources of the planet: ``Solution.lights``.
-
-        Raises
-        ------
-        ParameterError
-            If the planet has no source of that index.
         """
         if not 0 <= self.index < len(sources):
             raise ParameterError("light.index", self.index, f"0 to {len(sources) - 1}")

@@ -31,11 +31,6 @@ def within(field: str, value: Measure, low: float, high: float, unit: str) -> fl
     float
         Finite value. [unit]
 
-    Raises
-    ------
-    ParameterError
-        With the field, the value and the allowed range.
-
     Examples
     --------
     >>> within("scene.sun_zenith", 200.0, 0.0, 180.0, "deg")

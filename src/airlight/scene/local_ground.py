@@ -130,8 +130,6 @@ def ring_mean(
 
     Parameters
     ----------
-    shown : SurfaceMap
-        Map.
     latitude, longitude : float
         Coordinates of the point. [deg]
     distances : array, shape (n,)

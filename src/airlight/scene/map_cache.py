@@ -43,11 +43,6 @@ def cached_levels(
     -------
     Levels
         Size and texels, read-only; memory-mapped if cached.
-
-    Raises
-    ------
-    FileError
-        Errors of ``decode``.
     """
     try:
         key = _key(source, files)

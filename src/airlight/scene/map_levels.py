@@ -89,11 +89,6 @@ def level_count(rows: int) -> int:
 def area_weights(size: int, parts: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Overlap weights that resample ``size`` texels to ``parts``.
 
-    Parameters
-    ----------
-    size, parts : int
-        Numbers of texels before and after.
-
     Returns
     -------
     first : array, shape (parts,)
@@ -174,13 +169,7 @@ def reduced(
 
 
 def empty_levels(rows: int, columns: int) -> NDArray[np.uint8]:
-    """Flat array for a map and all its mip levels, shape (4·n,).
-
-    Parameters
-    ----------
-    rows, columns : int
-        Size of the full map.
-    """
+    """Flat array for a map and all its mip levels, shape (4·n,)."""
     start, height, width = level_place(rows, columns, level_count(rows) - 1)
     return np.empty(CHANNELS * (start + height * width), np.uint8)
 
@@ -192,8 +181,6 @@ def level_views(flat: NDArray[np.uint8], rows: int, columns: int) -> tuple[NDArr
     ----------
     flat : array of uint8, shape (4·n,)
         Array of ``empty_levels``.
-    rows, columns : int
-        Size of the full map.
     """
     views = []
     for level in range(level_count(rows)):

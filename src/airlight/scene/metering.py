@@ -30,7 +30,7 @@ _NEAR: Final = 0.25
 
 @kernel
 def left_out(angular_radius, pixel_angle):
-    """Cosine of the angle around a star within which pixels are ignored. [1]
+    """Cosine of the angle around a star within which pixels are excluded. [1]
 
     Parameters
     ----------
@@ -57,16 +57,16 @@ def metering_weight(
     width, height : float
         Size of the frame. [pixel]
     field_of_view : float
-        Field of view, as the projection's ``ray`` takes it. [rad]
+        Field of view of the projection's ``ray``. [rad]
     sun_right, sun_up, sun_forward : float
         Unit vector towards the star, in the camera's frame. [1]
     cosine : float
-        Cosine of the angle about the star that is left out, from ``left_out``. [1]
+        Result of ``left_out``. [1]
 
     Returns
     -------
     float
-        Solid angle, with its sign. [sr]
+        Signed solid angle. [sr]
     """
     right, up, forward = projected_ray(projection, x, y, width, height, field_of_view)
     if right * right + up * up + forward * forward < 0.5:
@@ -113,8 +113,6 @@ def metering_weights(
     ----------
     scene : Scene
         Scene with camera and lights.
-    angular_radius : float
-        Angular radius of the star. [rad]
     step : int
         Step between evaluated rows and columns. [pixel]
 
@@ -160,10 +158,6 @@ def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: floa
     ----------
     rgb : array, shape (height, width, 3)
         Linear sRGB of the frame. [W m⁻² sr⁻¹]
-    scene : Scene
-        Scene with camera and lights.
-    angular_radius : float
-        Angular radius of the star. [rad]
 
     Returns
     -------

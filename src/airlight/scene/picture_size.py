@@ -49,8 +49,6 @@ def scaled(scene: Scene, part: float) -> Scene:
 
     Parameters
     ----------
-    scene : Scene
-        Scene with the camera.
     part : float
         Scale of width and height. [1]
 

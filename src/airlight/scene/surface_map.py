@@ -152,8 +152,6 @@ def from_pixels(
 
     Parameters
     ----------
-    name : str
-        Name of the map.
     pixels : array, shape (h, w, 3)
         sRGB-encoded reflectance, 255 for 1.
     water : array, shape (h, w), optional
@@ -211,8 +209,6 @@ def packed_texels(
 
     Parameters
     ----------
-    pixels, water : array
-        Arguments of ``from_pixels``.
     out : array, shape (m, n, 4), optional
         Receives the texels, and is returned.
     """

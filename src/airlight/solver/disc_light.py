@@ -32,8 +32,6 @@ def disc_light(solution: Solution, phase: float) -> FloatArray:
 
     Parameters
     ----------
-    solution : Solution
-        Solution of the planet.
     phase : float
         Phase angle between star and observer, seen from the planet, 0 to 180. [deg]
 
@@ -41,11 +39,6 @@ def disc_light(solution: Solution, phase: float) -> FloatArray:
     -------
     array, shape (nl,)
         p Φ. [1]
-
-    Raises
-    ------
-    ParameterError
-        If the phase angle is out of its range.
     """
     if not 0.0 <= phase <= 180.0:
         raise ParameterError("phase", phase, "0 to 180 deg")

@@ -43,7 +43,6 @@ def column_radii(medium: Medium, rows: int) -> FloatArray:
 
     Parameters
     ----------
-    medium : Medium
     rows : int
         Number of rows for clear air.
     """

@@ -65,13 +65,7 @@ class Argument:
     unit: str
 
     def numbers(self, field: str) -> FloatArray:
-        """Values as numbers within their range, shape (...). [unit]
-
-        Raises
-        ------
-        ParameterError
-            If a value is not a number, has a unit of another kind, or is out of its range.
-        """
+        """Values as numbers within their range, shape (...). [unit]"""
         allowed = f"{self.low:g} to {self.high:g} {self.unit}"
         array = values_in(self.value, self.unit, field, allowed=f"numbers from {allowed}")
         wrong = ~((array >= self.low) & (array <= self.high))
@@ -117,11 +111,6 @@ class NamedAxes:
         arrays : list of array, shape (n,)
             Values of each argument, raveled. [unit]
         axes : NamedAxes
-
-        Raises
-        ------
-        ParameterError
-            If a value is refused, or the shapes do not broadcast.
 
         Examples
         --------

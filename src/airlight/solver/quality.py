@@ -15,14 +15,8 @@ def settings_by_name(quality: str | S, known: Mapping[str, S]) -> S:
 
     Parameters
     ----------
-    quality : str or Settings
     known : mapping of str to Settings
         Quality levels of a solver.
-
-    Raises
-    ------
-    ParameterError
-        If it is neither one of these names nor settings of that solver.
 
     Examples
     --------

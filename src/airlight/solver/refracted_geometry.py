@@ -181,8 +181,8 @@ def _apparent_nu(x, mu, mu_s, nu, bottom, top, refraction_table, out):
 def without_refraction(medium: Medium) -> tuple[Medium, str]:
     """Medium without refraction and a note for the report, or the medium itself and "".
 
-    Stars then stand in their true direction: on Earth the sun sets half a degree earlier, and the
-    zenith in twilight is up to 10 % darker.
+    Without refraction, on Earth, the sun sets half a degree earlier, and the zenith in twilight is
+    up to 10 % darker.
     """
     if not medium.refractivity.any():
         return medium, ""
@@ -191,12 +191,6 @@ def without_refraction(medium: Medium) -> tuple[Medium, str]:
 
 
 def require_no_refraction(medium: Medium, what: str) -> None:
-    """Raise an error for a refracting medium, in methods without refraction.
-
-    Raises
-    ------
-    ParameterError
-        If the medium refracts; the message names the method ``what``.
-    """
+    """Raise an error if the medium refracts; ``what`` names the method without refraction."""
     if medium.refractivity.any():
         raise ParameterError("refraction", "bouguer", f"'none' for {what}")

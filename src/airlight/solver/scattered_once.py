@@ -83,12 +83,8 @@ def scattered_once(
 
     Parameters
     ----------
-    medium : Medium
-        Medium of the planet.
     lines : LinesOfSight
         Lines of sight, n of them.
-    cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------

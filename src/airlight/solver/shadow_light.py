@@ -47,15 +47,8 @@ class ShadowLight:
 
     Parameters
     ----------
-    solution : Solution
-        Solution of the planet.
     distance : float
         Distance from the planet's centre, outside its atmosphere. [m]
-
-    Raises
-    ------
-    ParameterError
-        If the distance lies inside the atmosphere.
     """
 
     def __init__(self, solution: Solution, distance: float) -> None:
@@ -96,11 +89,6 @@ class ShadowLight:
         -------
         array, shape (n, nl)
             Irradiance over that without the planet. [1]
-
-        Raises
-        ------
-        ParameterError
-            If an angle is out of its range, or the star is a point.
         """
         return np.asarray([self._free(a) + self._refracted(a) for a in self._angles(separation)])
 
@@ -117,7 +105,7 @@ class ShadowLight:
         return np.asarray(angles)
 
     def _free(self, separation: float) -> FloatArray:
-        """Irradiance of the part of the disc outside the atmosphere. [1]"""
+        """Irradiance by the part of the star's disc outside the atmosphere. [1]"""
         return visible_light(
             math.degrees(self.star_radius), [np.degrees(separation)],
             [np.degrees(self.air_radius)], darkening=self._law,

@@ -221,25 +221,11 @@ def single_scattering(
 ) -> FloatArray:
     """Single scattering by each constituent, without its phase function.
 
-    Parameters
-    ----------
-    medium : Medium
-        Medium of the planet.
-    lines : LinesOfSight
-        Lines of sight.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
     Returns
     -------
     array, shape (n, nc, nl)
         ∫ scattering_i ρ_i T <T_sun V_sun> ds per irradiance of the star: factor of the phase
         function p_i(ν) in the radiance. [1]
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
     """
     require_no_refraction(medium, "single scattering by quadrature")
     constituents, wavelengths = medium.scattering.shape
@@ -296,8 +282,6 @@ def reflected_once(medium: Medium, lines: LinesOfSight) -> FloatArray:
     ----------
     medium : Medium
         Medium with the planet's ground, of its mean albedo.
-    lines : LinesOfSight
-        Lines of sight.
 
     Returns
     -------

@@ -75,7 +75,7 @@ class Report:
 
     @property
     def provenance(self) -> str:
-        """Report without wall time or cache: equal for equal computations."""
+        """Report without wall time, equal for equal computations."""
         return self._described("")
 
     def _described(self, took: str) -> str:
@@ -444,7 +444,7 @@ class Solution(ABC):
         )
 
     def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
-        """Diffuse irradiance per irradiance of the star, its label, and its error if known. [1]"""
+        """Diffuse irradiance over that of the star [1], its label, and its error if known."""
         return {"diffuse": ("diffuse irradiance", self.relative_sky_irradiance(r, mu_s))}
 
     def _labelled(

@@ -195,13 +195,6 @@ def solution_of(
         Solution, or what ``solve`` takes for a planet.
     wavelengths : callable, optional
         Function from a planet to its wavelengths; default: the planet's. [nm]
-    progress, cancel : callable, optional
-        See ``solve``.
-
-    Raises
-    ------
-    ParameterError, ConvergenceError
-        As ``solve``.
     """
     if isinstance(given, Solution):
         return given

@@ -143,8 +143,6 @@ def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatA
 
     Parameters
     ----------
-    medium : Medium
-        Medium of the planet.
     r, mu_s : array, shape (n,)
         Distance from the centre, inside the shell [m], and zenith cosine of the star [1].
 

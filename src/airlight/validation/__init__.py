@@ -1,1 +1,1 @@
-"""Validation against independent authorities, and the report that shows it."""
+"""Validation against independent authorities, and its report."""

@@ -1,4 +1,4 @@
-"""Answers of several solvers to the same questions, and whether two of them agree."""
+"""Agreement of several solvers on the same cases."""
 
 from __future__ import annotations
 
@@ -63,9 +63,9 @@ class Agreement:
     Attributes
     ----------
     first, second : Result
-        Answers compared; the second is the reference where a reference is needed.
+        Results compared; the second is the reference.
     judged : array of bool, shape (cases, wavelengths)
-        Whether a value is bright enough to be judged.
+        Whether a value is bright enough for comparison.
     """
 
     first: Result
@@ -104,9 +104,9 @@ def results(
     cases: Sequence[Case] = CASES, wavelengths: Sequence[float] = WAVELENGTHS,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> list[Result]:  # fmt: skip
-    """Compute the radiances of all cases with every solver, under a point star.
+    """Radiances of all cases by each solver, under a point star.
 
-    Without polarisation, of which the direct solver knows nothing.
+    Without polarisation, which the direct solver does not support.
 
     Parameters
     ----------
@@ -114,16 +114,8 @@ def results(
         Name of a preset, or path of a file.
     solvers : sequence of (str, object)
         Names and qualities, or settings, as ``solve`` takes them.
-    cases : sequence of Case
     wavelengths : sequence of float
         Three by default. [nm]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
     """
     planet = with_point_star(load_planet(planet_name))
     out = []
@@ -154,6 +146,6 @@ def results(
 
 
 def agreements(given: Sequence[Result]) -> list[Agreement]:
-    """Comparison of every pair of results where the last, the reference, is bright enough."""
+    """Comparison of each pair of results where the last, the reference, is bright enough."""
     bright = given[-1].radiance > LEAST_RADIANCE
     return [Agreement(a, b, bright) for a, b in combinations(given, 2)]

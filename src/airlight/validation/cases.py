@@ -1,14 +1,11 @@
-"""The grid of lines of sight on which the three solvers are compared, from ground to space.
+"""Cases: lines of sight on which the three solvers are compared, from ground to space.
 
-The grid is stated here and nowhere else: observers on the ground, at 1, 10 and 30 km, at the top
-of the shell, and at 400 and 500 km; the sun 0° to 96° from the zenith; views straight up, slanting,
-along the horizon, past the planet at a lowest height, down to the ground and straight down; with
-the sun ahead, beside and behind. It is a list of 60 lines of sight, not a full product: they are
-spread over the product's range and ordered by observer, sun and view.
+A list of 60 lines of sight, ordered by observer, sun and view. Observers: on the ground, at 1, 10
+and 30 km, at the top of the shell, and at 400 and 500 km. Sun: 0° to 96° from the zenith. Views:
+zenith, slant, horizon, limb, ground and nadir, with the sun ahead, to the side and behind.
 
-The sun's zenith angle is given **at the target point**: the lowest point of a view past the
-planet, the ground for a view to the ground, otherwise the observer. Twilight is thus on the line
-of sight whatever the observer's height.
+The solar zenith angle is that **at the target point**: the lowest point of a limb view, the ground
+for a view to the ground, otherwise the observer.
 """
 
 from __future__ import annotations
@@ -41,7 +38,7 @@ WAVELENGTHS: Final = (680.0, 550.0, 440.0)
 
 @dataclass(frozen=True)
 class Case:
-    """Line of sight, in terms that fit every planet.
+    """Line of sight, independent of the planet.
 
     Attributes
     ----------
@@ -147,11 +144,10 @@ CASES: Final[tuple[Case, ...]] = (
 
 
 def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[float, ...]:
-    """Convert a case to the arguments of ``Solution.radiance``.
+    """Arguments of ``Solution.radiance`` for a case.
 
     Parameters
     ----------
-    case : Case
     bottom_radius, top_radius : float
         Radii of the planet. [m]
 
@@ -193,14 +189,12 @@ def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[fl
 
 
 def geometry(planet: Planet, cases: Sequence[Case] = CASES, level: float = 0.0) -> CaseLines:
-    """Convert cases for a planet to keyword arguments of ``Solution.radiance``.
+    """Keyword arguments of ``Solution.radiance`` for cases of a planet.
 
     Parameters
     ----------
-    planet : Planet
-    cases : sequence of Case, length n
     level : float
-        Altitude that stands for the ground in the cases: above a cloud, its top. [m]
+        Altitude that replaces the ground in the cases, such as a cloud top. [m]
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""The suite ``cie``: luminance of a clear Earth's sky against the CIE standard clear sky."""
+"""Suite ``cie``: luminance of the Earth's clear sky against the CIE standard clear sky."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def cie(
     *, planet: str = "earth", quality: str = "default", progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Suite:  # fmt: skip
-    """Compare the sky of a clear Earth with the fit.
+    """Comparison of the Earth's clear sky with the CIE standard.
 
     Parameters
     ----------
@@ -50,8 +50,6 @@ def cie(
         Name of a preset, or path of a file.
     quality : str
         Quality of the moments solver.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     earth = load_planet(planet)
     nm = default_wavelengths(16, *earth.wavelength_limits)
@@ -105,7 +103,7 @@ def cie(
 
 
 def with_aerosol(planet: Planet, factor: float) -> Planet:
-    """Multiply the coefficients of the constituent named "aerosol"."""
+    """Planet with scaled coefficients of the constituent "aerosol"."""
 
     def thicker(constituent: Constituent) -> Constituent:
         if constituent.name != "aerosol":
@@ -118,7 +116,7 @@ def with_aerosol(planet: Planet, factor: float) -> Planet:
 def _by_aerosol(
     earth: Planet, nm: FloatArray, quality: str, progress: Progress | None, cancel: Cancel | None
 ) -> ReportTable:
-    """Compare under more and less aerosol, which accounts for most of the difference."""
+    """Comparison under more and less aerosol, the main cause of differences."""
     weights = rgb_weights(nm)
     rows = []
     for done, factor in enumerate(AEROSOL):
@@ -153,7 +151,6 @@ def sky_luminance(
 
     Parameters
     ----------
-    solution : Solution
     weights : array, shape (nl, 3)
         Weights from ``rgb_weights``. [nm]
     sun : float
@@ -171,7 +168,7 @@ def sky_luminance(
 
 
 def plane_luminance(solution: Solution, weights: FloatArray, sun: float) -> FloatArray:
-    """Luminance over the zenith's along ``PLANE``, shape (179,). [1]"""
+    """Luminance along ``PLANE`` over that of the zenith, shape (179,). [1]"""
     azimuth = np.where(PLANE < 0.0, 180.0, 0.0)
     values = sky_luminance(solution, weights, sun, np.abs(PLANE), azimuth)
     return np.asarray(values / values[np.argmin(np.abs(PLANE))])

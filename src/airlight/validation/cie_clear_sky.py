@@ -1,11 +1,11 @@
-r"""CIE standard clear sky, type 12: a fit to measured skies, in luminance over the zenith's.
+r"""CIE standard clear sky, type 12: relative luminance, a fit to measured skies.
 
 .. math:: \frac{L(Z, \chi)}{L_z} = \frac{f(\chi)\, \varphi(Z)}{f(Z_s)\, \varphi(0)}, \quad
           \varphi(Z) = 1 + a\, e^{b/\cos Z}, \quad
           f(\chi) = 1 + c\,(e^{d\chi} - e^{d\pi/2}) + e \cos^2\chi
 
-with a = -1, b = -0.32, c = 10, d = -3, e = 0.45. A statistical fit to many skies of many days, not
-a solution of any equation: no clear sky need follow it.
+with a = -1, b = -0.32, c = 10, d = -3, e = 0.45. It is a statistical fit, not a solution of
+radiative transfer.
 
 Source: CIE S 011/ISO 15469:2004, Spatial distribution of daylight: CIE standard general sky;
 Darula & Kittler (2002), CIE general sky standard defining luminance distributions, eSim.

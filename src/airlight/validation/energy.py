@@ -1,4 +1,4 @@
-"""The suite ``energy``: conservation of energy, and reciprocity of light paths."""
+"""Suite ``energy``: conservation of energy, and reciprocity."""
 
 from __future__ import annotations
 
@@ -50,16 +50,14 @@ def energy(
     *, quality: str = "default", order_solvers: Sequence[tuple[str, object]] = ORDER_SOLVERS,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> Suite:  # fmt: skip
-    """Balance the light of furnaces and Earths, and show how fast the orders converge.
+    """Energy balances of furnaces and Earths, and convergence of the orders.
 
     Parameters
     ----------
     quality : str
-        Quality of the moments solver, which computes the balances.
+        Quality of the moments solver.
     order_solvers : sequence of (str, object)
-        Solvers that keep their orders apart, with their qualities.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
+        Solvers with separate orders, and their qualities.
     """
     thresholds: list[Threshold] = []
     parts: list[Part] = []
@@ -115,7 +113,7 @@ def _marks(errors: FloatArray, threshold: float) -> list[Mark]:
 
 
 def net_gain(solution: Solution, altitude: float) -> FloatArray:
-    """Net flux out of a sphere over the starlight on its disc, shape (nl,). [1]"""
+    """Net outward flux of a sphere over the starlight on its cross-section, shape (nl,). [1]"""
     mu_s, weight = pieces(_SUN_EDGES, 6)
     flux = level_fluxes(solution, altitude, mu_s)
     direct = mu_s[:, None] * star_through(solution, altitude, mu_s)
@@ -124,7 +122,7 @@ def net_gain(solution: Solution, altitude: float) -> FloatArray:
 
 
 def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
-    """White furnace: nothing absorbs, the ground returns everything."""
+    """White furnace test: conservative atmosphere over ground of albedo 1."""
     solution = _solved(furnace(1.0), quality, cancel)
     gain = np.stack([net_gain(solution, level) for level in LEVELS])
     table = ReportTable(
@@ -145,7 +143,7 @@ def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
 
 
 def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
-    """Light that enters at the top and does not leave, and the part absorbed by the ground. [1]"""
+    """Net flux into the top, and the part absorbed by the ground. [1]"""
     medium = solution.medium
     mu_s, weight = pieces(_SUN_EDGES, 6)
     entered = -net_gain(solution, medium.thickness)
@@ -156,7 +154,7 @@ def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
 
 
 def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
-    """Grey furnaces: conservative air over an absorbing ground."""
+    """Grey furnace test: conservative atmosphere over absorbing ground."""
     albedos = (0.0, 0.3, 0.8)
     rows, errors = [], []
     for albedo in albedos:
@@ -181,7 +179,7 @@ def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
 
 
 def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
-    """Balance of a whole Earth with absorbing air, day and night sides together."""
+    """Global energy balance of an Earth with absorbing atmosphere."""
     solution = _solved(round_earth(), quality, cancel)
     medium = solution.medium
     entered, kept = _entered_and_kept(solution)
@@ -208,7 +206,7 @@ def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
 
 
 def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
-    """Balance of an Earth without curvature at each sun height, and reciprocity of its paths."""
+    """Energy balance of a plane-parallel Earth at each sun elevation, and reciprocity."""
     solution = _solved(flat_earth(), quality, cancel)
     medium = solution.medium
     mu_s = np.cos(np.radians(SUNS))

@@ -1,4 +1,4 @@
-"""The planets of the energy suite: a furnace, and an Earth so vast that it is flat."""
+"""Planets of the energy suite: furnaces, and Earths with and without curvature."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ VAST: Final = 1000.0
 
 
 def furnace(albedo: float) -> Planet:
-    """Conservative gas and haze over a ground of an albedo.
+    """Conservative gas and haze over a Lambert ground.
 
     The gas has three optical depths, one per wavelength; the star is a point of irradiance 1.
 
     Parameters
     ----------
     albedo : float
-        Albedo of the ground; 1 is the white furnace, which loses nothing. [1]
+        Albedo of the ground; 1 for the white furnace. [1]
     """
     gas = PerWavelength(wavelengths=WAVELENGTHS, values=(5.8e-6, 13.5e-6, 33.1e-6))
     return Planet(
@@ -53,12 +53,12 @@ def furnace(albedo: float) -> Planet:
 
 
 def round_earth() -> Planet:
-    """AP2's clear Earth with the corrected aerosol, ground albedo 0.1, a point star."""
+    """AP2's clear Earth with the corrected aerosol, ground albedo 0.1 and a point star."""
     return reference_earth(albedo=0.1, aerosol_absorption=CORRECTED_ABSORPTION)
 
 
 def flat_earth() -> Planet:
-    """The same air on a ground a thousand times as large, where sun heights do not mix."""
+    """Plane-parallel limit of ``round_earth``: a ground radius a thousand times as large."""
     earth = round_earth()
     bottom = VAST * earth.bottom_radius
     return replace(

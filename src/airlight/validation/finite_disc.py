@@ -1,9 +1,8 @@
-"""Effect of the star's finite disc on light scattered once.
+"""Effect of the star's finite disc on single scattering.
 
-The solvers are compared under a point star: the disc is no matter of method. The direct solver
-weighs the visible part of the disc by the transmittance to its centre; the moments solver takes
-two points of a low disc; Monte Carlo samples it. When the disc is low in dense air, a point
-differs from the disc: this suite gives the size of that difference, by quadrature alone.
+The solvers treat the disc differently (transmittance to its centre, two points, random points) and
+are therefore compared under a point star. This suite computes the effect of a low disc by
+quadrature.
 """
 
 from __future__ import annotations
@@ -26,19 +25,14 @@ LEAST_RADIANCE = 1e-6
 
 
 def with_point_star(planet: Planet) -> Planet:
-    """The planet under a point star of the same irradiance.
-
-    Parameters
-    ----------
-    planet : Planet
-    """
+    """Planet under a point star of the same irradiance."""
     return replace(planet, star=replace(planet.star, angular_radius=0.0))
 
 
 def finite_disc(
     planet_name: str, *, cases: Sequence[Case] = CASES, cancel: Cancel | None = None
 ) -> ReportTable:
-    """Compare the first order under a point star with that under the preset's disc, by quadrature.
+    """Comparison of the first order under a point star and under the preset's disc.
 
     Parameters
     ----------
@@ -46,8 +40,6 @@ def finite_disc(
         Name of a preset, or path of a file.
     cases : sequence of Case
         Lines of sight.
-    cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     disc = load_planet(planet_name)
     by_star = []

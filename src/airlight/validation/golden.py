@@ -1,4 +1,4 @@
-"""The suite ``golden``: numbers printed by authorities, against those that airlight computes."""
+"""Suite ``golden``: published numbers against those of airlight."""
 
 from __future__ import annotations
 
@@ -42,24 +42,17 @@ def golden(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Suite:
-    """Compute every golden number and compare.
+    """Comparison of all golden numbers.
 
     Parameters
     ----------
     groups : sequence of Group, optional
-        Groups to compute instead of those that ship with the package.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
+        Groups instead of those of the package.
 
     Returns
     -------
     Suite
         One table and one threshold per group.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` said so.
     """
     groups = golden_groups() if groups is None else groups
     thresholds, parts = [], []
@@ -240,7 +233,7 @@ def _corrected_medium() -> Medium:
 
 
 def _cosine(at: Any, medium: Medium) -> float:
-    """Cosine of the zenith angle of a ray given by that angle or by its lowest altitude. [1]"""
+    """Cosine of a ray's zenith angle, from the angle or from its lowest altitude. [1]"""
     if "tangent" in at:
         lowest = medium.bottom_radius + at["tangent"]
         return -sqrt(1.0 - (lowest / (medium.bottom_radius + at["altitude"])) ** 2)

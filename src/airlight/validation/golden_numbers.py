@@ -1,6 +1,6 @@
-"""Golden numbers: read from ``data/golden.toml``, and compared with computed values.
+"""Golden numbers: published values from ``data/golden.toml``, for comparison.
 
-A number is kept as it is printed, so that its last digit gives the tolerance.
+The last printed digit gives the tolerance.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class GoldenRow:
-    """Golden numbers that belong together.
+    """Row of golden numbers.
 
     Attributes
     ----------
     label : str
         Description of the numbers.
     at : dict
-        Inputs that they were computed for.
+        Inputs.
     printed : tuple of str
         Numbers as printed.
     allowed : array, shape (n,)
@@ -125,7 +125,7 @@ def last_digit(printed: str) -> float:
 
 @cache
 def golden_groups() -> tuple[Group, ...]:
-    """Golden numbers that ship with the package, in the order of the file."""
+    """Golden numbers of the package, in the order of the file."""
     text = files("airlight.validation").joinpath("data/golden.toml").read_text(encoding="utf-8")
     groups: dict[str, Group] = {}
     for table in tomllib.loads(text)["group"]:
@@ -175,16 +175,10 @@ def compare(
 
     Parameters
     ----------
-    group : Group
     got : sequence of array, shape (n,)
         Values of each row, in the order of the group.
     single : bool
         Whether both are rounded to float32 before the comparison.
-
-    Raises
-    ------
-    ValueError
-        If there are more or fewer numbers than in the group.
     """
     compared = []
     for row, values in zip(group.rows, got, strict=True):

@@ -1,6 +1,6 @@
 """Validation report as Markdown, with its pictures as files.
 
-Of long tables it has the rows that fail; the HTML report has all of them.
+Long tables contain only rows that fail; the HTML report has all rows.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ def markdown(report: ValidationReport, pictures: str) -> str:
 
     Parameters
     ----------
-    report : ValidationReport
     pictures : str
         Folder of the pictures relative to the page, such as ``"pictures"``.
     """
@@ -57,13 +56,7 @@ def markdown(report: ValidationReport, pictures: str) -> str:
 
 
 def picture_files(report: ValidationReport) -> dict[str, bytes]:
-    """Contents of the pictures, by file name.
-
-    Raises
-    ------
-    ValueError
-        If two pictures have the same name.
-    """
+    """Contents of the pictures, by file name."""
     return files_of([part for suite in report.suites for part in suite.parts])
 
 
@@ -81,7 +74,7 @@ def _section(suite: Suite, pictures: str) -> list[str]:
 
 
 def _shortened(part: Part) -> Part:
-    """Part with only those rows of a folded table that fail."""
+    """Part with only the failing rows of a folded table."""
     if not isinstance(part, ReportTable) or not part.folded:
         return part
     count = len(part.rows)

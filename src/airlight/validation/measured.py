@@ -52,33 +52,19 @@ _UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 def measured(
     data: Path, *, progress: Progress | None = None, cancel: Cancel | None = None
 ) -> Suite:
-    """Compare with measured skies by Bruneton's protocol.
+    """Comparison with measured skies by Bruneton's protocol.
 
     Parameters
     ----------
     data : Path
-        Folder that holds ``kider2013-05-27.npz`` and AERONET's phase function.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If either file cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
+        Folder of ``kider2013-05-27.npz`` and of AERONET's phase function.
     """
     rows = compute(data, progress=progress, cancel=cancel)
     return suite_of(rows)
 
 
 def suite_of(rows: Rows) -> Suite:
-    """Build the section of the report.
-
-    Parameters
-    ----------
-    rows : Rows
-    """
+    """Build the section of the report."""
     scans = rows.scans
     ours = {SAME: rows.same, KNOWN: rows.known, FITTED: rows.fitted}
     scores = {name: rows.score(got) for name, got in ours.items()}

@@ -27,23 +27,14 @@ def measured_days(
     data: Path, *, quality: str = "default", progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Suite:  # fmt: skip
-    """Compare with every measured day in a folder.
+    """Comparison with all measured days in a folder.
 
     Parameters
     ----------
     data : Path
-        Folder that holds days as ``kider*.npz``.
+        Folder of the files ``kider*.npz``.
     quality : str
         Quality of the solver.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If there is none, or one cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
     """
     return suite_of(
         [
@@ -54,12 +45,7 @@ def measured_days(
 
 
 def suite_of(days: list[Day]) -> Suite:
-    """Build the section of the report.
-
-    Parameters
-    ----------
-    days : list of Day
-    """
+    """Build the section of the report."""
     return Suite(
         name="kider",
         title="Measured days, load fitted",
@@ -148,7 +134,7 @@ def _scores(day: Day) -> ReportTable:
 
 
 def _residuals(day: Day) -> Residuals:
-    """Residuals of the row that counts."""
+    """Residuals of the scored row."""
     values = day.scans.measurements(day.file.name)
     predicted, known = day.row.predicted.ravel(), day.rows[1].predicted.ravel()
     spread = float(np.sqrt(np.square(predicted - values.radiance).mean()))
@@ -162,7 +148,7 @@ def _residuals(day: Day) -> Residuals:
 
 
 def _places(day: Day) -> ReportTable:
-    """Shares of the squared error: the sun's aureole, the low ring, the worst wavelength."""
+    """Fractions of the squared error: the aureole, the lowest ring, the worst wavelength."""
     scans, predicted = day.scans, day.row.predicted
     squares = np.square(predicted - scans.radiance)
     near = scans.angle_from_sun < NEAR

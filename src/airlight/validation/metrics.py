@@ -1,4 +1,4 @@
-"""Error metrics: the difference of two sets of numbers, and its largest values."""
+"""Error metrics of two sets of numbers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class ErrorSummary:
-    """Errors of many values, summarised by four numbers.
+    """Summary of errors.
 
     Attributes
     ----------
@@ -30,11 +30,7 @@ class ErrorSummary:
 
 
 def relative_errors(got: ArrayLike, expected: ArrayLike) -> FloatArray:
-    """Signed errors over the expected values; 0 where both are 0, inf where only the latter is. [1]
-
-    Parameters
-    ----------
-    got, expected : array, shapes that broadcast to (...)
+    """Signed relative errors; 0 where both values are 0, inf where only the expected one is. [1]
 
     Examples
     --------
@@ -57,7 +53,7 @@ def summarise(errors: ArrayLike, counted: ArrayLike | None = None) -> ErrorSumma
     errors : array, shape (...)
         Errors, signed or not.
     counted : array of bool, shape (...), optional
-        Mask of the values that count; all if left out.
+        Mask of the values; default: all.
 
     Examples
     --------
@@ -75,14 +71,14 @@ def summarise(errors: ArrayLike, counted: ArrayLike | None = None) -> ErrorSumma
 def beyond_noise(
     got: ArrayLike, expected: ArrayLike, standard_error: ArrayLike, errors: float = 3.0
 ) -> FloatArray:
-    """Relative errors, 0 where they are within some standard errors: the referee's noise. [1]
+    """Relative errors, 0 where within some standard errors of the reference. [1]
 
     Parameters
     ----------
     got, expected, standard_error : array, shapes that broadcast to (...)
         Values in the same unit.
     errors : float
-        Number of standard errors that counts as no error.
+        Number of standard errors.
 
     Examples
     --------
@@ -97,13 +93,7 @@ def beyond_noise(
 def in_standard_errors(
     got: ArrayLike, expected: ArrayLike, standard_error: ArrayLike
 ) -> FloatArray:
-    """Signed differences over the standard error; 0 where there is neither. [1]
-
-    Parameters
-    ----------
-    got, expected, standard_error : array, shapes that broadcast to (...)
-        Values in the same unit.
-    """
+    """Signed differences over the standard error; 0 where both are 0. [1]"""
     difference = np.asarray(got, float) - np.asarray(expected, float)
     noise = np.broadcast_to(np.asarray(standard_error, float), difference.shape)
     out = np.where(difference == 0.0, 0.0, np.copysign(np.inf, difference))
@@ -112,7 +102,7 @@ def in_standard_errors(
 
 
 def largest_by_chance(count: int) -> float:
-    """Median of the largest of ``count`` values of pure Gaussian noise.
+    """Median of the largest of ``count`` Gaussian random numbers.
 
     Parameters
     ----------
@@ -143,7 +133,7 @@ def log_ratio_rms(got: ArrayLike, expected: ArrayLike, weights: ArrayLike | None
     got, expected : array, shapes that broadcast to (...)
         Values above 0.
     weights : array, shape (...), optional
-        Weights such as solid angles; equal if left out.
+        Weights such as solid angles; default: equal.
 
     Returns
     -------

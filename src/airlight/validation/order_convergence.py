@@ -1,4 +1,4 @@
-"""Convergence of the orders of scattering: light of each order over the sum of all."""
+"""Convergence of the orders of scattering: radiance of each order over the sum."""
 
 from __future__ import annotations
 
@@ -43,14 +43,12 @@ def order_convergence(
     solvers: Sequence[tuple[str, Any]] = ORDER_SOLVERS, *, progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> list[Part]:  # fmt: skip
-    """Show the light of each order by each solver, as a picture and a table.
+    """Picture and table of the radiance of each order by each solver.
 
     Parameters
     ----------
     solvers : sequence of (str, object)
         Names and qualities.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     planet = round_earth()
     shares: dict[str, FloatArray] = {}
@@ -70,7 +68,7 @@ def order_convergence(
 
 
 def order_shares(solution: Solution, where: CaseLines) -> FloatArray:
-    """Light of orders 1, 2, … over the total, shape (orders, cases). [1]"""
+    """Radiance of orders 1, 2, … over the total, shape (orders, cases). [1]"""
     if isinstance(solution, MonteCarloSolution):  # the orders come from the same histories
         traced = solution.trace(solution.lines_of_sight(**where)[0])
         return np.asarray(traced.parts[:, :-1, 0].T / traced.total[:, 0])

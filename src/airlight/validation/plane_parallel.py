@@ -1,9 +1,9 @@
-"""Suite ``disort``: optically thick plane-parallel air against discrete ordinates.
+"""Suite ``disort``: optically thick plane-parallel atmospheres against discrete ordinates.
 
 Reference: irradiances by PythonicDISORT (Ho & Pincus 2024, Journal of Open Source Software 9,
 6442), discrete ordinates after Stamnes, Tsay, Wiscombe & Jayaweera (1988), Applied Optics 27, 2502,
-in many even layers; ``builders/disort.py`` made ``data/plane-parallel.toml``. Here the planets are
-a thousand times as large as theirs, so that the suns of neighbouring places do not mix.
+with many equal layers; ``builders/disort.py`` writes ``data/plane-parallel.toml``. Planets here
+have a thousand times their radius, which makes them plane-parallel.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ _BOTTOM, _THICKNESS, _ALBEDO = 6000e3, 100e3, 0.05
 
 @dataclass(frozen=True, kw_only=True)
 class FlatCase:
-    """Flat planet at one wavelength.
+    """Plane-parallel case at one wavelength.
 
     Attributes
     ----------
     name : str
         Name, as in the file.
     planet : Planet
-        The planet, flat, under a point star.
+        Planet in the plane-parallel limit under a point star.
     wavelength : float
         Wavelength. [nm]
     """
@@ -59,7 +59,7 @@ class FlatCase:
 
     @property
     def medium(self) -> Medium:
-        """Medium at the one wavelength."""
+        """Medium at that wavelength."""
         return Medium.from_planet(self.planet, (self.wavelength,))
 
 
@@ -72,7 +72,7 @@ class Reference:
     depth, absorption : float
         Vertical optical depth of extinction and of absorption. [1]
     ground : array, shape (ns,)
-        Irradiance of the level ground over that of level ground outside the air, by sun. [1]
+        Horizontal irradiance of the ground over that outside the atmosphere, by sun. [1]
     """
 
     depth: float
@@ -81,7 +81,7 @@ class Reference:
 
 
 def flat_cases() -> tuple[FlatCase, ...]:
-    """Cases in the order of the report: gas and clouds that are simple, then Venus."""
+    """Cases in the order of the report: simple gas and clouds, then Venus."""
     gas = [
         FlatCase(name=f"gas of depth {depth:g}, absorbs nothing", wavelength=550.0,
                  planet=_air(Exponential(scale_height=8e3), depth / 8e3, 0.0, Rayleigh()))
@@ -102,12 +102,7 @@ def flat_cases() -> tuple[FlatCase, ...]:
 
 
 def flattened(planet: Planet) -> Planet:
-    """The same air above a ground a thousand times as large.
-
-    Parameters
-    ----------
-    planet : Planet
-    """
+    """Planet with a thousand times the ground radius, its plane-parallel limit."""
     bottom = VAST * planet.bottom_radius
     return replace(planet, bottom_radius=bottom, top_radius=bottom + planet.thickness)
 
@@ -115,7 +110,7 @@ def flattened(planet: Planet) -> Planet:
 def _air(
     profile: Exponential | Tent, scattering: float, absorption: float, phase: PhaseFunction
 ) -> Planet:
-    """Flat planet of one constituent, by its coefficients at relative density 1 [m⁻¹]."""
+    """Plane-parallel planet of one constituent, from its coefficients [m⁻¹]."""
     return flattened(
         Planet(
             name="flat air",
@@ -133,7 +128,7 @@ def _air(
 
 @cache
 def references() -> dict[str, Reference]:
-    """References of ``data/plane-parallel.toml`` by the names of their cases."""
+    """References of ``data/plane-parallel.toml`` by case."""
     text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
     return {
         one["name"]: Reference(
@@ -144,12 +139,7 @@ def references() -> dict[str, Reference]:
 
 
 def depths(medium: Medium) -> tuple[float, float]:
-    """Vertical optical depths of extinction and of absorption at the first wavelength. [1]
-
-    Parameters
-    ----------
-    medium : Medium
-    """
+    """Vertical optical depths of extinction and of absorption at the first wavelength. [1]"""
     columns = np.asarray(medium.columns)
     return (
         float(medium.extinction[:, 0] @ columns),
@@ -158,7 +148,7 @@ def depths(medium: Medium) -> tuple[float, float]:
 
 
 def ground_share(solution: Solution, suns: Sequence[float] = SUNS) -> FloatArray:
-    """Irradiance of level ground over that of level ground outside the air, shape (ns,). [1]
+    """Horizontal irradiance of the ground over that outside the atmosphere, shape (ns,). [1]
 
     Parameters
     ----------
@@ -180,7 +170,7 @@ def disort(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Suite:
-    """Compare the light on the ground below flat air with discrete ordinates.
+    """Comparison of the ground's irradiance with discrete ordinates.
 
     Parameters
     ----------
@@ -188,13 +178,6 @@ def disort(
         Quality of the moments solver.
     cases : sequence of FlatCase, optional
         Cases to compare instead of all.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
     """
     solve = solver(progress, cancel)
     thresholds, rows = [], []

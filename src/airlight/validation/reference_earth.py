@@ -1,4 +1,4 @@
-"""The planets of the reference radiances and golden numbers: AP2's air and parts of it.
+"""Planets of the reference radiances and golden numbers: AP2's Earth and variants.
 
 AP2: J. Boody, Atmosphere Plus notes, the later print, sections 1.3 to 1.7.
 """
@@ -35,7 +35,7 @@ def reference_earth(
     aerosol : str or None
         Phase function of the aerosol, g = 0.8; None for no aerosol.
     ozone : bool
-        Whether there is ozone.
+        Whether to include ozone.
     aerosol_absorption : float
         Absorption coefficient of the aerosol. [m⁻¹]
     """

@@ -30,12 +30,12 @@ class ValidationReport:
 
     @property
     def thresholds(self) -> list[tuple[Suite, Threshold]]:
-        """Return every threshold with its suite."""
+        """Thresholds with their suites."""
         return [(suite, threshold) for suite in self.suites for threshold in suite.thresholds]
 
     @property
     def listed(self) -> list[tuple[Suite, Threshold]]:
-        """As ``thresholds``, with the golden tables that are met merged into one."""
+        """``thresholds`` with the passed golden tables merged into one."""
         met = [
             threshold
             for suite, threshold in self.thresholds
@@ -78,17 +78,7 @@ def result_word(suite: Suite) -> str:
 
 
 def html(report: ValidationReport) -> str:
-    """Format the report as a page of HTML.
-
-    Parameters
-    ----------
-    report : ValidationReport
-
-    Returns
-    -------
-    str
-        Page in HTML that is also well-formed XML.
-    """
+    """Report as an HTML page."""
     verdict = "met" if report.passed else "missed"
     facts = "".join(f"<dt>{escape(k)}</dt><dd>{escape(v)}</dd>" for k, v in _facts(report))
     return page_html(

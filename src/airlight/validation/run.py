@@ -1,4 +1,4 @@
-"""Run suites by name, one after the other, and time them."""
+"""Validation run: suites by name, with their wall times."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ SUITES: Final[dict[str, Entry]] = {
 
 
 def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
-    """Which suites to run, and why others of "all" are left out.
+    """Suites to run, and reasons for omitting others of "all".
 
     Parameters
     ----------
@@ -132,12 +132,10 @@ def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
     Returns
     -------
     dict
-        Reason for leaving out a suite, by name in the order of the report; empty if it runs.
+        Reason for omitting a suite, by name in the order of the report; empty if it runs.
 
     Raises
     ------
-    ParameterError
-        If a suite is unknown, or needs data and no folder is given.
     FileError
         If ``data`` is not a folder, or lacks a file that a suite named explicitly needs.
 
@@ -179,26 +177,17 @@ def run(
     names: Sequence[str], data: Path | None = None, *, progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Iterator[Suite]:  # fmt: skip
-    """Run suites lazily, each when the iterator reaches it.
+    """Lazy run of suites.
 
     Parameters
     ----------
     names, data :
         See ``chosen``.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; the message names the suite.
 
     Yields
     ------
     Suite
         Result, with its wall time.
-
-    Raises
-    ------
-    ParameterError, FileError
-        As for ``chosen``, before anything runs; and if a suite's file is damaged.
-    Cancelled
-        If ``cancel`` returned True.
     """
     for name, reason in chosen(names, data).items():
         entry = SUITES[name]

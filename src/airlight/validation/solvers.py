@@ -1,4 +1,4 @@
-"""Suite ``solvers``: three methods without common approximations, on the same cases."""
+"""Suite ``solvers``: three independent methods on the same cases."""
 
 from __future__ import annotations
 
@@ -32,18 +32,16 @@ def solvers(
     *, solvers: Sequence[tuple[str, Any]] = SOLVERS, planets: Sequence[str] = PLANETS,
     cases: Sequence[Case] = CASES, progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> Suite:  # fmt: skip
-    """Compare solvers with each other on the grid of cases.
+    """Comparison of solvers on the grid of cases.
 
     Parameters
     ----------
     solvers : sequence of (str, object)
-        Two solvers or more; the last is the referee.
+        Two or more solvers; the last is the reference.
     planets : sequence of str
         Names of presets, or paths of files.
     cases : sequence of Case
         Grid of lines of sight.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     thresholds: list[Threshold] = []
     parts: list[Part] = []
@@ -147,7 +145,7 @@ def _times_table(rows: Sequence[Sequence[str | int]]) -> ReportTable:
 def _worst(
     planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count: int = 5
 ) -> ReportTable:
-    """List the values of each pair that differ most beyond the noise."""
+    """Table of the values of each pair that differ most beyond the noise."""
     rows: list[tuple[str, ...]] = []
     marks: list[Mark] = []
     for pair in pairs:

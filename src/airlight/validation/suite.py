@@ -1,7 +1,7 @@
 """Parts of a suite of the validation report: thresholds, tables, pictures and text.
 
-A suite computes something, compares it with an authority and returns a ``Suite``: numbers with
-their thresholds, tables and pictures. The report only lays them out.
+A suite compares computed values with an authority and returns a ``Suite``, which the report
+formats.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Suite:
     title : str
         Heading of its section.
     summary : str
-        Two or three sentences: what is compared with what, what came out, what limits it.
+        Two or three sentences: comparison, result, limitations.
     thresholds : sequence of Threshold
         Thresholds that decide whether the suite passes.
     parts : sequence of Part
@@ -78,7 +78,7 @@ class Suite:
     seconds : float
         Wall time, set by the caller. [s]
     not_run : str
-        Reason for leaving it out, such as ``"requires reference data"``; empty if it ran.
+        Reason for omitting it, such as ``"requires reference data"``; empty if it ran.
     """
 
     name: str

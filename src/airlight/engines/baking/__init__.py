@@ -1,4 +1,4 @@
-"""Files of pictures and of baked tables, written whole or not at all."""
+"""Files of pictures and of baked tables, written atomically."""
 
 from __future__ import annotations
 

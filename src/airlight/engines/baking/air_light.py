@@ -1,9 +1,7 @@
-"""Radiance of the air alone, from any solution, for tables of scattered light.
+"""Path radiance from any solution, for tables of scattered light.
 
-A solution gives all the light along a line of sight, including the ground's. A table holds the
-air's light alone, so that an engine can put its own ground behind it. The moments solver marches
-the air apart from the ground; from other solvers' radiances the ground's part, its radiance times
-the transmittance, is subtracted.
+The moments solver computes path radiance directly; from the radiance of other solvers the
+attenuated radiance of the ground is subtracted.
 """
 
 from __future__ import annotations
@@ -40,7 +38,7 @@ _SUNS = 129
 
 
 def lines_of_sight(positions: Positions, medium: Medium) -> LinesOfSight:
-    """Convert points to lines of sight, each ending on its side of the horizon."""
+    """Lines of sight from points, each ending on its side of the horizon."""
     down = vectorized(distance_to_bottom)(positions.r, positions.mu, medium.bottom_radius)
     up = vectorized(distance_to_top)(positions.r, positions.mu, medium.top_radius)
     return LinesOfSight(
@@ -54,24 +52,18 @@ def lines_of_sight(positions: Positions, medium: Medium) -> LinesOfSight:
 
 
 class AirLight:
-    """Air's own light of some orders, along any line of sight.
+    """Path radiance of some orders, along any line of sight.
 
     Parameters
     ----------
     solution : Solution
         Solution of any solver.
     order : int or None
-        Number of scatterings or reflections; None for all light.
+        Order of scattering; None for all.
     cumulative : bool
         Whether all orders up to ``order`` are included.
     peaks_once : bool
-        Whether multiple scattering within forward peaks counts as single scattering where that is
-        separate.
-
-    Raises
-    ------
-    ParameterError
-        If the solution does not keep that order apart.
+        Whether multiple scattering within forward peaks is included in separate single scattering.
     """
 
     def __init__(
@@ -110,15 +102,15 @@ class AirLight:
     def single_and_multiple(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
         """Path radiance split into single scattering and the rest, for a moments solution.
 
-        With all orders, single scattering is unscaled, and multiple scattering within forward peaks
-        belongs to the rest. The first order alone is that of the solution, with delta-M scaling.
+        With all orders, single scattering is unscaled; the first order alone is that of the
+        solution, with delta-M scaling.
 
         Returns
         -------
         once : array, shape (n, nc, nl)
             Single scattering by each constituent, to be multiplied by its phase function. [1]
         rest : array, shape (n, nl)
-            Radiance of all other orders that are included. [sr⁻¹]
+            Radiance of all other included orders. [sr⁻¹]
         """
         solution = self.solution
         assert isinstance(solution, MomentsSolution)
@@ -186,10 +178,7 @@ class AirLight:
         return np.maximum(light, 0.0)
 
     def _ground(self, lines: LinesOfSight, order: int | None) -> FloatArray:
-        """Radiance of the ground, of one order, where lines of sight end on it, (rows, nl). [sr⁻¹]
-
-        Direct irradiance is from one direction, sky irradiance from all.
-        """
+        """Radiance of the ground of one order, at the ends of lines of sight, (rows, nl). [sr⁻¹]"""
         medium, rows = self.solution.medium, lines.to_ground
         bottom, nu = medium.bottom_radius, lines.nu[rows]
         mu_s = (lines.r[rows] * lines.mu_s[rows] + lines.length[rows] * nu) / bottom
@@ -207,7 +196,7 @@ class AirLight:
         return total / np.pi
 
     def _sky_at(self, mu_s: FloatArray, order: int) -> FloatArray:
-        """Irradiance of the ground by the sky of one order, or of all (0), shape (n, nl). [1]"""
+        """Diffuse irradiance of the ground of one order, or of all (0), shape (n, nl). [1]"""
         suns, values = self._sky(order)
         # In twilight the sky falls e-fold in a degree or two: its logarithm is interpolated.
         logs = np.log(np.maximum(values.T, 1e-300))
@@ -215,10 +204,7 @@ class AirLight:
         return np.asarray(sky)
 
     def _sky(self, order: int) -> tuple[FloatArray, FloatArray]:
-        """Irradiance of the ground by the sky of one order, or of all (0), over the sun's cosine.
-
-        Some solvers integrate it for each sun, so a table over suns is made once.
-        """
+        """Table over the sun's cosine of the diffuse irradiance of one order, or of all (0)."""
         if order not in self._skies:
             t = np.linspace(-1.0, 1.0, _SUNS)
             suns = np.sin(0.5 * np.pi * (0.3 * t + 0.7 * t**3))  # steps of 0.4° about level
@@ -253,9 +239,9 @@ def described_orders(order: int | None, cumulative: bool) -> str:
 
 
 def groups(medium: Medium) -> tuple[list[int], list[int]]:
-    """Indices of the constituents that scatter like molecules, and of all others that scatter.
+    """Indices of molecular and of all other scattering constituents.
 
-    The only moment of the phase function of molecules is the second.
+    Molecules have phase functions whose only moment is the second.
     """
     moments = medium.phase_moments(4)
     gas: list[int] = []

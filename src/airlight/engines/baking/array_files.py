@@ -1,4 +1,4 @@
-"""Arrays of NPZ files from others: sizes in their headers are checked before they are unpacked."""
+"""Reader of untrusted NPZ files: sizes are checked before unpacking."""
 
 from __future__ import annotations
 
@@ -33,23 +33,9 @@ def read_arrays(path: Path, content: bytes, largest: int) -> dict[str, NDArray[A
     Parameters
     ----------
     path : Path
-        Subject of errors.
-    content : bytes
-        Contents of the file.
+        Path for error messages.
     largest : int
-        Largest size of the arrays together. [byte]
-
-    Returns
-    -------
-    dict of str to array
-        Arrays by name.
-
-    Raises
-    ------
-    FileError
-        If it is no NPZ of numbers and texts, unpacks to more, or holds numbers that are not finite.
-    CostError
-        If the machine has less memory.
+        Largest total size of the arrays. [byte]
     """
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:

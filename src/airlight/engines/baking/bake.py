@@ -1,4 +1,4 @@
-"""``bake``: tables for engines, computed from a solution, with their error against it."""
+"""``bake``: look-up tables for engines from a solution, with their errors."""
 
 from __future__ import annotations
 
@@ -66,14 +66,14 @@ class Baked:
     Attributes
     ----------
     light : ScatteredLight
-        Radiance of the air from ``tables``.
+        Path radiance from ``tables``.
     tables : dict of str to Table
         ``transmittance``, ``irradiance``, ``scattering``, and ``single-<name>`` or ``particles``;
-        ``higher-order`` if asked for.
+        optionally ``higher-order``.
     about : dict
         Planet, fingerprint, solver, orders, wavelengths, irradiance of the star.
     errors : dict of str to TableErrors
-        Errors by the name of what was compared.
+        Errors by quantity.
     """
 
     light: ScatteredLight
@@ -105,49 +105,46 @@ def bake(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Baked:
-    """Fill tables from a solution of any solver, and measure their errors.
+    """Look-up tables of a solution by any solver, with their errors.
 
     Parameters
     ----------
     solution : Solution, Planet, str or Path
-        Solution to bake; a planet, the name of a preset or a path is solved at its own wavelengths.
+        Solution to bake; a planet, preset name or path is solved at the planet's wavelengths.
     layout : str
         ``bruneton``: (r, mu, mu_s, nu). ``atmosphere-plus``: (altitude, mu, mu_s).
     mapping : str
         Mapping of ``atmosphere-plus``: ``linear``, ``power`` or ``weighted-power``.
     packing : str, optional
-        ``bruneton``: ``separate`` (the default: particles' single light in a table of its own) or
-        ``combined`` (in alpha, colours restored at look-up). ``atmosphere-plus``: ``rgba`` (the
-        default: particles in alpha, grey), ``separate`` or ``phase-included`` (at ``azimuth``).
+        ``bruneton``: ``separate`` (default: single scattering by particles in a separate table) or
+        ``combined`` (in alpha, colours restored at look-up). ``atmosphere-plus``: ``rgba``
+        (default: particles in alpha, grey), ``separate`` or ``phase-included`` (at ``azimuth``).
     azimuth : float
-        Azimuth of a ``phase-included`` table; 0 looks to the sun's side. [deg]
+        Azimuth of a ``phase-included`` table; 0 towards the sun. [deg]
     size : tuple of int, optional
-        Texels along each axis; (32, 128, 32, 8) or (32, 256, 32) if left out.
+        Texels along each axis; default (32, 128, 32, 8) or (32, 256, 32).
     precision : str
         Precision ``single`` or ``half``; transmittance is always single.
     order : int, optional
-        Number of scatterings or reflections to include alone.
+        Single order of scattering to include.
     cumulative : bool
         Whether all orders up to ``order`` are included.
     mu_s_min : float, optional
-        Lowest cosine of the sun's zenith angle in a ``bruneton`` table, -1 to 0; if left out, the
-        end of twilight on this planet. [1]
+        Lowest cosine of the sun's zenith angle in a ``bruneton`` table, -1 to 0; default: the end
+        of twilight. [1]
     higher_orders : bool
-        Whether a ``bruneton`` bake has the table ``higher-order`` too: the light scattered or
-        reflected more than once, which ``scattering`` holds as well, divided by Rayleigh's phase
-        function, so that it can be looked up alone.
+        Whether to add the ``bruneton`` table ``higher-order``: the multiple scattering that
+        ``scattering`` includes, over the Rayleigh phase function.
     smooth_phase : str
-        Divisor of the table ``scattering`` of a ``bruneton`` bake, by which a look-up multiplies:
-        ``own``, the shape of this light itself (``baking.smooth_light``), or ``rayleigh``, by
-        which shaders with Bruneton's own look-up multiply, and which loses the wide forward peak of
-        light scattered more than once in dusty air.
+        Phase function that multiplies the ``bruneton`` table ``scattering``: ``own``, its mean
+        angular shape (``baking.smooth_light``), or ``rayleigh``, for Bruneton's shaders, which
+        loses the forward peak of multiple scattering in dust.
     balance : bool
-        Whether values of a ``bruneton`` bake are such that errors along r and mu_s average to
-        nothing (``baking.texel_values``); otherwise texels are exact, and places between them,
-        almost all of them too bright, err by twice as much.
+        Whether errors of a ``bruneton`` table along r and mu_s average to zero
+        (``baking.texel_values``); otherwise texels are exact, and errors between them twice as
+        large.
     points, seed : int
-        Number and seed of the random points at which errors are measured; of few points, none may
-        look to the sky, or to the ground, and there is then no error of that name.
+        Number and seed of the random points at which errors are measured.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -158,8 +155,7 @@ def bake(
     Raises
     ------
     ParameterError
-        For an unknown or impossible choice, an order that the solution does not keep, or a planet
-        that bends light.
+        For an invalid choice, an order without separate results, or a planet with refraction.
     Cancelled
         If ``cancel`` returned True.
     """
@@ -305,7 +301,7 @@ def _scattering(
     higher_orders: bool,
     balance: bool,
 ) -> list[tuple[str, FloatArray, str, str]]:
-    """Name, values, quantity and unit of each table of scattered light."""
+    """Name, values, quantity and unit of each scattering table."""
     medium = air.solution.medium
     positions = where.positions()
     smooth_is = f"{_AIR}, divided by {_DIVISORS[phases.names[0]]}"
@@ -401,7 +397,7 @@ def _scattering(
 def _peaked(
     air: AirLight, light: ScatteredLight, points: int, seed: int, step: _Steps
 ) -> dict[str, TableErrors]:
-    """Errors where light is peaked, by region, with a search for the largest of each."""
+    """Errors in regions of peaked radiance, with a search for the largest of each."""
     medium = air.solution.medium
     shell = (medium.bottom_radius, medium.top_radius)
 

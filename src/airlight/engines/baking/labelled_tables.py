@@ -1,4 +1,4 @@
-"""Tables of a bake without scattered light, and the metadata of its manifest."""
+"""Transmittance and irradiance tables of a bake, and the metadata of its manifest."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ FloatArray = NDArray[np.float64]
 
 
 class Labels:
-    """Labels values as tables of one bake: channels by wavelength, provenance.
+    """Labels of the tables of a bake: channels by wavelength, provenance.
 
     Parameters
     ----------
     medium : Medium
-        Medium that gives the wavelengths.
+        Medium with the wavelengths.
     provenance : dict of str to str
-        Origin of all the tables.
+        Provenance of all tables.
     """
 
     def __init__(self, medium: Medium, provenance: dict[str, str]) -> None:
@@ -44,7 +44,7 @@ class Labels:
         values: FloatArray,
         precision: str,
     ) -> Table:
-        """Make a table of values, shape (..., nl), or (..., nl + 1) with the particles' light."""
+        """Table of values, shape (..., nl), or (..., nl + 1) with the particles' channel."""
         if not np.isfinite(values).all():
             raise ParameterError(f"table {name}", "NaN or infinity", "finite values")
         names = self.names
@@ -57,7 +57,7 @@ class Labels:
 
 
 def unscattered(solution: Solution, label: Labels, precision: str) -> dict[str, Table]:
-    """Tables of transmittance and of the sky's irradiance."""
+    """Tables of transmittance and of diffuse irradiance."""
     shell: dict[str, Any] = {
         "bottom_radius": solution.medium.bottom_radius, "top_radius": solution.medium.top_radius
     }  # fmt: skip

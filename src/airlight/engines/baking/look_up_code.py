@@ -1,9 +1,8 @@
-"""Look-ups of Bruneton's tables in GLSL, WGSL and HLSL, with the numbers of one bake, and vectors.
+"""Look-up code for Bruneton's tables in GLSL, WGSL and HLSL, with test vectors.
 
-All three come from the kernels of ``tables.texture_reading``. A host declares the textures by their
-names, of three dimensions for scattered light and of two for the others, in the order in which the
-EXR files and the manifest have them; everything else is a constant of the text. Texels are read one
-by one, so that floats of any precision serve and no sampler is needed.
+Emitted from the kernels of ``solver.tables.texture_reading``. A host declares the textures by name,
+three-dimensional for scattering and two-dimensional otherwise, in the order of EXR files and
+manifest; all parameters are constants. Texels are fetched without samplers, in any float format.
 """
 
 from __future__ import annotations
@@ -61,7 +60,7 @@ _SIGHT: Final = ("r", "mu", "mu_s", "nu")
 
 
 def has_look_up(baked: Baked) -> bool:
-    """Whether there is look-up code for tables: Bruneton's, of three wavelengths."""
+    """Whether look-up code exists for tables: Bruneton's, at three wavelengths."""
     layout = baked.tables["scattering"].layout
     return isinstance(layout, BrunetonLayout) and len(baked.about["wavelengths_nm"]) == _COLOURS
 
@@ -90,8 +89,6 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
     ----------
     baked : Baked
         Tables for which ``has_look_up``.
-    dialect : ShaderDialect
-        Language.
     """
     emitter = Emitter(dialect)
     shape = _shape(baked)
@@ -137,9 +134,9 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
 
 
 def vectors_of(baked: Baked) -> dict[str, Any]:
-    """Inputs and results of the functions, by Python's look-up of the stored values.
+    """Test vectors: inputs and results of the functions by the look-up in Python.
 
-    Inputs are numbers of single precision. Directions lie densely near the sun and the horizon.
+    Inputs are in single precision, with directions dense near the sun and the horizon.
     """
     layout = baked.tables["scattering"].layout
     shell = (layout.bottom_radius, layout.top_radius)
@@ -183,7 +180,7 @@ def vectors_of(baked: Baked) -> dict[str, Any]:
 
 
 def _of_light(baked: Baked) -> list[str]:
-    """Names of the tables of light, in the order of their phase functions."""
+    """Names of the scattering tables, in the order of their phase functions."""
     if baked.light.packing == "combined":
         return ["scattering"]
     return ["scattering", *baked.light.phases.names[1:]]

@@ -1,9 +1,8 @@
-"""Separation of the atmosphere's radiance into a smooth part and single scattering by particles.
+"""Separation of path radiance into a smooth part and single scattering by particles.
 
-The radiance at a point is reconstructed as smooth · p_gas(ν) + Σ particles · p(ν). Light scattered
-once has exactly this form; light scattered more often has not, since each phase function then
-depends on the direction the light came from. A table with an axis for ν includes the rest in its
-smooth part and is exact at its texels; a table without one gets the best fit over azimuths.
+Path radiance is reconstructed as smooth · p_gas(ν) + Σ particles · p(ν), which is exact for single
+scattering. A table with an axis for ν includes multiple scattering in its smooth part and is exact
+at its texels; a table without one is fitted over azimuths.
 """
 
 from __future__ import annotations
@@ -48,7 +47,7 @@ class ScatteringGroups:
     gas : tuple of int
         Indices of the molecules.
     phases : PhaseFunctions
-        Phase function ``gas``, and ``single-<name>`` of each kind for tables of its own, otherwise
+        Phase function ``gas``, and ``single-<name>`` of each type with a separate table, otherwise
         ``particles``.
     """
 
@@ -58,17 +57,15 @@ class ScatteringGroups:
 
 
 def scattering_groups(medium: Medium, *, each: bool) -> ScatteringGroups:
-    """Phase functions of the gas and of the particles, by kind or as their mean.
+    """Phase functions of the gas and of the particles, by type or as their mean.
 
-    Means are weighted by vertical scattering optical depths. Without gas, Rayleigh's phase function
-    takes its part.
+    Means are weighted by vertical scattering optical depth. Without gas, the Rayleigh phase
+    function is used.
 
     Parameters
     ----------
-    medium : Medium
-        The air.
     each : bool
-        Whether every kind of particles keeps its own phase function.
+        Whether types of particles are separate.
     """
     gas, particles = groups(medium)
     depth = medium.scattering * medium.columns[:, None]
@@ -93,10 +90,9 @@ def scattering_groups(medium: Medium, *, each: bool) -> ScatteringGroups:
 
 
 def slugs(names: Iterable[str]) -> tuple[str, ...]:
-    """Convert constituents' names to parts of files' names, in ASCII, no two alike.
+    """Unique ASCII parts of file names from names of constituents.
 
-    Names of other scripts, or of signs alone, become ``particles``; what would stand twice is
-    numbered.
+    Names without ASCII letters become ``particles``; duplicates are numbered.
 
     Examples
     --------
@@ -127,10 +123,10 @@ class SeparatedLight(NamedTuple):
     remainder : array, shape (n, nl)
         Radiance of the remainder. [sr⁻¹]
     mie : array, shape (n, kinds, nl)
-        Single scattering by particles over each kind's phase function, or over their mean
+        Single scattering by particles over the phase function of each type, or over their mean
         (kinds = 1). [1]
     multiple : array, shape (n, nl)
-        Radiance of the orders from the second on, which is contained in the others. [sr⁻¹]
+        Multiple scattering, which is included in the others. [sr⁻¹]
     """
 
     rayleigh: FloatArray
@@ -144,9 +140,9 @@ def separate_orders(
 ) -> SeparatedLight:
     """Separate radiance into Rayleigh, Mie and multiple scattering at points whose ν is known.
 
-    Single scattering is that of the solution, by constituent, where it has that
-    (``AirLight.single_and_multiple``). Otherwise it is a quadrature, and that of the particles is
-    scaled to the solution's first order where they contribute most of it.
+    Single scattering is that of a moments solution (``AirLight.single_and_multiple``), otherwise by
+    quadrature, with that of the particles scaled to the solution's first order where they
+    contribute most of it.
     """
     medium = air.solution.medium
     lines = lines_of_sight(positions, medium)
@@ -196,14 +192,14 @@ def combine(
     light: FloatArray, particles: FloatArray, p_gas: FloatArray, p_particles: FloatArray,
     colours: FloatArray, reference: int,
 ) -> FloatArray:  # fmt: skip
-    """Channels of a combined table: the smooth light, then the particles' at the reference.
+    """Channels of a combined table: smooth part, then particles at the reference wavelength.
 
-    The smooth light is chosen so that look-up with ``proportional`` colours gives ``light``.
+    The smooth part is such that a look-up with ``proportional`` colours gives ``light``.
 
     Parameters
     ----------
     light, particles : array, shape (..., nl)
-        Radiance of the air [sr⁻¹], and particles' part [1].
+        Path radiance [sr⁻¹], and single scattering by particles [1].
     p_gas, p_particles : array, shapes that broadcast to (..., nl)
         Phase functions. [sr⁻¹]
     colours, reference
@@ -228,14 +224,14 @@ def combine(
 def fit_azimuths(
     air: AirLight, positions: Positions, groups: ScatteringGroups, *, grey: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Smooth light and particles' light that fit all azimuths best, by relative least squares.
+    """Smooth part and particles' part, fitted over azimuths by relative least squares.
 
     Parameters
     ----------
     air, positions, parts
-        Air's light, points (at any azimuth), and the phase functions ``gas`` and ``particles``.
+        Path radiance, points (at any azimuth), and the phase functions ``gas`` and ``particles``.
     grey : bool
-        Whether the particles' light is one number for all wavelengths.
+        Whether the particles' part is equal at all wavelengths.
 
     Returns
     -------
@@ -285,7 +281,7 @@ def fit_azimuths(
 
 
 def colours_of(medium: Medium, groups: ScatteringGroups, reference: int) -> FloatArray:
-    """Scattering of particles per scattering of gas, relative to a wavelength, shape (nl,). [1]
+    """Ratio of scattering by particles and by gas, over that at a wavelength, shape (nl,). [1]
 
     Bruneton & Neyret (2008), section 4; 1 everywhere if there is no gas.
     """

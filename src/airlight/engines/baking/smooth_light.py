@@ -1,11 +1,9 @@
-"""Angular shape of the smooth light: the divisor of the table ``scattering``.
+"""Angular shape of the smooth part of radiance: the divisor of the table ``scattering``.
 
-Single scattering by the gas, and multiple scattering, have a wide peak towards the star where the
-air is dusty: small-angle scattering in addition. Eight linear texels of nu lose that peak, but its
-shape is nearly the same from place to place. So the smooth light is divided by the shape that it
-has along one reference line of sight, read as a phase function, and the table holds the ratio,
-which varies little. An angle that no view and star of a texel can have is filled by the same shape.
-Measurements: docs/decisions/14-engine-exports.md.
+In dust multiple scattering has a wide forward peak, which eight linear texels of nu do not resolve.
+Its shape varies little, so the smooth part is divided by the shape along one reference line of
+sight, a phase function. Impossible angles of texels are filled by the same shape. Measurements:
+docs/decisions/14-engine-exports.md.
 """
 
 from __future__ import annotations
@@ -40,24 +38,24 @@ _LEAST: Final = 1e-4
 def smooth_phases(
     air: AirLight, groups: ScatteringGroups, *, each: bool, rayleigh: bool
 ) -> tuple[PhaseFunctions, FloatArray]:
-    """Phase functions of a look-up, and the shape of the light that is none of the first order.
+    """Phase functions of a look-up, and the angular shape of multiple scattering.
 
-    On the reference line of sight view and star stand 80° from the zenith. The angle between them
-    runs from 0 to 160°; beyond, shapes are constant.
+    On the reference line of sight view and star are 80° from the zenith, at angles of 0 to 160°,
+    beyond which shapes are constant.
 
     Parameters
     ----------
     air, groups, each
         Arguments of ``separate_orders``.
     rayleigh : bool
-        Whether the smooth light is divided by Rayleigh's phase function.
+        Whether the smooth part is divided by the Rayleigh phase function.
 
     Returns
     -------
     phases : PhaseFunctions
         ``smooth``, or ``rayleigh``, then those of the particles of ``groups``. [sr⁻¹]
     rest : array, shape (nl, nodes)
-        Shape of the smooth light without single scattering by the gas, on the same nodes. [1]
+        Shape of the smooth part without single scattering by the gas, on the same nodes. [1]
     """
     medium = air.solution.medium
     mu = float(np.cos(np.radians(_ZENITH)))
@@ -99,7 +97,7 @@ def _radius(air: AirLight) -> float:
 
 
 def _on_nodes(u: FloatArray, values: FloatArray, nodes: FloatArray) -> FloatArray:
-    """Positive values (n, nl) at rising u, on nodes, shape (nl, nodes); 1 if there is no light."""
+    """Positive values (n, nl) at ascending u, interpolated to nodes, shape (nl, nodes)."""
     from scipy.interpolate import PchipInterpolator
 
     rows, first = np.unique(u, return_index=True)

@@ -1,8 +1,7 @@
-"""Error of baked tables against the solution they come from, at random points.
+"""Error of baked tables against their solution, at random points.
 
-Two samples: one even in angle, for what a table usually errs by, and one that is dense where light
-is peaked — about the sun, at the horizon, at a low sun — by regions, whose largest errors are
-searched for, so that the worst that is written is near the worst there is.
+One sample is uniform in angle, for typical errors. Another is dense near the sun, at the horizon
+and for a low sun, with a search for the largest error in each region.
 """
 
 from __future__ import annotations
@@ -83,7 +82,7 @@ class TableErrors:
     worst: dict[str, float]
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the fields for a manifest."""
+        """Fields for a manifest."""
         return asdict(self)
 
 
@@ -92,8 +91,8 @@ def random_positions(
 ) -> Positions:
     """Random points and directions in the shell.
 
-    Altitudes are the square of an even distribution over the shell, zenith angles of view and
-    star even in angle, down to LOWEST_SUN; the azimuth is even from 0 to 180, or as given. [deg]
+    Altitudes are squares of uniform numbers over the shell; zenith angles of view and star, down to
+    LOWEST_SUN, and azimuths from 0 to 180 deg, unless given, are uniform.
     """
     rng = np.random.default_rng(seed)
     x, view, sun, around = rng.random((4, count))
@@ -105,18 +104,16 @@ def random_positions(
 
 
 def peaked_positions(bottom: float, top: float, count: int, seed: int) -> Positions:
-    """Random points and directions, dense about the sun, at the horizon and at a low sun.
+    """Random points and directions, dense near the sun, at the horizon and for a low sun.
 
-    A quarter of the views are even over the sphere, a quarter within 45° of the sun, half within
-    20° of the horizon, of which half lie towards the sun. Half of the suns stand between 75° and
+    A quarter of the views are uniform over the sphere, a quarter within 45° of the sun, half within
+    20° of the horizon, half of these towards the sun. Half of the suns are between 75° and
     LOWEST_SUN.
 
     Parameters
     ----------
     bottom, top : float
         Radii of the ground and of the top of the shell. [m]
-    count, seed : int
-        Number of points; seed.
     """
     rng = np.random.default_rng(seed)
     height, low, near, share, turn, even = rng.random((6, count))
@@ -149,7 +146,7 @@ def _from_angles(
 
 
 def regions(positions: Positions, bottom: float) -> dict[str, NDArray[np.bool_]]:
-    """Points of each region of the sky and of the air before the ground, by the regions' names."""
+    """Masks of points in each region of the sky and of path radiance to the ground, by name."""
     sun = np.degrees(np.arccos(positions.mu_s))
     away = np.degrees(np.arccos(positions.nu))
     horizon = 180.0 - np.degrees(np.arcsin(np.minimum(bottom / positions.r, 1.0)))
@@ -173,7 +170,7 @@ def search_worst(
     top: float,
     seed: int,
 ) -> Positions:
-    """Points about the worst of a sample, at which the error may be larger still.
+    """Points near the largest errors of a sample, at which errors may be larger.
 
     Parameters
     ----------
@@ -183,17 +180,13 @@ def search_worst(
         Size of the error at each. [1]
     belongs : callable
         Whether points belong to the region.
-    error : callable
-        Size of the error at points.
-    bottom, top : float
-        Radii of the ground and of the top of the shell. [m]
     seed : int
         Seed of the steps.
 
     Returns
     -------
     Positions
-        Points of the region, fewer than _AROUND for each of the worst.
+        Points of the region, fewer than _AROUND for each of the largest errors.
     """
     rng = np.random.default_rng(seed)
     found = positions[np.argsort(-size)[:_WORST]]
@@ -220,7 +213,7 @@ def search_worst(
 
 
 def above_horizon(positions: Positions, medium: Medium) -> Positions:
-    """The same radii with views between the horizon and the zenith, evenly in angle."""
+    """Points at the same radii with views uniform in angle between horizon and zenith."""
     horizon = np.arccos(vectorized(horizon_cosine)(positions.r, medium.bottom_radius))
     mu = np.cos(horizon * (np.arccos(positions.mu) / np.pi) * (1.0 - 1e-9))
     return Positions.of(
@@ -243,10 +236,10 @@ def judge(
     per: FloatArray | None = None,
     sampled: int | None = None,
 ) -> TableErrors:
-    """Compare values of a table with the solver's, both of shape (n, nl).
+    """Errors of a table's values against the solver's, both of shape (n, nl).
 
-    Relative errors are per the solver's values, or per ``per`` of the same shape; only where that
-    is above the floor. Statistics but the largest are of the first ``sampled`` points.
+    Relative errors are over the solver's values, or over ``per``, where above the floor. Statistics
+    except the largest are those of the first ``sampled`` points.
     """
     whole = solver if per is None else per
     judged = whole > floor if relative else np.ones(solver.shape, bool)

@@ -1,12 +1,9 @@
-"""Tables on disk: NPZ for programs, EXR for engines, and a JSON manifest of both.
+"""Table files: NPZ for programs, EXR for engines, and a JSON manifest.
 
-Every table has ``<name>.npz`` with the array ``values``, shape (axes in the manifest's order,
-channels), as stored, and ``<name>.exr`` with the same values as a picture: the texture's slices one
-above the other, the first on top, so that the rows in their order are the texture in memory.
-``value = scale * stored``. ``phase-functions.npz`` has the factors of the light. The manifest
-describes them, with a SHA-256 of every file.
-
-A folder of tables appears whole: files are written beside it first, and the manifest comes last.
+``<name>.npz`` has the array ``values``, shape (axes in the manifest's order, channels);
+``<name>.exr`` has the same values as a picture of the texture's slices, the first on top, in the
+memory order of the texture. ``value = scale * stored``. ``phase-functions.npz`` has the phase
+functions. The manifest describes them, with a SHA-256 of each file.
 """
 
 from __future__ import annotations
@@ -83,17 +80,11 @@ def write_tables(folder: str | Path, baked: Baked, *, overwrite: bool = False) -
     Parameters
     ----------
     folder : str or Path
-        Folder to create, an empty folder, or one that holds tables already, which are replaced.
+        New or empty folder, or one with tables, which are replaced.
     baked : Baked
         Tables from ``bake``.
     overwrite : bool
-        Whether files of these names may be replaced that airlight has not written, or that were
-        changed since.
-
-    Returns
-    -------
-    Path
-        Path of the manifest.
+        Whether to replace files of these names that airlight did not write or that were modified.
 
     Raises
     ------
@@ -205,9 +196,9 @@ def texture_size(table: Table) -> tuple[int, int, int]:
 
 
 def exr_channels(table: Table) -> dict[str, NDArray[Any]]:
-    """Stored values as a picture's channels, each of shape (depth·height, width).
+    """Stored values as channels of a picture, each of shape (depth·height, width).
 
-    Three wavelengths from long to short become R, G and B; the particles' channel becomes A.
+    Three wavelengths, longest first, are R, G and B; the particles' channel is A.
     """
     width, height, depth = texture_size(table)
     names = [axis.name for axis in table.layout.axes]
@@ -236,16 +227,12 @@ def _texts(baked: Baked, table: Table) -> dict[str, str]:
 
 
 def load_tables(manifest: str | Path) -> Baked:
-    """Read the tables written by ``write_tables``: look-ups are the same bit by bit.
+    """Tables written by ``write_tables``, with bit-identical look-ups.
 
     Parameters
     ----------
     manifest : str or Path
         Path of the manifest, or of its folder.
-
-    Returns
-    -------
-    Baked
 
     Raises
     ------

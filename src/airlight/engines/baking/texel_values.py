@@ -1,7 +1,7 @@
-"""Values of texels between which a look-up is linear: impossible angles, errors that average out.
+"""Texel values for linear look-ups: impossible angles, and errors of zero mean.
 
-Both work on a table of Bruneton's layout, shape (radii, views, suns, angles, nl), or on some of its
-views, which do not depend on each other.
+For tables of Bruneton's layout, shape (radii, views, suns, angles, nl), or subsets of their views,
+which are independent.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def of_views(
     nu: FloatArray,
     *values: FloatArray,
 ) -> list[FloatArray]:
-    """Values of ``make`` for all texels, a few views at a time, on all cores.
+    """Values of ``make`` for all texels, in parallel over views.
 
     Parameters
     ----------
@@ -48,10 +48,6 @@ def of_views(
         Cosines of the angle between view and sun at all texels. [1]
     values : array, shape (n, nl)
         Values of all texels.
-
-    Returns
-    -------
-    list of array, shape (radii, views, suns, angles, nl)
     """
     angles = nu.reshape(shape)
     given = [one.reshape(*shape, -1) for one in values]
@@ -69,23 +65,22 @@ def of_views(
 
 
 def fill_angles(relative: FloatArray, nu: FloatArray) -> FloatArray:
-    """Light at the angles that no view and sun can have, after the next lower sun's shape.
+    """Extrapolation of radiance to impossible angles, with the shape of the next lower sun.
 
-    A sun near the zenith and a view near the horizon have nearly one angle. What a look-up at a sun
-    between two of the table reads there follows the shape that the light has over the angle to the
-    lower of the two.
+    Near a sun at the zenith a view has nearly a single angle; look-ups between two suns then follow
+    the shape at the lower one.
 
     Parameters
     ----------
     relative : array, shape (radii, views, suns, angles, nl)
-        Light at the nearest possible angle, divided by a shape that it follows roughly. [1]
+        Radiance at the nearest possible angle, over an approximate shape. [1]
     nu : array, shape (radii, views, suns, angles)
-        That angle's cosine. [1]
+        Cosine of that angle. [1]
 
     Returns
     -------
     array, shape (radii, views, suns, angles, nl)
-        Light at each texel's own angle, divided by the same shape. [1]
+        Radiance at the texel's angle, over the same shape. [1]
     """
     suns, angles = nu.shape[2:]
     own = np.linspace(-1.0, 1.0, angles)
@@ -108,9 +103,8 @@ def fill_angles(relative: FloatArray, nu: FloatArray) -> FloatArray:
 def balanced(values: FloatArray) -> FloatArray:
     """Values whose interpolation errors average to zero.
 
-    A look-up that is linear between exact texels errs to one side only, by an eighth of the second
-    difference halfway: light that falls exponentially comes out too bright everywhere. Taking the
-    mean of that off the values is the least-squares choice for a parabola.
+    Linear interpolation of convex radiance is too large, by an eighth of the second difference
+    half-way. The mean of this error is subtracted, the least-squares choice for a parabola.
 
     Parameters
     ----------

@@ -1,8 +1,7 @@
 """Aerial perspective on disk: textures of half floats, shader functions, and a JSON manifest.
 
-Every texture is a file of RGBA half floats, little-endian, row by row, as a GPU takes
-it: format ``rgba16float`` of WebGPU, ``RGBA16F`` of WebGL2. ``air.wgsl`` and ``air.glsl`` read them
-texel by texel.
+Textures are files of RGBA half floats, little-endian, row by row: format ``rgba16float`` of WebGPU,
+``RGBA16F`` of WebGL2. ``air.wgsl`` and ``air.glsl`` read them.
 """
 
 from __future__ import annotations
@@ -42,19 +41,11 @@ def write_aerial(
     Parameters
     ----------
     folder : str or Path
-        Folder to create, an empty folder, or one that holds such tables, which are replaced.
-    aerial : AerialPerspective
-        Tables.
+        New or empty folder, or one with such tables, which are replaced.
     about : dict, optional
-        Texts for the manifest: the planet, its changes.
+        Metadata for the manifest.
     overwrite : bool
-        Whether files of these names may be replaced that airlight has not written, or that were
-        changed since.
-
-    Returns
-    -------
-    Path
-        Path of the manifest.
+        Whether to replace files of these names that airlight did not write or that were modified.
 
     Raises
     ------

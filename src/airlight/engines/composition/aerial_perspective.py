@@ -127,16 +127,6 @@ class AerialPerspective:
             Number of azimuths, of rows per hemisphere, and of distances per decade.
         sky_size : (int, int)
             Number of azimuths and of rows per hemisphere of the sky tables.
-        progress, cancel : callable, optional
-            See ``airlight.kernel.threads``.
-
-        Raises
-        ------
-        ParameterError
-            If the observer is outside the atmosphere, there is more than one light, or a value is
-            out of range.
-        Cancelled
-            If ``cancel`` requested it.
         """
         if not isinstance(solution, MomentsSolution):
             raise ParameterError("solution", type(solution).__name__, "a solution by moments")
@@ -209,8 +199,6 @@ class AerialPerspective:
 
         Parameters
         ----------
-        directions : array, shape (n, 3)
-            Unit vectors in the observer's frame. [1]
         pixel : float
             Angle that a pixel spans. [rad]
 
@@ -294,12 +282,6 @@ def check_request(
         Thickness of the atmosphere. [m]
     scene, nearest, farthest, size, sky_size :
         Arguments of ``AerialPerspective.fill``.
-
-    Raises
-    ------
-    ParameterError
-        If the observer is outside the atmosphere, there is more than one light, the camera has a
-        polarising filter, or a value is out of range.
     """
     if scene.altitude >= thickness:
         allowed = f"below the top of the air, {thickness:g} m"

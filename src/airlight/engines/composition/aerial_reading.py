@@ -141,8 +141,6 @@ def air_radiance(x, y, z, distance, tables):
         vector. [1]
     distance : float
         Distance of the point. [m]
-    tables : AerialTables
-        Tables.
     """
     reach = min(distance, tables.farthest)
     stored = per_distance(lane_view(tables.air_light), x, y, z, reach, tables)
@@ -151,13 +149,7 @@ def air_radiance(x, y, z, distance, tables):
 
 @inlined
 def air_transmittance(x, y, z, distance, tables):
-    """Transmittance to a point, for the colour of the star; red, green, blue. [1]
-
-    Parameters
-    ----------
-    x, y, z, distance, tables :
-        Arguments of ``air_radiance``.
-    """
+    """Transmittance to a point, for the colour of the star; red, green, blue. [1]"""
     reach = min(distance, tables.farthest)
     stored = per_distance(lane_view(tables.air_extinction), x, y, z, reach, tables)
     return exponential(stored * np.float32(-tables.extinction_scale * reach))

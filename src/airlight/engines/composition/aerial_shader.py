@@ -41,13 +41,7 @@ def aerial_shader(aerial: AerialPerspective, dialect: ShaderDialect) -> str:
 
 
 def bound_tables(tables: AerialTables) -> dict[str, Value]:
-    """Tables, and their parameters as constants, for the emitter.
-
-    Parameters
-    ----------
-    tables : AerialTables
-        Tables.
-    """
+    """Tables, and their parameters as constants, for the emitter."""
     fields: dict[str, Value] = {}
     for one in shader_fields(AerialTables):
         if isinstance(one.mark, InTexture):

@@ -27,11 +27,6 @@ def kind_of(depth: NDArray[np.floating], kind: str) -> str:
         Depth pass.
     kind : str
         One of ``KINDS``.
-
-    Raises
-    ------
-    ParameterError
-        If the kind is unknown, or the pass has the wrong number of channels.
     """
     if kind not in KINDS:
         raise ParameterError("depth_kind", kind, ", ".join(KINDS))
@@ -57,8 +52,6 @@ def distances(
         Result of ``kind_of``.
     camera : Pinhole
         Camera of the image.
-    rows : slice
-        Rows.
     metres_per_unit : float
         Length of the scene's unit. [m]
 

@@ -53,19 +53,19 @@ class PathRadiance:
         Parameters
         ----------
         directions : array, shape (n, 3)
-            Unit vectors in the observer's local frame, as they are seen where light is bent. [1]
+            Apparent directions in the observer's local frame, unit vectors. [1]
         distances : array, shape (n,)
             Distances of the points, along the ray; may be infinite. [m]
         below : bool
-            Whether points below the ground are reached, through air as dense as at the ground:
-            nodes of a table, which is then smooth above it.
+            Whether points below the ground are reached, through air of the density at the ground,
+            for nodes of a smooth table.
 
         Returns
         -------
         radiance, transmittance : array, shape (n, nl)
-            Light of the air per irradiance of the light [sr⁻¹], and its transmittance [1].
+            Path radiance per irradiance of the light [sr⁻¹], and transmittance [1].
         whole : array of bool, shape (n,)
-            Whether a point lies at the end of its line in the air, or beyond.
+            Whether a point lies at or beyond the end of its line in the atmosphere.
         """
         geometry = self.solution.geometry
         mu, sine = directions[:, 2], np.hypot(directions[:, 0], directions[:, 1])

@@ -186,13 +186,6 @@ def camera_from_json(
         Camera.
     place : dict
         Block ``airlight`` of the file, unvalidated; empty without one.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read as JSON.
-    ParameterError
-        If a field is missing or invalid; with file and field.
     """
     try:
         data = json.loads(read_text(path))
@@ -279,11 +272,6 @@ def camera_from_matrices(
         ``worldToNDC``, 0 to 1 across the image from its upper left corner; for row vectors.
     width, height : int
         Size of the image. [pixel]
-
-    Raises
-    ------
-    ParameterError
-        If the matrices are not those of a perspective camera.
 
     References
     ----------

@@ -169,8 +169,6 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
 
     Parameters
     ----------
-    camera : Pinhole
-        Camera.
     place : Placement
         Place of the scene's origin.
     bottom_radius : float
@@ -180,11 +178,6 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
     -------
     PinholeView
         View, with the direction of the sun at the camera.
-
-    Raises
-    ------
-    ParameterError
-        If the camera is below the planet's ground.
     """
     east, north, rise = place.metres_per_unit * (place.to_east_north_up @ camera.position)
     high = place.altitude + rise

@@ -186,8 +186,6 @@ class Relight:
             Normals in the same frame, of any length; a zero vector stands for a horizontal surface.
         albedo : array, shape (n, 3)
             Lambert albedo, linear sRGB under the star. [1]
-        lit : array, shape (n,)
-            Fraction of the star that the scene does not occlude. [1]
         """
         from_centre = points + np.array([0.0, 0.0, self._r])
         r = np.linalg.norm(from_centre, axis=-1)

@@ -1,7 +1,7 @@
-"""Passes of other renderers' OpenEXR files: colour, alpha, depth, position and normals by name.
+"""Render passes in OpenEXR files: colour, alpha, depth, position and normals by name.
 
-Blender writes one part per pass or, before 5.0, one part for all; channels are named
-``ViewLayer.Depth.Z`` in both. Others name them ``R``, ``Z`` or ``depth.Z``.
+Blender writes one part per pass or, before 5.0, a single part, with channels such as
+``ViewLayer.Depth.Z``; other programs write ``R``, ``Z`` or ``depth.Z``.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class RenderPasses:
         Parameters
         ----------
         prefix : str
-            Name of the pass with its dot; empty for channels without one.
+            Name of the pass with its dot; empty for unnamed passes.
         letters : str
             Last letters of the channels.
         """
@@ -70,7 +70,7 @@ class RenderPasses:
         )
 
     def _prefixes(self, letters: str) -> list[str]:
-        """Names of the passes that have all of these channels, best first."""
+        """Names of the passes with all of these channels, best first."""
         found = {
             name[:-1]
             for name in self.channels
@@ -86,12 +86,7 @@ class RenderPasses:
         Parameters
         ----------
         layer : str, optional
-            Beginning of the name of the pass, such as ``ViewLayer``.
-
-        Raises
-        ------
-        ParameterError
-            If there are none, or several and none is called Combined.
+            Prefix of the pass, such as ``ViewLayer``.
         """
         found = self._prefixes("RGB")
         if layer is not None:
@@ -111,9 +106,9 @@ class RenderPasses:
         Parameters
         ----------
         kind : str
-            One of ``composition.depth.KINDS``; ``auto`` goes by the name of the channel.
+            One of ``composition.depth.KINDS``; ``auto``: by the name of the channel.
         channel : str, optional
-            Full name of the channel; of positions, of the pass without its dot.
+            Full name of the channel or, for positions, of the pass.
 
         Returns
         -------
@@ -121,11 +116,6 @@ class RenderPasses:
             Depth, or positions. [scene units]
         kind : str
             Kind.
-
-        Raises
-        ------
-        ParameterError
-            If there is no such channel.
         """
         if channel is not None:
             if channel in self.channels:
@@ -156,12 +146,7 @@ class RenderPasses:
         letters : str
             Last letters of its channels.
         names : tuple of str
-            Ends of its name, best first; empty for channels without one.
-
-        Raises
-        ------
-        ParameterError
-            If there is none.
+            Suffixes of its name, best first; empty for unnamed passes.
         """
         for name in names:
             for prefix in self._prefixes(letters):
@@ -172,13 +157,7 @@ class RenderPasses:
         raise self._lacking(wanted, f"{names[0]}.{letters[0]}, .{letters[1]}, .{letters[2]}")
 
     def only(self) -> NDArray[Any]:
-        """Only channel of the file, shape (h, w).
-
-        Raises
-        ------
-        ParameterError
-            If there are several.
-        """
+        """Only channel of the file, shape (h, w)."""
         if len(self.channels) > 1:
             raise self._lacking("a pass", "a single channel")
         return next(iter(self.channels.values()))
@@ -195,16 +174,6 @@ def read_render_passes(path: str | Path) -> RenderPasses:
     ----------
     path : str or Path
         Path of the file, scan lines or tiles.
-
-    Returns
-    -------
-    RenderPasses
-        Channels by full name.
-
-    Raises
-    ------
-    FileError
-        If it cannot be read, its parts differ in size, or it has no channels of pixels.
     """
     import OpenEXR
 

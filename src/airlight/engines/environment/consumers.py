@@ -88,11 +88,6 @@ class Consumer:
         ----------
         up : str
             ``y`` or ``z``.
-
-        Raises
-        ------
-        ParameterError
-            If the axis is invalid, or the program is not USD.
         """
         if self.name != "usd":
             raise ConflictError("up", "requires usd")
@@ -109,11 +104,6 @@ class Consumer:
             Bearing at the bottom edge, -360 to 360. [deg]
         tilt : float
             Tilt of the dome towards its front, 0 to 90. [deg]
-
-        Raises
-        ------
-        ParameterError
-            If the program is not a dome, or a value is out of range.
         """
         if self.tilt is None:
             raise ConflictError("front", "requires a dome")
@@ -165,11 +155,6 @@ CONSUMERS: Final[dict[str, Consumer]] = {
 
 def consumer_named(name: str) -> Consumer:
     """Convention by name.
-
-    Raises
-    ------
-    ParameterError
-        If the name is unknown.
 
     Examples
     --------

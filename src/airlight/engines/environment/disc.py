@@ -98,8 +98,6 @@ class Disc:
         ----------
         rgb : array, shape (height, width, 3)
             Linear sRGB radiance, modified in place. [W m⁻² sr⁻¹]
-        camera : Camera
-            Camera of the map.
         to_local : array, shape (3, 3)
             Rotation from ENU to the frame of the camera's angles.
         """

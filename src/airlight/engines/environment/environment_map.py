@@ -145,8 +145,6 @@ def environment_map(
         Planet to solve, see ``load_planet``.
     scene : Scene
         Observer and lights; of the camera, only the size is used.
-    consumer : Consumer
-        Target program.
     sun : str
         Discs of sun and moon: in the map (``include``), omitted (``exclude``), or separate lights
         instead (``light``).
@@ -161,16 +159,6 @@ def environment_map(
         ``render_scene``.
     wavelengths, quality, polarisation, device, exact, stars, cache, refused, progress, cancel :
         Arguments of ``render_scene``.
-
-    Returns
-    -------
-    EnvironmentMap
-
-    Raises
-    ------
-    ParameterError, ConvergenceError, Cancelled
-        As ``render_scene``; for an unknown ``sun`` or ``ground``, or a camera with a polarising
-        filter.
     """
     for name, value, allowed in (("sun", sun, SUNS), ("ground", ground, GROUNDS)):
         if value not in allowed:

@@ -47,7 +47,7 @@ class WrittenMap:
     beside : tuple of Path
         JSON sidecar, and scene file if any.
     scale : float
-        Ratio of the map's numbers to radiances. [1]
+        Ratio of the map's values to radiances. [1]
     exposure : float or None
         Exposure of a PNG. [EV]
     """
@@ -65,24 +65,16 @@ def check_beside(
 
     Parameters
     ----------
-    path : Path
-        Map.
     consumer : Consumer
         Target program.
     overwrite : bool
-        Whether files beside it may be replaced that airlight has not written, or that were changed
-        since. The map itself always is.
+        Whether to replace accompanying files that airlight did not write or that were modified; the
+        map is always replaced.
 
     Returns
     -------
     (tuple of Path, tuple of Path)
-        JSON, and the scene if there is one; scenes of the JSON that is there, which are removed.
-
-    Raises
-    ------
-    FileError
-        If the suffix is unknown, the name has control characters, nothing can be written there, or
-        a file beside the map is not airlight's to replace.
+        JSON and scene files; and scene files of an existing JSON, which are removed.
     """
     suffix = picture_suffix(path)
     if not is_plain(path.name):
@@ -118,32 +110,17 @@ def write_map(
     ----------
     path : Path
         Path ending in ``.exr`` or ``.hdr``, or ``.png`` for a preview.
-    made : EnvironmentMap
-        Map.
     precision, compression : str
         Names for ``write_exr``.
     scale : float, optional
-        Factor of the numbers of linear light, above 0. By default 1, and where halves hold them
-        (in the file, which ``dwa`` makes one of halves, or in the program that reads it) the power
-        of two at which they can. [1]
+        Factor of linear values, above 0. Default: 1, or for half floats, in the file or in the
+        target program, a power of two from ``half_scale``. [1]
     metadata : mapping of str to str, optional
         Additional metadata.
     display : mapping, optional
         Arguments of ``write_picture`` for a PNG.
     overwrite : bool
-        Whether a JSON or a scene beside the map may be replaced that airlight has not written, or
-        that was changed since.
-
-    Returns
-    -------
-    WrittenMap
-
-    Raises
-    ------
-    ParameterError
-        If a name is unknown, or a half would be infinite at the scale.
-    FileError
-        If a file cannot be written, or one beside the map is not airlight's to replace.
+        As for ``check_beside``.
     """
     others, stale = check_beside(path, made.consumer, overwrite=overwrite)
     facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}

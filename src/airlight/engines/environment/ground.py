@@ -67,8 +67,6 @@ def blacken_ground(rgb: NDArray[np.float32], solution: MomentsSolution, scene: S
     ----------
     rgb : array, shape (height, width, 3)
         Map, modified in place.
-    solution : MomentsSolution
-        Solution of the planet.
     scene : Scene
         Observer and camera.
     """
@@ -93,8 +91,6 @@ def horizon_cosine(solution: MomentsSolution, altitude: float) -> float:
 
     Parameters
     ----------
-    solution : MomentsSolution
-        Solution of the planet.
     altitude : float
         Altitude of the observer. [m]
     """

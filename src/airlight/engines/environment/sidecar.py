@@ -29,10 +29,6 @@ def described(made: EnvironmentMap, name: str, scale: float) -> dict[str, Any]:
 
     Parameters
     ----------
-    made : EnvironmentMap
-        Map.
-    name : str
-        Name of its file.
     scale : float
         Ratio of the file's numbers to radiances. [1]
 

@@ -47,11 +47,6 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     array, shape (rows, width), or (rows, 1) where a row has one
         Solid angles. [sr]
 
-    Raises
-    ------
-    ParameterError
-        If the projection is unsupported.
-
     Examples
     --------
     >>> camera = Camera(projection="octahedral", width=8, height=8)
@@ -87,11 +82,6 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
     -------
     x, y : array, shape (n,)
         Distances from the left and the top edge; NaN outside the image circle. [pixel]
-
-    Raises
-    ------
-    ParameterError
-        If the projection is unsupported.
 
     Examples
     --------

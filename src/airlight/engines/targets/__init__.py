@@ -1,4 +1,4 @@
-"""Programs that load our files as they are: a lazily imported module for each."""
+"""Export targets: programs that load folders of files, one lazily imported module each."""
 
 from __future__ import annotations
 
@@ -22,13 +22,7 @@ MODULES: Final[dict[str, str]] = {
 
 
 def target_of(name: str) -> Target:
-    """Program by the name of its layout.
-
-    Raises
-    ------
-    ParameterError
-        If there is none of this name.
-    """
+    """Export target by the name of its layout."""
     if name not in MODULES:
         raise ParameterError("layout", name, ", ".join(MODULES))
     found: Target = import_module(f"airlight.engines.targets.{MODULES[name]}").TARGET

@@ -1,9 +1,8 @@
 """Layout ``bruneton-demo``: folder for the WebGL demo of Bruneton's 2017 implementation.
 
 ``demo.js`` loads three ``.dat`` files, RGBA floats, row 0 at texture coordinate 0, and three
-shaders. The planet's constants stand in the shaders, so these are written with the tables; their
-functions and uniforms are those that ``demo.js`` and the demo's own fragment shader use. The
-particles' light stands in alpha, its red alone.
+shaders, which contain the planet's constants and the functions and uniforms of the demo. Alpha
+holds the red channel of single Mie scattering.
 
 Source: E. Bruneton, *Precomputed Atmospheric Scattering: a New Implementation* (2017), files
 atmosphere/demo/webgl/demo.js and precompute.cc, atmosphere/constants.h, commit d995492.
@@ -60,17 +59,8 @@ def fill(
     ----------
     solution : Solution
         Solution at 680, 550 and 440 nm.
-    folder : Path
-        Empty folder.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     lowest_sun : float, optional
-        Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]
-
-    Raises
-    ------
-    ParameterError
-        If the lowest sun is above the horizon, or light does not fit into half floats.
+        Largest solar zenith angle of the tables; default: the end of twilight. [deg]
     """
     check_lowest_sun(lowest_sun)
     filled = fill_tables(solution, combined=True, lowest_sun=lowest_sun, progress=progress)
@@ -123,12 +113,12 @@ def _constants(solution: Solution, tables: SkyTables, colour: SkyColour) -> dict
 
 
 def shaders(constants: dict[str, Any]) -> dict[str, str]:
-    """Texts of the three shaders by the names of their files.
+    """Texts of the three shaders by file name.
 
     Parameters
     ----------
     constants : dict
-        Numbers, and lists of three, by the names of the constants.
+        Numbers and lists of three by name.
     """
     lines = [
         f"const {'vec3' if isinstance(value, list) else 'float'} {name} = {_glsl(value)};"
@@ -162,7 +152,7 @@ def _glsl(value: ArrayLike) -> str:
 
 
 def read_constants(folder: str | Path) -> dict[str, Any]:
-    """Constants of the shaders, as lists and numbers; ``FileError`` if there are none."""
+    """Constants of the shaders, as lists and numbers."""
     path = Path(folder) / _PLANET
     try:
         content: dict[str, Any] = json.loads(read_text(path))
@@ -172,17 +162,12 @@ def read_constants(folder: str | Path) -> dict[str, Any]:
 
 
 def read_tables(folder: str | Path) -> SkyTables:
-    """Read a folder as the demo does, which keeps light in half floats.
+    """Tables of a folder, converted to half floats as in the demo.
 
     Parameters
     ----------
     folder : str or Path
         Folder written for layout ``bruneton-demo``.
-
-    Raises
-    ------
-    FileError
-        If a file is missing or has another size.
     """
     path = Path(folder)
     said = read_constants(path)

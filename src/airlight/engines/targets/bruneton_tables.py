@@ -1,9 +1,9 @@
-"""Bruneton's tables for his shaders: a single lobe for all particles, and their look-ups.
+"""Bruneton's tables for his shaders, with a single lobe for all particles, and their look-ups.
 
-The light is ``S p_R(nu) + M p_CS(nu; g)``: S, "scattering", times Rayleigh's phase function; M,
-"single Mie", times one Cornette-Shanks lobe, from a table of its own, or its red alone in the
-alpha of S, from which its colours are restored by two coefficients of the planet. ``fill_tables``
-brings a solution to this form; ``SkyTables`` is the look-up of a folder's numbers, as stored.
+Radiance is ``S p_R(nu) + M p_CS(nu; g)``: S, "scattering", times the Rayleigh phase function; M,
+"single Mie", times a Cornette-Shanks lobe. M has a separate table, or only its red channel is
+stored in the alpha of S, from which its colours are restored. ``fill_tables`` converts a solution
+to this form; ``SkyTables`` is the look-up of the program.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ _HEIGHTS: Final = 1001
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SkyTables:
-    """Numbers of a folder and the look-up of the program, in double precision.
+    """Tables of a folder and the look-up of the program, in double precision.
 
     Attributes
     ----------
@@ -60,17 +60,17 @@ class SkyTables:
     scattering : array, shape (radii, views, suns, angles, 4)
         S, and red of M. [W m⁻² nm⁻¹]
     single_mie : array, shape (radii, views, suns, angles, 3), or None
-        M, where the program reads a table of its own. [W m⁻² nm⁻¹]
+        M, if it has a separate table. [W m⁻² nm⁻¹]
     transmittance : array, shape (radii, views, 3)
         Transmittance to the top. [1]
     irradiance : array, shape (radii, suns, 3)
-        Irradiance of level ground by the sky. [W m⁻² nm⁻¹]
+        Diffuse horizontal irradiance. [W m⁻² nm⁻¹]
     g : float
         Parameter of the lobe. [1]
     mie_colours : array, shape (3,)
-        Particles' scattering per molecules', relative to red's. [1]
+        Ratio of scattering by particles and by molecules, over that at red. [1]
     darkest : float
-        Red of S from which on the colours of M are restored. [W m⁻² nm⁻¹]
+        Smallest red of S for which the colours of M are restored. [W m⁻² nm⁻¹]
     """
 
     layout: BrunetonLayout
@@ -83,7 +83,7 @@ class SkyTables:
     darkest: float = 0.0
 
     def radiance(self, positions: Positions) -> FloatArray:
-        """Radiance of the air alone, shape (n, 3). [W m⁻² sr⁻¹ nm⁻¹]"""
+        """Path radiance, shape (n, 3). [W m⁻² sr⁻¹ nm⁻¹]"""
         even: Any = vectorized(rayleigh)
         lobe: Any = vectorized(cornette_shanks)
         found = self.layout.interpolate(self.scattering, positions)
@@ -106,7 +106,7 @@ class SkyTables:
         return layout.interpolate(self.transmittance, positions)
 
     def irradiance_at(self, positions: Positions) -> FloatArray:
-        """Irradiance of level ground by the sky, shape (n, 3). [W m⁻² nm⁻¹]"""
+        """Diffuse horizontal irradiance, shape (n, 3). [W m⁻² nm⁻¹]"""
         radii, suns, _ = self.irradiance.shape
         layout = IrradianceLayout(**self._shell, radii=radii, suns=suns)
         return layout.interpolate(self.irradiance, positions)
@@ -123,10 +123,10 @@ class Filled:
     Attributes
     ----------
     tables : SkyTables
-        Tables with M, whose red stands in alpha too, or in alpha alone.
+        Tables with M, separate or in alpha.
     higher : array, shape (radii, views, suns, angles, 3)
-        Orders from the second on, part of S and nowhere more: divided by Rayleigh's phase function.
-        [W m⁻² nm⁻¹]
+        Multiple scattering, the part of S from the second order on, over the Rayleigh phase
+        function. [W m⁻² nm⁻¹]
     lobe : WeightedLobe
         Fit of the particles' phase functions.
     """
@@ -144,21 +144,18 @@ def fill_tables(
     darkest: float = 0.0,
     progress: Progress | None = None,
 ) -> Filled:
-    """Bring a solution to Bruneton's form, in the sizes that his programs fix.
+    """Tables of a solution in Bruneton's form, with the sizes fixed by his programs.
 
     Parameters
     ----------
     solution : Solution
         Solution at ``WAVELENGTHS``.
     combined : bool
-        Whether there is no table of M: S is then chosen so that the look-up, which restores the
-        colours of M, gives the same light at the texels.
+        Whether M is stored in alpha; S is then such that the look-up is exact at the texels.
     lowest_sun : float, optional
-        Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]
+        Largest solar zenith angle of the tables; default: the end of twilight. [deg]
     darkest : float
         See ``SkyTables``.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     """
     medium = solution.medium
     _, particles = groups(medium)
@@ -203,13 +200,13 @@ def fill_tables(
 
 
 def check_lowest_sun(lowest_sun: float | None) -> None:
-    """Refuse a lowest sun outside 90 to 180 deg."""
+    """Raise an error for a lowest sun outside 90 to 180 deg."""
     if lowest_sun is not None and not 90.0 <= lowest_sun <= 180.0:
         raise ParameterError("lowest_sun", lowest_sun, "90 to 180 deg")
 
 
 def check_halves(textures: dict[str, Stored]) -> None:
-    """Refuse radiances beyond the range of half floats."""
+    """Raise an error for radiances beyond the range of half floats."""
     for name, values in textures.items():
         largest = float(np.abs(values).max())
         if not largest <= _LARGEST:
@@ -217,7 +214,7 @@ def check_halves(textures: dict[str, Stored]) -> None:
 
 
 def opaque(values: Stored) -> Stored:
-    """The same with a channel of 1."""
+    """Texture with an alpha channel of 1."""
     return np.concatenate([values, np.ones((*values.shape[:-1], 1))], axis=-1)
 
 
@@ -235,7 +232,7 @@ def unsliced(flat: Stored, layout: BrunetonLayout) -> Stored:
 
 
 def mie_colours(medium: Medium) -> FloatArray:
-    """Scattering of particles per molecules', relative to red's, shape (3,). [1]"""
+    """Ratio of scattering by particles and by molecules, over that at red, shape (3,). [1]"""
     molecules, particles, _ = coefficients(medium)
     ratio = particles / molecules
     return np.asarray(ratio / ratio[0])
@@ -244,8 +241,8 @@ def mie_colours(medium: Medium) -> FloatArray:
 def coefficients(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Scattering of molecules, and scattering and extinction of particles, each (3,). [m⁻¹]
 
-    Each group's where it scatters most. Programs restore the colours of M by the ratio of the first
-    two: without molecules or without particles it is 1.
+    Each is taken where its group scatters most. Programs restore the colours of M by the ratio of
+    the first two, which is 1 without molecules or particles.
     """
     heights = np.linspace(0.0, medium.thickness, _HEIGHTS)
     density = medium.density.at(heights)
@@ -304,10 +301,10 @@ def _smooth_and_mie(
 def _colours_ahead(
     layout: BrunetonLayout, smooth: FloatArray, mie: FloatArray, coefficients: FloatArray
 ) -> FloatArray:
-    """Factors that restore the colours of M from S and its red best, where the view meets the sun.
+    """Factors that best restore the colours of M from S and its red, at the sun.
 
-    Least squares by day; the planet's coefficients where nothing is lit. In dusty air S is not the
-    molecules' light, so coefficients of molecules do not tell its colour.
+    Least squares by day; the planet's coefficients elsewhere. With dust, S is not scattering by
+    molecules alone, so that their coefficients do not determine its colour.
     """
     mu_s = layout.positions().mu_s.reshape(layout.shape)[..., -1]
     ahead, even = mie[..., -1, :], smooth[..., -1, :]
@@ -322,7 +319,7 @@ def _colours_ahead(
 def _combined(
     layout: BrunetonLayout, smooth: FloatArray, mie: FloatArray, g: float, colours: FloatArray
 ) -> FloatArray:
-    """Texture with M in alpha, (…, 4): the look-up gives the same light at the texels' own nu."""
+    """Texture with M in alpha, (…, 4); the look-up is exact at the texels' nu."""
     nu = np.linspace(-1.0, 1.0, layout.angles)
     even: Any = vectorized(rayleigh)
     narrow: Any = vectorized(cornette_shanks)

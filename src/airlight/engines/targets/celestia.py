@@ -1,9 +1,9 @@
 """Layout ``celestia``: the atmosphere of a body for Celestia, as an ``.ssc`` file.
 
-Lengths are km, coefficients km⁻¹. Particles are grey, with Schlick's approximation of the
-Henyey-Greenstein function; what absorbs has their scale height. ``MieAsymmetry`` is negative for
-scattering forward, since versions before August 2026 measure the angle from where the light comes
-from; ``MieHGAnisotropy``, which later ones prefer, is positive.
+Lengths are in km, coefficients in km⁻¹. Particles are grey, with Schlick's approximation of the
+Henyey-Greenstein function; absorbers have their scale height. ``MieAsymmetry`` is negative for
+forward scattering, as versions before August 2026 use the opposite angle; ``MieHGAnisotropy`` of
+later versions is positive.
 """
 
 from __future__ import annotations
@@ -95,12 +95,7 @@ def g_of_schlick(mean_cosine: float) -> float:
     Parameters
     ----------
     mean_cosine : float
-        Mean cosine, at most 0.993 either way. [1]
-
-    Raises
-    ------
-    ParameterError
-        If the lobe is narrower than Celestia's can be.
+        Mean cosine, -0.993 to 0.993. [1]
 
     Examples
     --------
@@ -121,7 +116,7 @@ def g_of_schlick(mean_cosine: float) -> float:
 
 
 def schlick_table(g: float) -> TabulatedPhase:
-    """Schlick's function as the phase function of a planet, by its asymmetry g."""
+    """Tabulated phase function by Schlick's function with asymmetry g."""
     angles = np.linspace(0.0, 180.0, _ANGLES)
     values = vectorized(schlick)(np.cos(np.radians(angles)), g)
     return TabulatedPhase(angles=tuple(angles.tolist()), rows=(tuple(values.tolist()),))
@@ -131,12 +126,12 @@ SCHLICK: Final = LobeForm("Schlick", schlick, g_of_schlick, schlick_table)
 
 
 def atmosphere_of(fit: FormulaPlanet) -> dict[str, Value]:
-    """Keys of ``Atmosphere``, of a planet by formulas.
+    """Keys of ``Atmosphere`` from a formula planet.
 
     Parameters
     ----------
     fit : FormulaPlanet
-        Fit by exponentials and Schlick's lobe, with grey particles, at 680, 550 and 440 nm.
+        Fit at 680, 550 and 440 nm by exponentials and Schlick's lobe, with grey particles.
     """
     planet = fit.planet
     parts = {one.name: one for one in planet.constituents}
@@ -160,25 +155,16 @@ def atmosphere_of(fit: FormulaPlanet) -> dict[str, Value]:
 def planet_from_celestia(
     atmosphere: dict[str, Value], star: Star, radius: float, albedo: Any, name: str
 ) -> Planet:
-    """Planet of the keys of ``Atmosphere``.
+    """Planet from the keys of ``Atmosphere``.
 
     Parameters
     ----------
-    atmosphere : dict
-        Keys as ``read_atmosphere`` gives them.
     star : Star
         Light source.
     radius : float
-        Radius of the body, which its own definition has. [m]
+        Radius of the body, from its definition. [m]
     albedo : float or PerWavelength
-        Albedo of its ground, which Celestia does not know. [1]
-    name : str
-        Name of the planet.
-
-    Raises
-    ------
-    ParameterError
-        If a key is missing, or a value is impossible.
+        Albedo of the ground, unknown to Celestia. [1]
     """
     try:
         height = 1e3 * _number(atmosphere, "Height")
@@ -221,12 +207,10 @@ def planet_from_celestia(
 
 
 def ssc_of(atmosphere: dict[str, Value], planet: Planet | None) -> str:
-    """Text of the catalogue file, which changes a body's atmosphere.
+    """Text of the catalogue file, which modifies a body's atmosphere.
 
     Parameters
     ----------
-    atmosphere : dict
-        Keys of ``atmosphere_of``.
     planet : Planet, optional
         Planet whose name and body it has.
     """
@@ -243,22 +227,12 @@ def ssc_of(atmosphere: dict[str, Value], planet: Planet | None) -> str:
 
 
 def read_atmosphere(text: str) -> dict[str, Value]:
-    """Keys of the first ``Atmosphere`` of a catalogue file.
-
-    Parameters
-    ----------
-    text : str
-        Text of an ``.ssc`` file.
+    """Keys of the first ``Atmosphere`` in a catalogue file.
 
     Returns
     -------
     dict of str to float or list of float
-        Numbers and triples; texts such as the names of maps are left out.
-
-    Raises
-    ------
-    ParameterError
-        If there is no atmosphere.
+        Numbers and triples; texts are omitted.
 
     Examples
     --------
@@ -300,7 +274,7 @@ def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) 
 
 
 def _of_older(atmosphere: dict[str, Value]) -> tuple[str, ...]:
-    """Note about versions with a single scale height, for a planet with two."""
+    """Note about older versions with a single scale height, for a planet with two."""
     gas, mie = (_number(atmosphere, key) for key in ("RayleighScaleHeight", "MieScaleHeight"))
     if gas == mie or not any(_triple(atmosphere, "Rayleigh").values):
         return ()

@@ -1,8 +1,7 @@
-"""Layout ``cosmoscout``: textures for CosmoScout VR's Bruneton model, inputs of its tool.
+"""Layout ``cosmoscout``: textures for CosmoScout VR's Bruneton model, preprocessor inputs.
 
-Nothing is fitted: phase functions are tables, so that the smooth light and the particles' are
-multiplied by their own. Light at many wavelengths is folded to luminances of red, green and blue;
-the texels are exact, whatever the phase functions. Refraction is a table of how far rays are bent.
+Phase functions are tables, without fits. Spectral radiance is converted to luminances of red, green
+and blue, exact at the texels. Refraction is a table of refraction angles.
 """
 
 from __future__ import annotations
@@ -81,12 +80,10 @@ def fill(
 
     Parameters
     ----------
-    solution, folder, progress
-        See ``Target``.
     size : tuple of int, optional
-        Texels of r, mu, mu_s, nu; (32, 128, 32, 8) if left out.
+        Texels of r, mu, mu_s, nu; default: (32, 128, 32, 8).
     lowest_sun : float, optional
-        Largest zenith angle of the sun in the tables; the end of twilight if left out. [deg]
+        Largest solar zenith angle of the tables; default: the end of twilight. [deg]
     """
     require_tifffile()
     planet = solution.planet
@@ -134,7 +131,7 @@ def fill(
 
 
 def _straight(solution: Solution, planet: Planet, progress: Progress | None) -> Solution:
-    """Solution without refraction, which tables can represent."""
+    """Solution without refraction."""
     if not solution.medium.refractivity.any():
         return solution
     settings = solution.settings if isinstance(solution, MomentsSolution) else "default"
@@ -144,10 +141,10 @@ def _straight(solution: Solution, planet: Planet, progress: Progress | None) -> 
 
 
 def _scattered(baked: Baked, weights: FloatArray) -> dict[str, FloatArray]:
-    """Textures of scattered light and of phase functions.
+    """Textures of scattering and of phase functions.
 
-    The luminance at a texel is kept. The phase function of a channel is the mean over wavelengths
-    by their share in it, those that the channel counts as negative left out.
+    Luminance at the texels is exact. The phase function of a channel is the mean over wavelengths,
+    weighted by their positive contributions to it.
     """
     light = baked.light
     smooth, *kinds = light.phases.names
@@ -194,10 +191,10 @@ def _values(table: Table) -> FloatArray:
 
 
 def _write_paths(solution: Solution, weights: FloatArray, folder: Path) -> None:
-    """Transmittance to space and, where light is bent, how far and how low.
+    """Write transmittance to space and, with refraction, refraction angles and lowest altitudes.
 
-    The transmittance of a channel is the mean over wavelengths by their share in the star's colour,
-    those that the channel counts as negative left out: between 0 and 1, as ratios need it.
+    The transmittance of a channel is the mean over wavelengths, weighted by their positive
+    contributions to the star's colour, and thus between 0 and 1.
     """
     medium, geometry = solution.medium, solution.geometry
     layout = TransmittanceLayout(bottom_radius=medium.bottom_radius, top_radius=medium.top_radius)
@@ -234,7 +231,7 @@ def _write_paths(solution: Solution, weights: FloatArray, folder: Path) -> None:
 
 
 def _scene(planet: Planet) -> dict[str, Any]:
-    """Settings to merge into a scene, and the radius that they count on."""
+    """Settings to merge into a scene, and the assumed radius."""
     body = planet.body.capitalize() if planet.body else name_of(planet)
     atmosphere = {
         "topAltitude": planet.thickness,
@@ -255,7 +252,7 @@ def _write_json(path: Path, content: Any) -> None:
 
 
 def _errors(solution: Solution, tables: CosmoScoutTables) -> tuple[ErrorRow, ...]:
-    """Errors of the folder as CosmoScout looks it up, all in luminance and colour."""
+    """Errors of the folder by CosmoScout's look-up, in luminance and colour."""
     medium, star = solution.medium, solution.lights[0]
     weights = EFFICACY * rgb_weights(solution.wavelengths, star.spectrum) * star.irradiance[:, None]
     whole = EFFICACY * float(luminance(sun_color(star.spectrum)))
@@ -284,7 +281,7 @@ def _errors(solution: Solution, tables: CosmoScoutTables) -> tuple[ErrorRow, ...
 
 
 def _sunlight(solution: Solution, tables: CosmoScoutTables) -> ErrorRow:
-    """Colour of sunlight through the air, which has three wavelengths there."""
+    """Colour of transmitted sunlight at CosmoScout's three wavelengths."""
     star, medium = solution.lights[0], solution.medium
     angles = np.array([0.0, 45.0, 75.0, 85.0, 88.0])
     true = solution.transmittance(altitude=0.0, view_zenith=angles).values * star.irradiance

@@ -1,7 +1,6 @@
 """Inputs of CosmoScout VR's ``bruneton-preprocessor``: optics in CSV files, settings in JSON.
 
-Molecules, particles and what only absorbs are three components, each with one density over
-altitude. The tables that the preprocessor makes of them are its own.
+Molecules, particles and absorbers are three components, each with one density profile.
 """
 
 from __future__ import annotations
@@ -44,7 +43,7 @@ _COMPONENTS: Final = ("molecules", "aerosols", "ozone")
 
 
 def wavelengths_for(planet: Planet) -> FloatArray:
-    """Fifteen even wavelengths of the visible range where the planet is known. [nm]"""
+    """Fifteen equidistant wavelengths in the visible range of the planet. [nm]"""
     low, high = planet.wavelength_limits
     return np.linspace(max(low, RANGE[0]), min(high, RANGE[1]), COUNT).round(2)
 
@@ -54,10 +53,8 @@ def write_inputs(folder: Path, medium: Medium) -> None:
 
     Parameters
     ----------
-    folder : Path
-        Folder.
     medium : Medium
-        Air at ``wavelengths_for`` its planet.
+        Medium at ``wavelengths_for`` its planet.
     """
     gas, particles = groups(medium)
     others = [index for index in range(len(medium.names)) if index not in particles]
@@ -102,21 +99,14 @@ def write_inputs(folder: Path, medium: Medium) -> None:
 
 
 def planet_from_inputs(folder: str | Path, star: Star, name: str) -> Planet:
-    """Planet of the preprocessor's inputs.
+    """Planet from the preprocessor's inputs.
 
     Parameters
     ----------
     folder : str or Path
         Folder with ``preprocessor.json``.
     star : Star
-        Light source, of which the inputs know the size alone.
-    name : str
-        Name of the planet.
-
-    Raises
-    ------
-    FileError
-        If a file is missing or of another form.
+        Light source; the inputs have only its size.
     """
     root = Path(folder)
     try:
@@ -168,7 +158,7 @@ def _write_spectrum(path: Path, name: str, medium: Medium, values: FloatArray) -
 
 
 def _write_phase(path: Path, medium: Medium, members: Sequence[int]) -> None:
-    """Phase functions at even angles, of several constituents by their scattering."""
+    """Write phase functions at equidistant angles, averaged over constituents by scattering."""
     angles = np.linspace(0.0, 180.0, ANGLES)
     if members:
         depth = (medium.scattering * medium.columns[:, None])[list(members)]

@@ -1,9 +1,8 @@
 """Textures of CosmoScout VR's Bruneton model, and the look-up of its shaders in NumPy.
 
 Textures are TIFF files of three 32-bit floats, row 0 first: transmittance over (mu, r), illuminance
-over (mu_s, r), scattered light over (nu and mu_s, mu, r) with a page for each r, phase functions
-over the angle. The look-up follows the shaders texel by texel, so that what is read here is what
-the program shows.
+over (mu_s, r), scattering over (nu and mu_s, mu, r) with a page for each r, phase functions over
+the angle.
 """
 
 from __future__ import annotations
@@ -33,13 +32,7 @@ DEVIATION: Final = "theta_deviation.tif"
 
 
 def require_tifffile() -> Any:
-    """Module tifffile, which is an optional dependency.
-
-    Raises
-    ------
-    AirlightError
-        If it is not installed.
-    """
+    """Module tifffile, which is an optional dependency."""
     try:
         import tifffile
     except ImportError as error:
@@ -54,8 +47,6 @@ def write_texture(path: Path, values: FloatArray) -> None:
 
     Parameters
     ----------
-    path : Path
-        Path of the file.
     values : array, shape (height, width, 3) or (depth, height, width, 3)
         Values; a page for each depth.
     """
@@ -71,13 +62,7 @@ def write_texture(path: Path, values: FloatArray) -> None:
 
 
 def read_texture(path: Path) -> FloatArray:
-    """Texture of a TIFF file, shape (depth, height, width, 3).
-
-    Raises
-    ------
-    FileError
-        If it cannot be read, or is of another kind.
-    """
+    """Texture of a TIFF file, shape (depth, height, width, 3)."""
     tifffile = require_tifffile()
     try:
         with tifffile.TiffFile(path) as file:
@@ -91,9 +76,9 @@ def read_texture(path: Path) -> FloatArray:
 
 
 def texel_angles(count: int) -> FloatArray:
-    """Scattering angles at which the shader reads the texels of a phase function, (count,). [deg]
+    """Scattering angles of the texel centres of a phase function, (count,). [deg]
 
-    The shader's coordinate is the angle over 180°, and texels have their values at their centres.
+    The shader's coordinate is the angle over 180°.
     """
     return 180.0 * (np.arange(count) + 0.5) / count
 
@@ -105,17 +90,17 @@ class CosmoScoutTables:
     Attributes
     ----------
     bottom_radius, top_radius : float
-        Radii that the scene gives. [m]
+        Radii of the scene. [m]
     metadata : dict
         Content of ``metadata.json``.
     phase : array, shape (2, angles, 3)
         Phase functions that multiply ``multiple`` and ``single``. [sr⁻¹]
     transmittance, illuminance : array, shape (height, width, 3)
-        Transmittance to space [1], and the sky's light on level ground [lx].
+        Transmittance to space [1], and diffuse horizontal illuminance [lx].
     multiple, single : array, shape (depth, height, width, 3)
         Luminance over phase functions. [cd m⁻² sr]
     deviation : array, shape (height, width, 3) or None
-        Bending of rays to space [rad] and altitude of their lowest point [m].
+        Refraction angle of rays to space [rad], and altitude of their lowest point [m].
     """
 
     bottom_radius: float
@@ -130,13 +115,7 @@ class CosmoScoutTables:
 
     @classmethod
     def read(cls, folder: str | Path) -> CosmoScoutTables:
-        """Read a folder.
-
-        Raises
-        ------
-        FileError
-            If a file is missing or of another kind.
-        """
+        """Read a folder."""
         root = Path(folder)
         try:
             metadata, scene = (json.loads(read_text(root / name)) for name in (METADATA, SCENE))
@@ -161,7 +140,7 @@ class CosmoScoutTables:
     def sky_luminance(
         self, r: FloatArray, mu: FloatArray, mu_s: FloatArray, nu: FloatArray
     ) -> FloatArray:
-        """Luminance of the air along lines of sight inside it, shape (n, 3). [cd m⁻²]
+        """Path luminance along lines of sight in the shell, shape (n, 3). [cd m⁻²]
 
         Parameters
         ----------
@@ -194,7 +173,7 @@ class CosmoScoutTables:
         return _sampled(self.transmittance[None], u, v, np.full_like(u, 0.5))
 
     def refraction_angle(self, r: FloatArray, mu: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Bending of rays to space [rad], and altitude of their lowest point [m], each (n,)."""
+        """Refraction angle of rays to space [rad], and altitude of their lowest point [m], (n,)."""
         if self.deviation is None:
             return np.zeros(r.shape), np.zeros(r.shape)
         u, v = self._transmittance_coordinates(r, mu)
@@ -202,7 +181,7 @@ class CosmoScoutTables:
         return values[:, 0], values[:, 1]
 
     def sky_illuminance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Light of the sky on level ground, shape (n, 3). [lx]"""
+        """Diffuse horizontal illuminance, shape (n, 3). [lx]"""
         height, width, _ = self.illuminance.shape
         x_r = (r - self.bottom_radius) / (self.top_radius - self.bottom_radius)
         u, v = _centred(0.5 * mu_s + 0.5, width), _centred(x_r, height)
@@ -247,7 +226,7 @@ class CosmoScoutTables:
 
     @property
     def _whole(self) -> float:
-        """Length of a level ray from the ground to the top. [m]"""
+        """Length of a horizontal ray from the ground to the top. [m]"""
         return float(np.sqrt(self.top_radius**2 - self.bottom_radius**2))
 
     def _rho(self, r: FloatArray) -> FloatArray:
@@ -260,12 +239,12 @@ class CosmoScoutTables:
 
 
 def _centred(x: Any, count: int) -> FloatArray:
-    """Texture coordinate by which x from 0 to 1 runs over the centres of texels."""
+    """Texture coordinate that maps x = 0 and 1 to the centres of the first and last texel. [1]"""
     return np.asarray(0.5 / count + np.asarray(x) * (1.0 - 1.0 / count))
 
 
 def _sampled(texture: FloatArray, u: FloatArray, v: FloatArray, w: FloatArray) -> FloatArray:
-    """Linear look-up as a GPU does it, clamped to the edge, shape (n, channels)."""
+    """Linear texture look-up, clamped to the edge, shape (n, channels)."""
     out = np.zeros((u.size, texture.shape[-1]))
     cells = []
     for coordinate, size in zip((w, v, u), texture.shape[:3], strict=True):

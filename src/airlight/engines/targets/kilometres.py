@@ -1,4 +1,4 @@
-"""Numbers of planets by formulas in km and km⁻¹, as programs for real time take them."""
+"""Parameters of formula planets in km and km⁻¹, the units of real-time programs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NO_HEIGHT: Final = 8.0
 
 
 def rounded(value: float) -> float:
-    """Number of eight digits.
+    """Number rounded to eight digits.
 
     Examples
     --------
@@ -28,20 +28,14 @@ def rounded(value: float) -> float:
 
 
 def per_km(values: Any) -> list[float]:
-    """Coefficients at red, green and blue. [km⁻¹]
-
-    Parameters
-    ----------
-    values : float or PerWavelength
-        Coefficient of a constituent of ``formula_planet``. [m⁻¹]
-    """
+    """Coefficients at red, green and blue. [km⁻¹]"""
     if isinstance(values, PerWavelength):
         return [rounded(1e3 * value) for value in values.values]
     return [rounded(1e3 * float(values))] * len(RED_GREEN_BLUE)
 
 
 def per_metre(values: Sequence[float]) -> PerWavelength:
-    """Coefficients at red, green and blue as a parameter of a planet. [m⁻¹]
+    """Coefficients at red, green and blue as a spectral parameter. [m⁻¹]
 
     Parameters
     ----------
@@ -53,7 +47,7 @@ def per_metre(values: Sequence[float]) -> PerWavelength:
 
 
 def scale_height_km(part: Constituent | None) -> float:
-    """Scale height of a constituent, ``NO_HEIGHT`` if there is none. [km]"""
+    """Scale height of a constituent; ``NO_HEIGHT`` without one. [km]"""
     if part is None:
         return NO_HEIGHT
     assert isinstance(part.profile, Exponential)

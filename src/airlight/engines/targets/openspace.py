@@ -1,10 +1,10 @@
 """Layout ``openspace``: the asset of an atmosphere for OpenSpace.
 
-Units and keys are those of ``RenderableAtmosphere``: km, km⁻¹, a Cornette-Shanks lobe. Two of its
-habits shape the file. The extinction of particles is their scattering over *one* single scattering
-albedo, that of red, whatever ``Extinction`` says of green and blue. And with an ozone layer the
-molecules' single scattering gets a second density, exp(-h/H_O), besides its own: ozone would
-brighten the sky several times. So its coefficients are written without ``H_O``: the layer is off.
+Units and keys are those of ``RenderableAtmosphere``: km, km⁻¹, a Cornette-Shanks lobe. OpenSpace
+computes the extinction of particles from their scattering and the single-scattering albedo at red,
+whatever ``Extinction`` says of green and blue. With an ozone layer it adds a second density,
+exp(-h/H_O), to single scattering by molecules, which brightens the sky several times; ozone is
+therefore written without ``H_O``, which disables the layer.
 """
 
 from __future__ import annotations
@@ -62,12 +62,12 @@ _BODIES: Final = {
 
 
 def renderable_of(fit: FormulaPlanet) -> dict[str, Any]:
-    """Table ``Renderable`` of the asset, of a planet by formulas.
+    """Table ``Renderable`` of the asset, from a formula planet.
 
     Parameters
     ----------
     fit : FormulaPlanet
-        Fit by exponentials and a Cornette-Shanks lobe, at 680, 550 and 440 nm.
+        Fit at 680, 550 and 440 nm by exponentials and a Cornette-Shanks lobe.
     """
     planet = fit.planet
     parts = {one.name: one for one in planet.constituents}
@@ -107,22 +107,15 @@ def renderable_of(fit: FormulaPlanet) -> dict[str, Any]:
 
 
 def planet_from_openspace(renderable: Mapping[str, Any], star: Star, name: str) -> Planet:
-    """Planet that OpenSpace computes from a table ``Renderable``.
+    """Planet from a table ``Renderable``, as interpreted by OpenSpace.
 
     Parameters
     ----------
     renderable : mapping
-        Table of an asset, lists as sequences. An ozone layer that is on, with ``H_O``, only
-        absorbs here; the light that OpenSpace adds with it is left out.
+        Table of an asset, lists as sequences. An enabled ozone layer, with ``H_O``, only absorbs
+        here.
     star : Star
-        Light source, of which an asset has only a brightness on the screen.
-    name : str
-        Name of the planet.
-
-    Raises
-    ------
-    ParameterError
-        If a key that OpenSpace requires is missing, or a value is impossible.
+        Light source; an asset has only its display brightness.
     """
     try:
         radius = 1e3 * float(renderable["PlanetRadius"])
@@ -183,12 +176,10 @@ def planet_from_openspace(renderable: Mapping[str, Any], star: Star, name: str) 
 
 
 def asset_of(renderable: Mapping[str, Any], planet: Planet | None) -> str:
-    """Text of the asset, in Lua.
+    """Text of the asset in Lua.
 
     Parameters
     ----------
-    renderable : mapping
-        Table of ``renderable_of``.
     planet : Planet, optional
         Planet whose name and body it has.
     """

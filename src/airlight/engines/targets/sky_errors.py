@@ -1,4 +1,4 @@
-"""Errors of a program's sky against the solution, at random points and views."""
+"""Errors of a program's sky against the solution, at random points and directions."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ _POINTS: Final = 4096
 
 
 def sky_positions(medium: Medium, count: int = _POINTS, seed: int = SEED) -> Positions:
-    """Random points and views: half of them even in angle, half dense near the sun.
+    """Random points and directions: half of them uniform in angle, half dense near the sun.
 
-    Altitudes are the square of an even distribution over the shell, the sun's zenith angles even
-    from 0 to 96 deg.
+    Altitudes are squares of uniform numbers over the shell; solar zenith angles are uniform from 0
+    to 96 deg.
     """
     even = random_positions(medium, count - count // 2, seed)
     rng = np.random.default_rng(seed + 1)
@@ -66,14 +66,12 @@ def sky_positions(medium: Medium, count: int = _POINTS, seed: int = SEED) -> Pos
 def sky_errors(
     solution: Solution, radiance: Radiance, *, name: str = "", count: int = _POINTS
 ) -> list[ErrorRow]:
-    """Errors of the light of the sky and of the air before the ground, by day and in twilight.
+    """Errors of path radiance to space and to the ground, by day and in twilight.
 
     Parameters
     ----------
-    solution : Solution
-        Solution.
     radiance : callable
-        Radiance of the air alone, as the program looks it up.
+        Path radiance by the program's look-up.
     name : str
         Text appended to the names of the rows.
     count : int
@@ -105,7 +103,7 @@ def sky_errors(
 def level_errors(
     solution: Solution, irradiance_at: Radiance, transmittance_at: Radiance, count: int = _POINTS
 ) -> list[ErrorRow]:
-    """Errors of the sky's irradiance of level ground and of the transmittance to the top."""
+    """Errors of diffuse horizontal irradiance and of transmittance to the top."""
     medium = solution.medium
     positions = random_positions(medium, count, SEED)
     light = medium.lights[0].irradiance
@@ -133,7 +131,7 @@ def level_errors(
 
 
 def half_losses(arrays: dict[str, NDArray[Any]]) -> tuple[str, ...]:
-    """Notes on values below the range of half floats, 3e-8, that become 0."""
+    """Notes on values below the range of half floats, 3e-8, which become 0."""
     notes = []
     for name, values in arrays.items():
         lost = int(((values != 0.0) & (values.astype(np.float16) == 0.0)).sum())

@@ -1,9 +1,8 @@
 """Layout ``takram``: folder for ``PrecomputedTexturesLoader`` of npm @takram/three-atmosphere.
 
-Files ``.bin`` are RGBA half floats, row 0 at texture coordinate 0; ``.exr`` hold the same texels
-with the whole picture upside down, since three.js turns it when it loads. There is no scale: the
-solar irradiance is multiplied in, and radiance is in W m⁻² sr⁻¹ nm⁻¹. The loader reads no
-parameters: they stand in ``atmosphere.json``, and ``planet.js`` sets them.
+Files ``.bin`` are RGBA half floats, row 0 at texture coordinate 0; ``.exr`` files are flipped
+vertically, as three.js flips them on loading. Values include the solar irradiance: radiance is in W
+m⁻² sr⁻¹ nm⁻¹. Parameters are in ``atmosphere.json``, applied by ``planet.js``.
 
 Source: @takram/three-atmosphere 0.19.1, PrecomputedTexturesLoader.ts, AtmosphereParameters.ts,
 shaders/bruneton/runtime.glsl.
@@ -63,20 +62,11 @@ def fill(
     ----------
     solution : Solution
         Solution at 680, 550 and 440 nm.
-    folder : Path
-        Empty folder.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     mie : str
-        ``separate``: particles' light in a file of its own, for ``combinedScattering: false``;
-        ``combined``: in alpha alone, for the loader's default.
+        ``separate``: single Mie scattering in a separate file, for ``combinedScattering: false``;
+        ``combined``: only in alpha, the loader's default.
     lowest_sun : float, optional
-        Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]
-
-    Raises
-    ------
-    ParameterError
-        If ``mie`` is another word, or light does not fit into half floats.
+        Largest solar zenith angle of the tables; default: the end of twilight. [deg]
     """
     if mie not in ("separate", "combined"):
         raise ParameterError("mie", mie, "separate, combined")
@@ -122,7 +112,7 @@ def _notes(mie: str) -> tuple[str, ...]:
 
 
 def _textures(filled: Filled) -> dict[str, NDArray[Any]]:
-    """Values of each file, shape (rows, width, 4), rows of all slices one after another."""
+    """Values of each file, shape (rows, width, 4), with concatenated slices."""
     tables = filled.tables
     out = {
         "transmittance": opaque(tables.transmittance),
@@ -147,7 +137,7 @@ def _write(folder: Path, name: str, values: NDArray[Any]) -> None:
 
 
 def _parameters(solution: Solution, tables: SkyTables, colour: SkyColour) -> dict[str, Any]:
-    """Arguments of ``AtmosphereParameters``, and how the files are to be loaded."""
+    """Arguments of ``AtmosphereParameters``, and loading instructions."""
     medium = solution.medium
     molecules, particles, extinction = (1e3 * one for one in coefficients(medium))
     return {
@@ -169,17 +159,12 @@ def _parameters(solution: Solution, tables: SkyTables, colour: SkyColour) -> dic
 
 
 def read_tables(folder: str | Path) -> SkyTables:
-    """Read a folder as the program does.
+    """Tables of a folder, as read by the program.
 
     Parameters
     ----------
     folder : str or Path
         Folder written for layout ``takram``.
-
-    Raises
-    ------
-    FileError
-        If a file is missing or has another size.
     """
     path = Path(folder)
     try:

@@ -1,4 +1,4 @@
-"""Programs that load a folder of files as it is, and the report of an export for them."""
+"""Export target: a program that loads a folder of files, and the report of an export."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ _REPORT: Final = ("fitted", "errors", "notes")
 
 @dataclass(frozen=True, kw_only=True)
 class FittedFormula:
-    """Quantity of the planet that the program represents by a formula only.
+    """Quantity of the planet that the program represents by a fitted formula.
 
     Attributes
     ----------
     name : str
         Constituent and quantity: ``dust: phase function``.
     form : str
-        Formula that it was fitted by: ``Cornette-Shanks``.
+        Formula: ``Cornette-Shanks``.
     parameters : mapping of str to float
-        Fitted numbers, each name with its unit: ``g``, ``scale height [km]``.
+        Fitted parameters by name with unit: ``g``, ``scale height [km]``.
     errors : mapping of str to float
-        Error of the fit by what was compared: ``optical depth, relative``.
+        Errors of the fit by quantity: ``optical depth, relative``.
     where : str
-        Range over which it was fitted and compared.
+        Range of the fit and of the comparison.
     """
 
     name: str
@@ -76,11 +76,6 @@ class ErrorRow:
     @classmethod
     def of(cls, name: str, errors: ArrayLike, *, where: str, measure: str = "relative") -> ErrorRow:
         """Statistics of errors of any shape and sign.
-
-        Raises
-        ------
-        ValueError
-            If there is no error.
 
         Examples
         --------
@@ -146,7 +141,7 @@ class Export:
 
 @dataclass(frozen=True, kw_only=True)
 class Target:
-    """Program that loads a folder of files as it is.
+    """Program that loads an exported folder.
 
     Attributes
     ----------
@@ -155,18 +150,18 @@ class Target:
     program, version : str
         Program, and the version whose formats are written.
     fill : callable
-        Writes the files: ``fill(solution, folder, progress=…, **options) -> ExportReport``, into an
-        empty folder, without subfolders.
+        ``fill(solution, folder, progress=…, **options) -> ExportReport`` writes the files into an
+        empty folder.
     files : tuple of str
-        Names of the files that ``fill`` may write, or patterns of them such as ``*.exr``.
+        Names or patterns of the files that ``fill`` may write.
     wavelengths : tuple of float, optional
-        Wavelengths that the program fixes; any if left out. [nm]
+        Wavelengths required by the program; default: any. [nm]
     options : tuple of str
-        Names of the options that ``fill`` takes: ``size``, ``files``.
+        Names of the options of ``fill``: ``size``, ``files``.
     bends_light : bool
-        Whether the program draws refraction.
+        Whether the program supports refraction.
     default_wavelengths : str
-        Wavelengths to solve if none are given and the program fixes none.
+        Default wavelengths, if the program requires none.
     """
 
     name: str
@@ -193,17 +188,17 @@ class Target:
         progress: Progress | None = None,
         **options: Any,
     ) -> Export:
-        """Write the files and their manifest, whole or not at all.
+        """Write the files and their manifest atomically.
 
         Parameters
         ----------
         solution : Solution
-            Solution to write; at ``wavelengths`` if the program fixes them.
+            Solution, at ``wavelengths`` if the program requires them.
         folder : str or Path
-            Folder to create, an empty one, or one written for this program, which is replaced.
+            New or empty folder, or an earlier export for this program, which is replaced.
         overwrite : bool
-            Whether files of these names may be replaced that airlight has not written, or that
-            were changed since.
+            Whether to replace files of these names that airlight did not write or that were
+            modified.
         progress : callable, optional
             See ``airlight.kernel.threads``.
         **options
@@ -216,8 +211,7 @@ class Target:
         Raises
         ------
         ParameterError
-            For an option that the program does not have, other wavelengths, a planet that bends
-            light, or one that the program cannot hold.
+            For an unsupported option, wavelength, refraction or planet.
         FileError
             If the folder holds other files, or cannot be written to; it is then unchanged.
         """
@@ -240,7 +234,7 @@ class Target:
         )
 
     def check_options(self, options: Mapping[str, Any]) -> None:
-        """Refuse an option that the program does not have."""
+        """Raise an error for an unsupported option."""
         for name in options:
             if name not in self.options:
                 raise ConflictError(name, f"does not apply to layout {self.name}")
@@ -280,12 +274,7 @@ def read_export(folder: str | Path, target: Target) -> Export:
     folder : str or Path
         Folder written by ``target``.
     target : Target
-        Program that it was written for.
-
-    Raises
-    ------
-    FileError
-        If there is no manifest, or one of another format.
+        Target program.
     """
     path = Path(folder) / MANIFEST
     content = read_manifest(path, target.form)

@@ -1,7 +1,7 @@
-"""Layout ``unreal``: an editor script that sets an Unreal SkyAtmosphere.
+"""Layout ``unreal``: an editor script that sets the properties of an Unreal SkyAtmosphere.
 
-Lengths are km, coefficients km⁻¹, each a colour of up to 1 times a scale. Particles have a
-Henyey-Greenstein lobe, absorbing gases a tent.
+Lengths are in km, coefficients in km⁻¹, each a colour of up to 1 times a scale. Particles have a
+Henyey-Greenstein lobe, absorbing gases a tent profile.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class LinearColor(NamedTuple):
 
 
 class Color(NamedTuple):
-    """Colour of eight bits, encoded by the curve of sRGB.
+    """Colour of eight bits per channel, sRGB encoded.
 
     Attributes
     ----------
@@ -73,12 +73,12 @@ class Color(NamedTuple):
 
 
 class TentDistribution(NamedTuple):
-    """Density that falls linearly on both sides of its tip.
+    """Tent profile of density.
 
     Attributes
     ----------
     tip_altitude, width : float
-        Altitude of the tip, and distance from there to where the density is 0. [km]
+        Altitude of the tip, and distance from it to density 0. [km]
     tip_value : float
         Density at the tip. [1]
     """
@@ -92,12 +92,12 @@ Property = float | LinearColor | Color | TentDistribution
 
 
 def properties_of(fit: FormulaPlanet) -> dict[str, Property]:
-    """Properties of ``unreal.SkyAtmosphereComponent``, of a planet by formulas.
+    """Properties of ``unreal.SkyAtmosphereComponent``, from a formula planet.
 
     Parameters
     ----------
     fit : FormulaPlanet
-        Fit by exponentials, a tent and a Henyey-Greenstein lobe, at 680, 550 and 440 nm.
+        Fit at 680, 550 and 440 nm by exponentials, a tent and a Henyey-Greenstein lobe.
     """
     planet = fit.planet
     parts = {one.name: one for one in planet.constituents}
@@ -127,7 +127,7 @@ def properties_of(fit: FormulaPlanet) -> dict[str, Property]:
 
 
 def planet_from_unreal(properties: Mapping[str, Any], star: Star, name: str) -> Planet:
-    """Planet of the properties of a SkyAtmosphere.
+    """Planet from the properties of a SkyAtmosphere.
 
     Parameters
     ----------
@@ -135,14 +135,7 @@ def planet_from_unreal(properties: Mapping[str, Any], star: Star, name: str) -> 
         Values by name; colours have ``r``, ``g``, ``b``, the tent ``tip_altitude``, ``tip_value``
         and ``width``.
     star : Star
-        Light source, which belongs to another component.
-    name : str
-        Name of the planet.
-
-    Raises
-    ------
-    ParameterError
-        If a property is missing, or a value is impossible.
+        Light source; in Unreal another component.
     """
     try:
         radius = 1e3 * float(properties["bottom_radius"])
@@ -192,15 +185,7 @@ def planet_from_unreal(properties: Mapping[str, Any], star: Star, name: str) -> 
 
 
 def script_of(properties: Mapping[str, Property], name: str) -> str:
-    """Text of the editor script.
-
-    Parameters
-    ----------
-    properties : mapping
-        Properties of ``properties_of``.
-    name : str
-        Name of the planet.
-    """
+    """Text of the editor script."""
     lines = "\n".join(f'    "{key}": {_python(value)},' for key, value in properties.items())
     return f'''"""Sky of {name} for Unreal's SkyAtmosphere, written by airlight.
 

@@ -1,4 +1,4 @@
-"""Sun and moon in the sky of Earth, Mars and Titan by place and time. No light."""
+"""Positions of sun and moon in the sky of Earth, Mars and Titan."""
 
 from __future__ import annotations
 

@@ -25,13 +25,13 @@ class Event:
     Attributes
     ----------
     name : str
-        Word by which it is asked for.
+        Name.
     body : str
         ``sun`` or ``moon``.
     altitude : float
         True altitude of the body's centre. [deg]
     limb : bool
-        Whether its upper limb is meant, on Earth with the refraction of almanacs.
+        Whether the altitude is that of the upper limb, on Earth with the refraction of almanacs.
     rising : bool
         Whether the body rises through that altitude.
     """
@@ -81,8 +81,6 @@ def time_of_event(name: str, place: Place, start: float, end: float) -> float:
         sun's centre is 6°, 12° and 18° below the horizontal, without refraction.
     place : Place
         Place; events are those on its ground.
-    start, end : float
-        Days since 2000-01-01 12:00 UTC.
 
     Returns
     -------
@@ -139,7 +137,7 @@ def time_of_event(name: str, place: Place, start: float, end: float) -> float:
 
 
 def clock_time(clock: Callable[[float], float], hour: float, start: float, end: float) -> float:
-    """Time at which a clock that runs round in 24 hours shows an hour.
+    """Time at which a 24-hour clock shows an hour.
 
     Parameters
     ----------
@@ -148,8 +146,7 @@ def clock_time(clock: Callable[[float], float], hour: float, start: float, end: 
     hour : float
         Hour, 0 to 24. [h]
     start, end : float
-        Times about one turn of the clock apart: the first time after ``start``, or one just before
-        it if the clock is fast. [day]
+        Times about one day of the clock apart. [day]
     """
     turn = end - start
     days = start + turn * ((hour - clock(start)) % 24.0) / 24.0
@@ -162,7 +159,7 @@ def clock_time(clock: Callable[[float], float], hour: float, start: float, end: 
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Crossing of zero, upwards, by halving."""
+    """Upward zero crossing, by bisection."""
     while high - low > _PRECISION:
         middle = 0.5 * (low + high)
         low, high = (middle, high) if function(middle) < 0.0 else (low, middle)
@@ -170,7 +167,7 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
 
 
 def _peak(function: Callable[[float], float], low: float, high: float) -> float:
-    """Highest point of a function with one peak, by thirds."""
+    """Maximum of a unimodal function, by ternary search."""
     while high - low > 1e-5:
         third = (high - low) / 3.0
         if function(low + third) < function(high - third):

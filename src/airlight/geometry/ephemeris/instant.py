@@ -31,7 +31,7 @@ def days_of(time: datetime, field: str = "time") -> float:
     Raises
     ------
     ParameterError
-        If it is no datetime, has no zone, or lies outside the years 1700 to 2199.
+        If it is not a datetime, has no zone, or is outside the years 1700 to 2199.
 
     Examples
     --------
@@ -72,7 +72,7 @@ def universal_time(time: datetime) -> str:
 
 
 def ephemeris_time(days: float) -> Time:
-    """Instant as astronomy-engine takes it, which does not tell UTC from UT1 (under 0.9 s)."""
+    """Instant for astronomy-engine, which does not distinguish UTC from UT1 (less than 0.9 s)."""
     from astronomy import Time
 
     return Time(days)

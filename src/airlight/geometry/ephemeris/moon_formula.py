@@ -1,8 +1,8 @@
-"""Moon in the sky of a place on Earth by a short formula, for live pictures.
+"""Moon in the sky of a place on Earth by a short analytic theory, for live pictures.
 
-All values are plain numbers, in the subset of Python that becomes JavaScript too. From 1950 to 2050
-the Moon is off by at most 0.09°, 0.022° in the mean; ``ephemeris.sky`` is closer, and
-slower. The phase is that of the place itself, up to 1° from that of Earth's centre.
+In the Python subset that is also emitted as JavaScript. From 1950 to 2050 the error is at most
+0.09°, 0.022° on average; ``ephemeris.sky`` is more accurate and slower. The phase is
+topocentric, up to 1° from the geocentric one.
 
 Longitude and latitude: the fourteen largest terms of Brown's theory, after Montenbruck & Pfleger,
 Astronomy on the Personal Computer (4th edition, 2000), section 3.2. Parallax: Astronomical Almanac,
@@ -26,7 +26,7 @@ _UNIT: Final = 149597870.7 / 6378.137
 
 
 def _turns(x: float) -> float:
-    """Angle of a number of turns, without whole ones. [rad]"""
+    """Angle of a number of turns, modulo one turn. [rad]"""
     return 2.0 * math.pi * (x - math.floor(x))
 
 
@@ -84,7 +84,7 @@ def moon_place(days: float) -> tuple[float, float, float]:
 
 
 def moon_at(latitude: float, longitude: float, days: float) -> tuple[float, float, float, float]:
-    """Moon in the sky of a place, with its parallax, without refraction.
+    """Topocentric position of the Moon in the sky, without refraction.
 
     Parameters
     ----------

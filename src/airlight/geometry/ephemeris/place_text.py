@@ -16,8 +16,8 @@ def read_place(text: str, field: str = "at") -> tuple[float, float, str | None]:
     Parameters
     ----------
     text : str
-        Latitude and longitude in degrees, with N, S, E, W or signs (north and east positive), and,
-        if wanted, an altitude with its unit, separated by commas.
+        Latitude and longitude in degrees, with N, S, E, W or signs (north and east positive), and
+        optionally an altitude with its unit, separated by commas.
     field : str
         Field named in the error.
 
@@ -26,7 +26,7 @@ def read_place(text: str, field: str = "at") -> tuple[float, float, str | None]:
     latitude, longitude : float
         Coordinates, north and east positive. [deg]
     altitude : str or None
-        Altitude as it was written.
+        Text of the altitude.
 
     Raises
     ------

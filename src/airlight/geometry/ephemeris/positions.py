@@ -1,7 +1,7 @@
-"""Positions and rotations of bodies of the solar system in one frame, for scenes of several.
+"""Positions and rotations of bodies of the solar system in a common frame.
 
 The frame is that of the J2000 equator, with its origin at the Earth's centre: x to the equinox, z
-to the north pole. Positions are apparent: as light brings them to the Earth.
+to the north pole. Positions are apparent: corrected for light time to the Earth.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ BODIES: Final = {
 
 
 class Position(NamedTuple):
-    """Place and rotation of a body.
+    """Position and rotation of a body.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Position(NamedTuple):
 
 
 def position_of(body: str, time: datetime) -> Position:
-    """Place and rotation of a body at a time.
+    """Position and rotation of a body at a time.
 
     Parameters
     ----------

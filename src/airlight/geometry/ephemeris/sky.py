@@ -36,7 +36,7 @@ class Place:
     longitude : float
         Longitude, east positive, -360 to 360. [deg]
     altitude : float
-        Altitude above the ground; it moves the moon by parallax. [m]
+        Altitude above the ground, for the Moon's parallax. [m]
 
     Raises
     ------
@@ -68,7 +68,7 @@ class Place:
 
 @dataclass(frozen=True, kw_only=True)
 class Sighting:
-    """Disc in the sky of a place, as it would be seen without air.
+    """Disc in the sky of a place, without refraction.
 
     Attributes
     ----------
@@ -107,16 +107,16 @@ class Sighting:
 
 @dataclass(frozen=True, kw_only=True)
 class MoonSighting(Sighting):
-    """The Moon in the sky of a place on Earth.
+    """Moon in the sky of a place on Earth.
 
     Attributes
     ----------
     phase_angle : float
         Angle between sun and Earth, seen from the Moon: 0 full, 180 new. [deg]
     lit : float
-        Share of its disc that is lit. [1]
+        Illuminated fraction of its disc. [1]
     waxing : bool
-        Whether the lit share grows.
+        Whether the illuminated fraction increases.
     """
 
     phase_angle: float
@@ -132,13 +132,13 @@ def sun_seen(place: Place, time: datetime) -> Sighting:
     place : Place
         Place on any of the worlds.
     time : datetime
-        Instant with its zone, at the place itself: signals need no time.
+        Instant with its zone, in local time without light travel.
 
     Returns
     -------
     Sighting
-        Apparent place (aberration, parallax on Earth) without refraction. On Earth within 0.01° of
-        JPL's DE421 from 1975 to 2026.
+        Apparent position (aberration, parallax on Earth) without refraction; on Earth within 0.01°
+        of JPL's DE421 from 1975 to 2026.
 
     Raises
     ------
@@ -169,7 +169,7 @@ def sun_after(place: Place, days: float) -> Sighting:
 
 
 def moon_seen(place: Place, time: datetime) -> MoonSighting:
-    """Moon in the sky of a place on Earth, with its parallax.
+    """Topocentric Moon in the sky of a place on Earth.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def moon_seen(place: Place, time: datetime) -> MoonSighting:
     Raises
     ------
     ParameterError
-        If the place is not on Earth, or the time is unusable.
+        If the place is not on Earth, or the time is out of range.
     """
     return moon_after(place, days_of(time))
 
@@ -215,7 +215,7 @@ def horizon_axes(place: Place, days: float) -> NDArray[np.float64]:
     -------
     array, shape (3, 3)
         Unit vectors as rows, on Earth with precession and nutation; aberration, up to 0.006°, is
-        left out.
+        neglected.
 
     Examples
     --------
@@ -236,16 +236,15 @@ def horizon_axes(place: Place, days: float) -> NDArray[np.float64]:
 
 
 def horizon_axes_by_sun(place: Place, sun_zenith: float, sun_azimuth: float) -> NDArray[np.float64]:
-    """Axes of a place as ``horizon_axes``, at a moment that the sun's place in its sky gives.
+    """Axes of a place as ``horizon_axes``, at an instant given by the sun's position in its sky.
 
-    Latitude and place give the sun's declination, and so the day; its hour angle gives the
-    hour. Of the two days of a year the one between the northern winter's and summer's solstice is
-    taken, and where the sun never stands so, the nearer solstice.
+    The sun's declination determines the day, between the northern winter and summer solstice or,
+    for impossible declinations, a solstice; the hour angle determines the hour.
 
     Parameters
     ----------
     place : Place
-        Place on any of the worlds; its longitude does not count.
+        Place on any of the worlds; its longitude is ignored.
     sun_zenith, sun_azimuth : float
         Zenith angle and compass bearing of the sun. [deg]
 
@@ -286,7 +285,7 @@ def sub_solar_point(body: str, time: datetime) -> SolarPoint:
     Raises
     ------
     ParameterError
-        If there is no such world, or the time is unusable.
+        If the world is unknown, or the time is out of range.
 
     Examples
     --------
@@ -333,7 +332,7 @@ def _seen_from_earth(body: object, place: Place, days: float) -> dict[str, float
 
 
 def _horizontal(place: Place, point: SolarPoint) -> tuple[float, float]:
-    """Altitude and bearing of what stands above a point of the world. [deg]"""
+    """Altitude and bearing of an object in the zenith of a point of the world. [deg]"""
     latitude, turn = math.radians(place.latitude), math.radians(point.longitude - place.longitude)
     tilt = math.radians(point.latitude)
     out, east, pole = (

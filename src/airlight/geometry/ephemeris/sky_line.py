@@ -1,4 +1,4 @@
-"""Sun and moon of a place and time in a line of text."""
+"""Text line with sun and moon at a place and time."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def sky_line(place: Place, time: datetime, *, seen: float | None = None) -> str:
     place, time :
         As for ``sun_seen``.
     seen : float, optional
-        Apparent altitude of the sun, where the air bends light. [deg]
+        Apparent altitude of the sun, with refraction. [deg]
 
     Examples
     --------

@@ -18,8 +18,6 @@ def true_solar_time(world: World, longitude: float, days: float) -> float:
 
     Parameters
     ----------
-    world : World
-        World.
     longitude : float
         Longitude, east positive. [deg]
     days : float
@@ -34,8 +32,6 @@ def time_of_season(world: World, solar_longitude: float, after: float) -> float:
 
     Parameters
     ----------
-    world : World
-        World.
     solar_longitude : float
         Longitude Ls: 0 spring, 90 summer, 180 autumn, 270 winter of the northern half; 0 to 360.
         [deg]

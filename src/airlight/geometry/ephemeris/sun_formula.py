@@ -1,9 +1,8 @@
-"""Point below the sun by a short formula, for live pictures.
+"""Subsolar point by a short analytic theory, for live pictures.
 
-All values are plain numbers, in the subset of Python that becomes JavaScript too. Planets move on
-ellipses whose elements change evenly, worlds rotate evenly about fixed poles; perturbations and
-nutation are left out. From 1950 to 2050 the sun is off by at most 0.01° on Earth, 0.05° on Mars
-and 0.25° on Titan; ``airlight.geometry.ephemeris.sky`` is closer, and slower.
+In the Python subset that is also emitted as JavaScript. Orbital elements and rotation are linear in
+time; perturbations and nutation are neglected. From 1950 to 2050 the error is at most 0.01° on
+Earth, 0.05° on Mars and 0.25° on Titan; ``ephemeris.sky`` is more accurate and slower.
 
 Elements: Standish & Williams, Approximate positions of the planets (JPL Solar System Dynamics),
 table 1, valid from 1800 to 2050, J2000 ecliptic and equinox. Rotation of Mars and Titan: Archinal
@@ -79,7 +78,7 @@ def spin_of(world: float, days: float) -> tuple[float, float, float]:
 
 
 def point_below_sun(world: float, days: float) -> tuple[float, float, float]:
-    """Latitude and longitude of the point with the sun in its zenith, and the sun's distance.
+    """Latitude and longitude of the subsolar point, and the sun's distance.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Direction of the sun from a world, in the frame that rotates with it."""
+"""Direction of the sun from a world, in its rotating frame."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _DAY = 86400.0
 
 
 class SolarPoint(NamedTuple):
-    """Point of a world with the sun in its zenith, and the season.
+    """Subsolar point of a world, and the season.
 
     Attributes
     ----------
     latitude, longitude : float
-        Coordinates, planetocentric and east, longitude -180 to 180; on Earth the latitude is the
-        sun's declination, geographic and geocentric there alike. [deg]
+        Planetocentric coordinates, longitude -180 to 180, east positive; on Earth the latitude is
+        the sun's declination. [deg]
     distance : float
         Distance to the centre of the sun. [m]
     solar_longitude : float
@@ -39,21 +39,18 @@ class SolarPoint(NamedTuple):
 
 
 def solar_point(world: World, days: float) -> SolarPoint:
-    """Point below the sun.
+    """Subsolar point.
 
     Parameters
     ----------
-    world : World
-        World.
     days : float
-        Days since 2000-01-01 12:00 UTC, at the world itself.
+        Days since 2000-01-01 12:00 UTC, without light travel time.
 
     Notes
     -----
-    Apparent place: with the aberration by the world's motion about the sun. The parallax between a
-    world's centre and its ground, at most 0.0024° on Earth and less elsewhere, is left out here
-    (not in ``sun_seen`` on Earth), and so is Titan's motion about Saturn in the aberration
-    (0.001°).
+    Apparent position, with aberration by the world's orbital motion. Neglected: parallax between
+    centre and ground, at most 0.0024° (included in ``sun_seen`` on Earth), and Titan's motion about
+    Saturn in the aberration (0.001°).
 
     Examples
     --------

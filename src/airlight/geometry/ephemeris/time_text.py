@@ -1,4 +1,4 @@
-"""Times as text: with a zone, by a zone's clock or the sun's, or by a word such as sunset."""
+"""Times as text: with a zone, as local or solar time, or as a word such as sunset."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ def read_time(
     field: str = "time",
     today: date | None = None,
 ) -> datetime:
-    """Instant that a text means at a place.
+    """Instant from a text, at a place.
 
     Parameters
     ----------
     text : str
-        ISO 8601 with a zone (``2026-06-21T22:10+02:00``, ``…Z``); without one beside ``zone``; or a
-        word of ``WORDS``, also after a date. Without a date: today's.
+        ISO 8601 with a zone (``2026-06-21T22:10+02:00``, ``…Z``) or without one if ``zone`` is
+        given; or a word of ``WORDS``, also after a date. Default date: today's.
     place : Place
         Place, for words and solar time.
     zone : str, optional
@@ -68,8 +68,8 @@ def read_time(
     Raises
     ------
     ParameterError
-        If the text has another form, the zone is unknown or given twice, or the event does not
-        occur on that day.
+        If the text is invalid, the zone is unknown or given twice, or the event does not occur on
+        that day.
 
     Examples
     --------
@@ -118,7 +118,7 @@ def read_time(
 
 
 def _local(moment: datetime, zone: ZoneInfo, text: str, field: str) -> datetime:
-    """Instant of a clock time of a zone; the first of two where clocks are set back."""
+    """Instant of a local time in a zone; the first of two when clocks are set back."""
     instant = moment.replace(tzinfo=zone).astimezone(UTC)
     if instant.astimezone(zone).replace(tzinfo=None) != moment:
         raise ParameterError(field, text, f"times that clocks of {zone.key} show")

@@ -1,4 +1,4 @@
-"""Worlds whose sky is known by time: name, day, year, and rotation."""
+"""Worlds with ephemerides: name, day, year, and rotation."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Spin:
     meridian : float
         Angle W from the ascending node of the equator to the prime meridian at J2000. [deg]
     rate : float
-        Its growth. [deg day⁻¹]
+        Rate of change of that angle. [deg day⁻¹]
     """
 
     right_ascension: float
@@ -37,7 +37,7 @@ class World:
     name : str
         Name, as the key ``body`` of a planet file has it.
     orbit : str
-        Planet whose orbit about the sun it follows, by astronomy-engine's name.
+        Planet with its orbit about the sun, by astronomy-engine's name.
     spin : Spin or None
         Rotation elements; None: those of astronomy-engine for ``orbit``.
     orbit_radius : float
@@ -45,11 +45,11 @@ class World:
     solar_day : float
         Length of its mean solar day. [day]
     year : float
-        Tropical year: of its seasons. [day]
+        Tropical year. [day]
     deepest_basin : float
-        Altitude of its lowest ground that is not under a sea or ice, 0 or less. [m]
+        Altitude of its lowest ground outside seas and ice, 0 or less. [m]
     has_moon : bool
-        Whether its sky has a moon that is known here.
+        Whether the ephemeris of a moon is available.
     """
 
     name: str

@@ -39,8 +39,6 @@ class IndexTable:
         Wavelengths, ascending. [nm]
     real, imaginary : array, shape (n,)
         n and k of n + ik, k 0 or more. [1]
-    source : str
-        Source of the values.
     """
 
     name: str

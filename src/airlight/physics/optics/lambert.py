@@ -18,7 +18,6 @@ def brdf_direct(ground, mu_s, mu_r, nu):
 
     Parameters
     ----------
-    ground : Reflection
     mu_s, mu_r, nu : float
         Cosines as in ``reflection.direct_reflectance``. [1]
 
@@ -41,7 +40,6 @@ def brdf_diffuse(ground, mu_r):
 
     Parameters
     ----------
-    ground : Reflection
     mu_r : float
         Cosine as in ``reflection.diffuse_reflectance``. [1]
 

@@ -77,7 +77,7 @@ def refractivity_at(
     refractivity : array, shape (...)
         Refractivity n - 1 at the first density. [1]
     number_density, other_density : array, shape (...)
-        First density, and the one at which the refractivity is wanted. [m⁻³]
+        First density, and the other density. [m⁻³]
 
     Returns
     -------

@@ -115,16 +115,10 @@ def scattering(
     cancel : callable, optional
         Called every 64 radii; True stops with ``Cancelled``.
 
-    Returns
-    -------
-    Scattering
-
     Raises
     ------
     ParameterError
         If the index is unphysical.
-    Cancelled
-        If ``cancel`` returned True.
 
     Notes
     -----
@@ -173,11 +167,11 @@ def computed_spheres(
 ) -> tuple[SizeNodes, ComplexArray]:
     """Equivalent spheres for size parameters above 3000, and their refractive indices.
 
-    In geometric optics light depends on a sphere's area, and on its absorption along a diameter. A
-    larger sphere is that of size parameter 3000, with as many more per area and with an imaginary
-    part that absorbs as much. Its cross-section is too large by 0.5 % at most (edges extinguish
-    1.99 x^(-2/3), Nussenzveig & Wiscombe 1980), and its forward peak, 0.07° wide, is too wide by
-    the ratio of the radii: both are narrower than the sun's disc.
+    In geometric optics scattering depends on area and on absorption along a diameter. A larger
+    sphere is replaced by spheres of size parameter 3000 with the same total area and the same
+    absorption along a diameter. The cross-section is too large by at most 0.5 % (edge term 1.99
+    x^(-2/3), Nussenzveig & Wiscombe 1980); the forward peak, 0.07° wide, remains narrower than the
+    sun's disc.
 
     Parameters
     ----------
@@ -216,8 +210,6 @@ def work(radii: int, size_parameter: float, angles: int) -> float:
 
     Parameters
     ----------
-    radii : int
-        Number of radii.
     size_parameter : float
         Largest size parameter. [1]
     angles : int
@@ -233,8 +225,6 @@ def memory(size_parameter: float, angles: int) -> float:
     ----------
     size_parameter : float
         Largest size parameter. [1]
-    angles : int
-        Number of scattering angles.
     """
     # both angular functions, and amplitudes of a block of radii
     return 16.0 * angles * _terms(size_parameter) + 64.0 * _BLOCK * angles

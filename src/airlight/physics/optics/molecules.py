@@ -33,8 +33,6 @@ class Molecule:
 
     Parameters
     ----------
-    name : str
-        Name.
     molar_mass : float
         Molar mass. [kg mol⁻¹]
     refractivities : callable

@@ -30,7 +30,7 @@ def cross_section(
     wavelengths : array, shape (...)
         Wavelengths in vacuum. [nm]
     refractivity : array, shape (...)
-        Refractivity n - 1, not n, so that thin gases keep their digits. [1]
+        Refractivity n - 1. [1]
     number_density : array, shape (...)
         Number density of the gas at the state of the refractivity. [m⁻³]
     king_factor : array, shape (...)
@@ -106,7 +106,7 @@ def king_factor_from_depolarisation(depolarisation: npt.ArrayLike) -> FloatArray
 
 
 def number_density(temperature: float, pressure: float) -> float:
-    """Molecules per volume of an ideal gas, p/(k_B T).
+    """Number density of an ideal gas, p/(k_B T).
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def number_density(temperature: float, pressure: float) -> float:
 
 
 def number_density_from_mass(mass_density: float, molar_mass: float) -> float:
-    """Molecules per volume of a gas of known mass density, N_A ρ/M.
+    """Number density of a gas from its mass density, N_A ρ/M.
 
     Parameters
     ----------

@@ -116,7 +116,6 @@ def direct_reflectance(ground, at, mu_s, mu_r, nu):
 
     Parameters
     ----------
-    ground : Reflection
     at : int
         Index of the first lane.
     mu_s : float
@@ -144,7 +143,6 @@ def diffuse_reflectance(ground, at, mu_r):
 
     Parameters
     ----------
-    ground : Reflection
     at : int
         Index of the first lane.
     mu_r : float

@@ -1,7 +1,7 @@
 """Size distributions of particles: gamma, log-normal and monodisperse, with quadrature nodes.
 
-A distribution is a probability density over radius. Scattering depends on cross-sectional area, so
-the nodes cover the radii that contribute area, but for a millionth of it.
+A distribution is a probability density over radius. Nodes cover all but a millionth of the
+cross-sectional area.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class SizeNodes(NamedTuple):
 
 
 def _check_gamma(effective_radius: float, effective_variance: float) -> float:
-    """The shape (1-2b)/b of a gamma distribution whose parameters are in range. [1]"""
+    """Validated shape parameter (1-2b)/b of a gamma distribution. [1]"""
     if not effective_radius > 0.0:
         raise ParameterError("effective_radius", effective_radius, "more than 0 m")
     if not SMALLEST_VARIANCE < effective_variance < 0.5:
@@ -121,7 +121,7 @@ def gamma_limits(effective_radius: float, effective_variance: float) -> tuple[fl
 
 
 def _check_log_normal(median_radius: float, geometric_deviation: float) -> float:
-    """Logarithm of the geometric deviation, if the parameters are in range. [1]"""
+    """Validated logarithm of the geometric deviation. [1]"""
     if not median_radius > 0.0:
         raise ParameterError("median_radius", median_radius, "more than 0 m")
     if not 1.0 < geometric_deviation < math.inf:
@@ -195,8 +195,6 @@ def gamma_sizes(effective_radius: float, effective_variance: float, count: int) 
     ----------
     effective_radius, effective_variance
         Parameters of ``gamma_density``. [m], [1]
-    count : int
-        Number of nodes.
     """
     radii, widths = _nodes(*gamma_limits(effective_radius, effective_variance), count)
     return SizeNodes(radii, widths * gamma_density(radii, effective_radius, effective_variance))
@@ -209,8 +207,6 @@ def log_normal_sizes(median_radius: float, geometric_deviation: float, count: in
     ----------
     median_radius, geometric_deviation
         Parameters of ``log_normal_density``. [m], [1]
-    count : int
-        Number of nodes.
     """
     radii, widths = _nodes(*log_normal_limits(median_radius, geometric_deviation), count)
     return SizeNodes(radii, widths * log_normal_density(radii, median_radius, geometric_deviation))

@@ -3,8 +3,8 @@
 Glint is that of Cox-Munk facets (``cox_munk``), with one refractive index of sea water at all
 wavelengths. Whitecap coverage increases with wind (Monahan & O'Muircheartaigh 1980, J. Phys.
 Oceanogr. 10, 2094, eq. 5); the effective reflectance of foam is 0.22, Lambertian, the mean over a
-patch's lifetime (Koepke 1984, Appl. Opt. 23, 1816). The rest is transmitted into the water;
-``albedo`` is the fraction of incident light that leaves it again, with both transmissions.
+patch's lifetime (Koepke 1984, Appl. Opt. 23, 1816). ``albedo`` is the fraction of incident light
+that leaves the water again, including both transmissions.
 """
 
 from __future__ import annotations
@@ -89,7 +89,6 @@ def brdf_direct(ground, mu_s, mu_r, nu):
 
     Parameters
     ----------
-    ground : Reflection
     mu_s, mu_r, nu : float
         Cosines as in ``reflection.direct_reflectance``. [1]
 
@@ -108,7 +107,6 @@ def brdf_diffuse(ground, mu_r):
 
     Parameters
     ----------
-    ground : Reflection
     mu_r : float
         Cosine as in ``reflection.diffuse_reflectance``. [1]
 

@@ -32,10 +32,6 @@ class Spectrum:
         Wavelengths, ascending. [nm]
     values : array, shape (n,) or (n, k)
         Values at the wavelengths. [unit]
-    unit : str
-        Unit of the values.
-    source : str
-        Source of the values.
     columns : tuple of str, length k
         Names of the columns; one name if ``values`` has one axis.
     licence : str

@@ -1,4 +1,4 @@
-"""Absorbers as parameter objects: gases by cross-section, tiny particles by refractive index."""
+"""Absorbers as parameter objects: gases by cross-section, small particles by refractive index."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def _column(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
-    """Read a number of molecules above an area. [m⁻²]"""
+    """Read a column of molecules. [m⁻²]"""
     return column_of_gas(section.required(name, "a column such as '345 DU'"), section.name_of(name))
 
 
@@ -50,7 +50,7 @@ class OzoneAbsorption(Absorber):
     Parameters
     ----------
     column : float
-        Number of molecules above an area of ground. [m⁻²]
+        Vertical column of molecules. [m⁻²]
     """
 
     keyword = "ozone"
@@ -69,7 +69,7 @@ class OzoneAbsorption(Absorber):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which the cross-section is known. [nm]"""
+        """Wavelength range of the cross-section. [nm]"""
         return table_limits("ozone-293k")
 
     def coefficients(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
@@ -122,7 +122,7 @@ def _from_file(section: TomlTable, name: str, field: str) -> PerWavelength:
 
 @cache
 def _areas() -> tuple[str, ...]:
-    """Names of the tables of cross-sections in the package."""
+    """Names of the cross-section tables in the package."""
     from airlight.physics.spectra.tables import read_spectrum, spectrum_names
 
     tables = [read_spectrum(name) for name in spectrum_names()]
@@ -131,21 +131,21 @@ def _areas() -> tuple[str, ...]:
 
 @parameters
 class CrossSectionAbsorption(Absorber):
-    """Absorption by molecules of known cross-section, by their column or their density.
+    """Absorption by molecules of given cross-section and column or number density.
 
-    Oxygen of OpenSpace's equations 13 and 14 is this absorber with the number density of air and
-    the fraction 0.2095, beside the exponential profile of the air.
+    Oxygen in OpenSpace's equations 13 and 14 is this absorber with the number density of air, the
+    fraction 0.2095 and the exponential profile of air.
 
     Parameters
     ----------
     cross_section : float, PerWavelength or str
         Cross-section of one molecule, or the name of a table of ``spectra`` in m². [m²]
     column : float, optional
-        Number of molecules above an area of ground, which the profile spreads. [m⁻²]
+        Vertical column of molecules. [m⁻²]
     number_density : float, optional
         Number density at relative density 1, instead of the column. [m⁻³]
     fraction : float
-        Fraction of the number density that absorbs, 0 to 1. [1]
+        Mole fraction of the absorber, 0 to 1. [1]
 
     References
     ----------
@@ -212,19 +212,13 @@ class CrossSectionAbsorption(Absorber):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which the cross-section is known. [nm]"""
+        """Wavelength range of the cross-section. [nm]"""
         if isinstance(self.cross_section, str):
             return table_limits(self.cross_section)
         return spectral_limits(self.cross_section)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Cross-section of one molecule, shape (nl,). [m²]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        """
+        """Cross-section of one molecule, shape (nl,). [m²]"""
         if isinstance(self.cross_section, str):
             from airlight.physics.spectra.tables import read_spectrum
 
@@ -232,15 +226,7 @@ class CrossSectionAbsorption(Absorber):
         return power_law_at(self.cross_section, wavelengths)
 
     def coefficients(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
-        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        vertical_column : float
-            Integral ∫ relative density dh over the shell; not used with a number density. [m]
-        """
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         sigma = self.cross_sections(wavelengths)
         if self.number_density is not None:
             return self.number_density * self.fraction * sigma
@@ -250,7 +236,7 @@ class CrossSectionAbsorption(Absorber):
 
 @parameters
 class SmallParticleAbsorption(Absorber):
-    """Absorption by particles much smaller than the wavelength; their scattering is neglected.
+    """Absorption by particles much smaller than the wavelength, without their scattering.
 
     Parameters
     ----------
@@ -332,21 +318,13 @@ class SmallParticleAbsorption(Absorber):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known: those above the circumference. [nm]"""
+        """Wavelength range, from the circumference of a particle up. [nm]"""
         circumference = 2e9 * np.pi * self.radius
         given = spectral_limits(self.real, self.imaginary)
         return narrowest([(circumference, np.inf), given])
 
     def coefficients(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
-        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        vertical_column : float
-            Not used: the density is known. [m]
-        """
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         return small_particle_absorption(
             wavelengths,
             self.radius,

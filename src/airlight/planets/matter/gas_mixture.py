@@ -51,7 +51,7 @@ _MEASURED: Final = "of the state that the refractivity was measured at"
 
 
 def _composition(value: Any) -> tuple[tuple[str, float], ...]:
-    """Pairs of formula and fraction whose sum is 1, from a mapping or from such pairs."""
+    """Pairs of formula and mole fraction, normalised to 1, from a mapping or pairs."""
     try:
         given = dict(value.items() if isinstance(value, Mapping) else value)
     except (TypeError, ValueError):
@@ -69,7 +69,7 @@ def _composition(value: Any) -> tuple[tuple[str, float], ...]:
 
 
 def _depolarisation(value: Any) -> Any:
-    """Check a depolarisation; the error names the limit of molecules."""
+    """Validated depolarisation factor; the error names the physical limit."""
     try:
         return check_spectral(value, "depolarisation", 0.0, LARGEST_DEPOLARISATION)
     except ParameterError as error:
@@ -80,7 +80,7 @@ def _depolarisation(value: Any) -> Any:
 def _read_composition(
     section: TomlTable, name: str, wavelengths: Wavelengths
 ) -> tuple[tuple[str, float], ...]:
-    """Read formula and fraction of each gas; the nearest to a misspelt formula is suggested."""
+    """Read formula and mole fraction of each gas; errors suggest the nearest formula."""
     table = section.section(name, "a table such as { N2 = 0.79, O2 = 0.21 }")
     fractions = []
     for formula in table.names:
@@ -104,17 +104,16 @@ SHARE: Final = Field(
 
 @parameters
 class GasMixture(Matter):
-    r"""Mixture of known gases at the state where the relative density is 1.
+    r"""Mixture of known gases; its state is that at relative density 1.
 
-    Cross-sections add up: that of the mixture is :math:`\sum_i x_i \sigma_i`, each gas with its
-    own refractivity and King factor. Refractivities add up by the Lorentz-Lorenz relation,
-    :math:`(n^2-1)/(n^2+2) = \sum_i x_i (n_i^2-1)/(n_i^2+2)` at the same number density; adding
-    n - 1 in proportion to the density instead errs by 3e-6 of the value for air at 15 °C, by
-    0.25 % at the ground of Venus. The cross-section of the mean refractivity, which is often used,
-    is too small by the spread of the refractivities: 0.16 % for air, 26 % for equal parts of
-    hydrogen and helium.
+    Cross-section of the mixture: :math:`\sum_i x_i \sigma_i`, each gas with its own refractivity
+    and King factor. Refractivity by the Lorentz-Lorenz relation: :math:`(n^2-1)/(n^2+2) = \sum_i
+    x_i (n_i^2-1)/(n_i^2+2)` at the same number density; adding n - 1 in proportion to the density
+    instead errs by 3e-6 of the value for air at 15 °C, by 0.25 % at the ground of Venus. The
+    cross-section of the mean refractivity, which is often used, is too small by the spread of the
+    refractivities: 0.16 % for air, 26 % for equal parts of hydrogen and helium.
 
-    The phase function is that of all light scattered by the gases. It has Rayleigh's form with
+    The phase function has Rayleigh's form with the King factor
 
     .. math:: F = \frac{\sum_i x_i \sigma_i}{\sum_i x_i \sigma_i / F_i},
 
@@ -125,20 +124,19 @@ class GasMixture(Matter):
     Parameters
     ----------
     composition : mapping of str to float
-        Mole fractions (volume fractions) by formula; divided by their sum, which is 1 within
-        1 %. Kept as pairs, without zeros. [1]
+        Mole fractions by formula, normalised; their sum has to be 1 within 1 %. [1]
     temperature : float, optional
-        Temperature; needed beside a pressure and for the scale height. [K]
+        Temperature; required with a pressure and for the scale height. [K]
     pressure, reference_density : float, optional
-        Pressure or number density; both if they agree within 1 %. [Pa], [m⁻³]
+        Pressure [Pa] or number density [m⁻³]; both if they agree within 1 %.
     gravity : float, optional
-        Gravitational acceleration; needed for the scale height. [m s⁻²]
+        Gravitational acceleration, for the scale height. [m s⁻²]
     depolarisation : float or PerWavelength, optional
         Depolarisation factor, 0 to 0.5, instead of the gases' King factors. [1]
     refractivity : float or PerWavelength, optional
         n - 1, instead of the gases' own. [1]
     refractivity_temperature, refractivity_pressure : float, optional
-        State that the refractivity belongs to, if it is not the mixture's. [K], [Pa]
+        State of the refractivity, if not that of the mixture. [K], [Pa]
 
     Raises
     ------
@@ -247,7 +245,7 @@ class GasMixture(Matter):
             )
 
     def _check_refractivity(self, refractivity: Spectral) -> None:
-        """Refuse a refractivity of another state than temperature and pressure."""
+        """Raise an error for a refractivity inconsistent with temperature and pressure."""
         low, high = self._gas_limits
         nm = np.array([min(max(550.0, low), high)])
         if isinstance(refractivity, PerWavelength):
@@ -277,7 +275,7 @@ class GasMixture(Matter):
 
     @property
     def number_density(self) -> float:
-        """Number density of molecules where the relative density is 1. [m⁻³]"""
+        """Number density of molecules at relative density 1. [m⁻³]"""
         temperature = None if self.pressure is None else self.temperature
         return density_of_state(self.reference_density, temperature, self.pressure)
 
@@ -289,13 +287,7 @@ class GasMixture(Matter):
 
     @property
     def scale_height(self) -> float:
-        """Scale height of the isothermal gas, RT/(Mg). [m]
-
-        Raises
-        ------
-        ParameterError
-            If temperature or gravity is not given.
-        """
+        """Scale height of the isothermal gas, RT/(Mg). [m]"""
         if self.temperature is None:
             raise ConflictError("temperature", "is required for the scale height")
         if self.gravity is None:
@@ -312,7 +304,7 @@ class GasMixture(Matter):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which every gas and every given list is known. [nm]"""
+        """Wavelength range of all gases and given spectra. [nm]"""
         given = (x for x in (self.depolarisation, self.refractivity) if x is not None)
         return narrowest([self._gas_limits, spectral_limits(*given)])
 
@@ -327,18 +319,7 @@ class GasMixture(Matter):
         return lorentz_lorenz.refractivity_of(refraction)
 
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Refractivity n - 1 where the relative density is 1, shape (nl,). [1]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-
-        Raises
-        ------
-        ParameterError
-            If a wavelength is outside the limits, or the density is too large for a gas.
-        """
+        """Refractivity n - 1 at relative density 1, shape (nl,). [1]"""
         if self.refractivity is None:
             return self._composed_refractivities(wavelengths, self.number_density)
         given = power_law_at(self.refractivity, wavelengths)
@@ -357,7 +338,7 @@ class GasMixture(Matter):
         return total, round_part
 
     def king_factors(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """King factor that gives the right cross-section and phase function, shape (nl,). [1]"""
+        """Effective King factor of the mixture, shape (nl,). [1]"""
         if self.depolarisation is not None:
             delta = spectral_at(self.depolarisation, wavelengths)
             return rayleigh.king_factor_from_depolarisation(delta)
@@ -369,18 +350,7 @@ class GasMixture(Matter):
         return rayleigh.depolarisation_from_king_factor(self.king_factors(wavelengths))
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Mean Rayleigh cross-section of the molecules, shape (nl,). [m²]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-
-        Raises
-        ------
-        ParameterError
-            If a wavelength is outside the limits.
-        """
+        """Mean Rayleigh cross-section of the molecules, shape (nl,). [m²]"""
         factors = self.king_factors(wavelengths)
         if self.refractivity is None:
             return np.asarray(self._sums(wavelengths)[1] * factors)
@@ -390,29 +360,15 @@ class GasMixture(Matter):
     def scattering_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        vertical_column : float
-            Not used: the density is known. [m]
-        """
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         return self.number_density * self.cross_sections(wavelengths)
 
     def absorption_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Zeros, shape (nl,): absorption is a separate key. [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths, vertical_column
-            See ``scattering_coefficients``. [nm], [m]
-        """
+        """Zeros, shape (nl,), as absorption is a separate key. [m⁻¹]"""
         return np.zeros(np.shape(wavelengths))
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
-        """Phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function at wavelengths [nm], shape (nl,)."""
         return rayleigh_of(self.depolarisations(wavelengths), wavelengths)

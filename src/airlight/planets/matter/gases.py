@@ -41,7 +41,7 @@ STATE_TOLERANCE: Final = 0.01
 
 
 class _Gas(NamedTuple):
-    """Data of a gas: refractivity at a state, King factor, fitted wavelengths."""
+    """Data of a gas: refractivity at a state, King factor, wavelength range."""
 
     refractivity: Callable[[npt.ArrayLike], FloatArray]
     temperature: float
@@ -68,7 +68,9 @@ GASES: Final = {
 def density_of_state(
     density: float | None, temperature: float | None, pressure: float | None
 ) -> float:
-    """Number density, explicit or by the equation of state; refused if missing or inconsistent.
+    """Number density, explicit or by the equation of state. [m⁻³]
+
+    Raises an error if missing or inconsistent.
 
     Parameters
     ----------
@@ -76,11 +78,6 @@ def density_of_state(
         Number density. [m⁻³]
     temperature, pressure : float or None
         Temperature and pressure, both or neither. [K], [Pa]
-
-    Returns
-    -------
-    float
-        Number density. [m⁻³]
     """
     if (temperature is None) != (pressure is None):
         names = ["temperature", "pressure"]
@@ -141,13 +138,13 @@ _MASS_KEYS: Final = (
 
 
 class _Molecules(Scatterer):
-    """Molecules whose number density may follow from a mass density."""
+    """Molecules with a number density, or with a mass density and molar mass."""
 
     extra_keys = _MASS_KEYS
 
     @classmethod
     def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
-        """Fields; the number density from mass density and molar mass if these are given."""
+        """Values of the fields; the number density from mass density and molar mass if given."""
         values = super().read_values(section, wavelengths)
         if not any(key.name in section for key in _MASS_KEYS):
             return values
@@ -207,7 +204,7 @@ class GasScattering(_Molecules):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known. [nm]"""
+        """Wavelength range. [nm]"""
         return GASES[self.gas].limits
 
     def coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -227,7 +224,7 @@ class GasScattering(_Molecules):
         return refractivity_at(gas.refractivity(wavelengths), measured, density)
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
-        """Phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function at wavelengths [nm], shape (nl,)."""
         return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
 
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -238,21 +235,22 @@ class GasScattering(_Molecules):
 
 @parameters
 class RefractiveScattering(_Molecules):
-    """Rayleigh scattering by a gas of known refractivity.
+    """Rayleigh scattering by a gas of given refractivity.
 
     Parameters
     ----------
     refractivity : float or PerWavelength
-        n - 1. A power law between wavelengths, constant beyond, where coefficients follow λ⁻⁴. [1]
+        n - 1; a power law between wavelengths and constant beyond, where coefficients follow λ⁻⁴.
+        [1]
     number_density : float, optional
-        Number density of the state that the refractivity belongs to. [m⁻³]
+        Number density of the refractivity's state. [m⁻³]
     temperature, pressure : float, optional
-        State of the refractivity, instead of the number density; beside it they must agree within
-        1 %. [K], [Pa]
+        State of the refractivity, instead of the number density or equal to it within 1 %. [K],
+        [Pa]
     ground_number_density : float, optional
-        Number density at relative density 1, if that is another state. [m⁻³]
+        Number density at relative density 1, if different. [m⁻³]
     king_factor : float or PerWavelength, optional
-        King factor, 1 to 2; give it or the depolarisation. [1]
+        King factor, 1 to 2; alternative to the depolarisation. [1]
     depolarisation : float or PerWavelength, optional
         Depolarisation factor, 0 to 0.5. [1]
 
@@ -303,7 +301,7 @@ class RefractiveScattering(_Molecules):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known. [nm]"""
+        """Wavelength range. [nm]"""
         return EVERYWHERE
 
     @property
@@ -335,7 +333,7 @@ class RefractiveScattering(_Molecules):
         return sigma * ground
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
-        """Phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function at wavelengths [nm], shape (nl,)."""
         return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
 
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:

@@ -1,8 +1,7 @@
-"""Interfaces of the matter of a constituent: three classes that the planet relies on.
+"""Interfaces of the matter of a constituent.
 
-``Matter`` gives scattering, absorption and phase function in one object: a gas by its composition,
-particles by their sizes and refractive index. ``Scatterer`` gives only the scattering of molecules,
-``Absorber`` only an absorption, beside any scattering.
+``Matter`` has scattering, absorption and phase function: a gas by composition, particles by size
+and refractive index. ``Scatterer`` has only scattering by molecules, ``Absorber`` only absorption.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ class Absorber(TomlModel, ABC):
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """Wavelengths at which it is known, lowest and highest. [nm]"""
+        """Wavelength range. [nm]"""
 
     @abstractmethod
     def coefficients(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
@@ -43,14 +42,14 @@ class Absorber(TomlModel, ABC):
 
 
 class Scatterer(TomlModel, ABC):
-    """Scattering of molecules, as a parameter object; they bend light too."""
+    """Scattering and refraction by molecules, as a parameter object."""
 
     bends: ClassVar[bool] = True
 
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """Wavelengths at which it is known, lowest and highest. [nm]"""
+        """Wavelength range. [nm]"""
 
     @abstractmethod
     def coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -62,7 +61,7 @@ class Scatterer(TomlModel, ABC):
 
     @abstractmethod
     def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """Phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function at wavelengths [nm], shape (nl,)."""
 
 
 class Matter(TomlModel, ABC):
@@ -71,11 +70,11 @@ class Matter(TomlModel, ABC):
     Attributes
     ----------
     label, help : str
-        Label and help of its key in a planet file; the key itself is its ``keyword``.
+        Label and help of its key ``keyword`` in a planet file.
     example : str
-        Table as a file may write it.
+        Example of its table in a file.
     bends : bool
-        Whether it bends light.
+        Whether it refracts.
     """
 
     label: ClassVar[str]
@@ -85,7 +84,7 @@ class Matter(TomlModel, ABC):
 
     @property
     def needs_phase(self) -> str:
-        """Name of matter that requires a phase function in the file; otherwise empty."""
+        """Name of matter that requires an explicit phase function; otherwise empty."""
         return ""
 
     def own_scale_height(self) -> float | None:
@@ -93,13 +92,13 @@ class Matter(TomlModel, ABC):
         return None
 
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Refractivity n - 1 at relative density 1, shape (nl,); 0 if light is not bent. [1]"""
+        """Refractivity n - 1 at relative density 1, shape (nl,); 0 without refraction. [1]"""
         return np.zeros(np.shape(wavelengths))
 
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """Wavelengths at which it is known, lowest and highest. [nm]"""
+        """Wavelength range. [nm]"""
 
     @abstractmethod
     def scattering_coefficients(
@@ -109,23 +108,15 @@ class Matter(TomlModel, ABC):
 
         Parameters
         ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
         vertical_column : float
-            Integral ∫ relative density dh over the shell, by which an optical depth is divided. [m]
+            Integral ∫ relative density dh over the shell. [m]
         """
 
     @abstractmethod
     def absorption_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths, vertical_column
-            See ``scattering_coefficients``. [nm], [m]
-        """
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]"""
 
     def prepare(
         self,
@@ -134,16 +125,8 @@ class Matter(TomlModel, ABC):
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> None:
-        """Do the slow computations before values are requested.
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        progress, cancel : callable, optional
-            See ``airlight.kernel.threads``.
-        """
+        """Compute slow quantities before values are requested."""
 
     @abstractmethod
     def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """Phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function at wavelengths [nm], shape (nl,)."""

@@ -1,8 +1,7 @@
-"""Exact Mie scattering at a few wavelengths: computed on all cores, cached in memory and on disk.
+"""Mie scattering at nodes in wavelength, computed on all cores, cached in memory and on disk.
 
-Mie's theory over a size distribution takes a good part of a second for each wavelength, and a
-spectrum has hundreds; the optics of particles change slowly with wavelength, so they are computed
-at nodes and interpolated between them.
+Mie theory over a size distribution takes a fraction of a second per wavelength. Optical properties
+vary slowly with wavelength and are interpolated between nodes.
 """
 
 from __future__ import annotations
@@ -67,16 +66,17 @@ _lock = Lock()
 def node_wavelengths(
     limits: Limits, own: tuple[float, ...], spacing: float = SPACING
 ) -> tuple[float, ...]:
-    """Wavelengths at which particles are computed exactly, ascending.
+    """Wavelengths of exact Mie computations, ascending.
 
     Parameters
     ----------
     limits : (float, float)
         Limits of the refractive index; both are nodes. [nm]
     own : tuple of float
-        Wavelengths that are nodes, if they lie within. [nm]
+        Further nodes, if within the limits. [nm]
     spacing : float
-        Distance of the others, in ln λ; those within a quarter of it of these are left out. [1]
+        Spacing of the regular nodes in ln λ; those within a quarter of it of other nodes are
+        omitted. [1]
 
     Examples
     --------
@@ -104,15 +104,15 @@ def node_wavelengths(
 
 @cache
 def nearly_one_size(sizes: ParticleSizes) -> bool:
-    """Whether the rings and ripples of single spheres show in the light of all."""
+    """Whether the distribution is so narrow that the ripples of single spheres persist."""
     variance = sizes.moment(2) * sizes.moment(4) / sizes.moment(3) ** 2 - 1.0
     return variance < _NARROW
 
 
 def bracketing(nodes: tuple[float, ...], wavelengths: npt.ArrayLike) -> tuple[float, ...]:
-    """Nodes between which values at some wavelengths are interpolated.
+    """Nodes for interpolation to some wavelengths.
 
-    A wavelength that is a node needs no other node.
+    Of a wavelength that is a node, only itself.
     """
     known = np.asarray(nodes)
     nm = np.clip(np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")), known[0], known[-1])
@@ -130,13 +130,13 @@ def phase_angles(sizes: ParticleSizes) -> FloatArray:
 
 
 def _finest(sizes: ParticleSizes, wavelength: float) -> float:
-    """Size parameter of the radius with the finest resolved ripples. [1]"""
+    """Size parameter with the finest resolved ripples. [1]"""
     radius = sizes.moment(8) / sizes.moment(7)
     return min(2.0 * np.pi * radius / (1e-9 * wavelength), mie.LARGEST_SIZE_PARAMETER)
 
 
 def _per_ripple(sizes: ParticleSizes) -> float:
-    """Angles per ripple of the phase functions, as far as they are not too many. [1]"""
+    """Angles per ripple of the phase functions, limited in number. [1]"""
     return 32.0 if nearly_one_size(sizes) else 12.0
 
 
@@ -148,30 +148,17 @@ def mie_nodes(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> list[Scattering]:
-    """Compute the mean particle at some wavelengths, or look it up.
+    """Mean single-particle scattering at some wavelengths, computed or cached.
 
     Parameters
     ----------
-    index : GivenIndex, TableIndex or MixedIndex
-    sizes : GammaSizes, LogNormalSizes or SingleSize
     wavelengths : sequence of float
         Wavelengths. [nm]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; ``cancel`` is also called by the threads of the nodes, the
-        largest of which take half a minute.
 
     Returns
     -------
     list of Scattering
-        Results, one per wavelength, at ``phase_angles(sizes)``; each phase function, as
-        interpolated between those angles, integrates to 1.
-
-    Raises
-    ------
-    CostError
-        If the particles are so large that the memory does not suffice.
-    Cancelled
-        If ``cancel`` returned True.
+        Results per wavelength, at ``phase_angles(sizes)``, with normalised phase functions.
     """
     indices = [complex(value) for value in index.at(np.asarray(wavelengths))]
     keys = [_key(sizes, m, nm) for m, nm in zip(indices, wavelengths, strict=True)]
@@ -196,13 +183,7 @@ def mie_nodes(
 
 
 def _checked_work(sizes: ParticleSizes, wavelengths: Sequence[float]) -> float:
-    """Amount of work for some nodes, as of ``kernel.cost``; refused where it needs too much memory.
-
-    Raises
-    ------
-    CostError
-        If the nodes that are computed at once need more memory than is free.
-    """
+    """Work of some nodes, as in ``kernel.cost``; raises an error if they need too much memory."""
     work, largest = 0.0, 0.0
     angles = len(phase_angles(sizes))
     for wavelength in wavelengths:
@@ -252,7 +233,7 @@ def _computed(
 
 @cache
 def _maker() -> str:
-    """Hash of the code that the numbers depend on: miepython, and the formulas here."""
+    """Hash of the code that determines results: miepython, and this module's formulas."""
     digest = hashlib.sha256(metadata.version("miepython").encode())
     formulas = mie.__file__, ripples.__file__, size_distribution.__file__, phase_table.__file__
     for module in (*formulas, __file__):

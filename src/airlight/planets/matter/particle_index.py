@@ -38,12 +38,12 @@ class ParticleIndex(TomlModel, ABC):
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """Wavelengths at which it is known. [nm]"""
+        """Wavelength range. [nm]"""
 
     @property
     @abstractmethod
     def tabulated_wavelengths(self) -> tuple[float, ...]:
-        """Wavelengths of the given values, few enough to compute at each. [nm]"""
+        """Wavelengths of given values, each of which becomes a Mie node. [nm]"""
 
     @abstractmethod
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
@@ -52,7 +52,7 @@ class ParticleIndex(TomlModel, ABC):
 
 @cache
 def index_words() -> tuple[str, ...]:
-    """Names of the tables of indices in the package."""
+    """Names of the refractive-index tables in the package."""
     from airlight.physics.optics.index_table import index_names
 
     return tuple(index_names())
@@ -72,21 +72,21 @@ def read_particle_index(section: TomlTable, name: str, wavelengths: Wavelengths)
 
 
 def index_key(label: str, text: str, **more: Any) -> Field:
-    """Key whose value is a refractive index."""
+    """Key of a refractive index."""
     return Field(label=label, help=text, kind="choice", table="index", choices=index_words,
                read=read_particle_index, mode="advanced", **more)  # fmt: skip
 
 
 @parameters
 class GivenIndex(ParticleIndex):
-    """Refractive index n + ik, given as numbers.
+    """Refractive index n + ik as numbers.
 
     Parameters
     ----------
     real : float or PerWavelength
         Real part n, 0.1 to 10. [1]
     imaginary : float or PerWavelength
-        Imaginary part k, 0 to 10: light is only absorbed, never amplified. [1]
+        Imaginary part k, 0 to 10. [1]
     """
 
     keyword = "real"
@@ -122,7 +122,7 @@ class GivenIndex(ParticleIndex):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known. [nm]"""
+        """Wavelength range. [nm]"""
         return spectral_limits(self.real, self.imaginary)
 
     @property
@@ -157,12 +157,12 @@ class TableIndex(ParticleIndex):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known. [nm]"""
+        """Wavelength range. [nm]"""
         return read_index(self.table).limits
 
     @property
     def tabulated_wavelengths(self) -> tuple[float, ...]:
-        """Empty: tables have many rows."""
+        """Empty, as tables have too many rows for Mie nodes."""
         return ()
 
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
@@ -172,14 +172,14 @@ class TableIndex(ParticleIndex):
 
 @parameters
 class MixedIndex(ParticleIndex):
-    """Matrix with small inclusions of another substance: Maxwell Garnett's mixing rule.
+    """Matrix with small inclusions of another substance, by the Maxwell Garnett rule.
 
     Parameters
     ----------
     matrix, inclusions : GivenIndex or TableIndex
         Indices of the two substances.
     fraction : float
-        Fraction of the inclusions in the volume, 0 to 1. [1]
+        Volume fraction of the inclusions, 0 to 1. [1]
     """
 
     keyword = "matrix"
@@ -207,7 +207,7 @@ class MixedIndex(ParticleIndex):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which both are known. [nm]"""
+        """Common wavelength range of both. [nm]"""
         return narrowest([self.matrix.limits, self.inclusions.limits])
 
     @property

@@ -1,4 +1,4 @@
-"""Sizes of particles as parameter objects."""
+"""Particle size distributions as parameter objects."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from airlight.planets.schema.toml_model import TomlModel
 
 
 class ParticleSizes(TomlModel, ABC):
-    """Distribution of the radii of particles."""
+    """Size distribution of particles."""
 
     @abstractmethod
     def moment(self, power: int) -> float:
@@ -28,7 +28,7 @@ class ParticleSizes(TomlModel, ABC):
 
     @classmethod
     def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Default table near the radius of the old one; see ``TomlModel.default_table``."""
+        """Default table with the radius of the old one; see ``TomlModel.default_table``."""
         table = super().default_table(old, thickness)
         radii = [value for name, value in old.items() if name.endswith("radius")]
         return {
@@ -39,12 +39,12 @@ class ParticleSizes(TomlModel, ABC):
 
 @parameters
 class GammaSizes(ParticleSizes):
-    """Gamma distribution of radii, as Hansen & Travis (1974) write it.
+    """Gamma distribution of radii in the form of Hansen & Travis (1974).
 
     Parameters
     ----------
     effective_radius : float
-        Mean radius weighted by area, 1e-10 to 1e-3. [m]
+        Area-weighted mean radius, 1e-10 to 1e-3. [m]
     effective_variance : float
         Effective variance, above 0, below 1/2. [1]
     """

@@ -1,4 +1,4 @@
-"""Particles by substance and size: exact Mie scattering, or anomalous diffraction."""
+"""Particles by refractive index and size: Mie theory or anomalous diffraction."""
 
 from __future__ import annotations
 
@@ -54,12 +54,11 @@ class Particles(Matter):
     ----------
     index : GivenIndex, TableIndex or MixedIndex
         Refractive index.
-    sizes : GammaSizes, LogNormalSizes or SingleSize
     method : "mie" or "anomalous-diffraction"
-        Theory. The second has no phase function of its own, and is 9 to 13 % off in extinction for
-        the dust of Mars.
+        Theory. Anomalous diffraction has no phase function; its extinction error for Martian dust
+        is 9 to 13 %.
     optical_depth : float, optional
-        Vertical optical depth of extinction at the wavelength ``at``, 0 to 1e4. [1]
+        Vertical optical depth at the wavelength ``at``, 0 to 1e4. [1]
     at : float
         Wavelength of the optical depth. [nm]
     number_density : float, optional
@@ -67,9 +66,9 @@ class Particles(Matter):
 
     Notes
     -----
-    Exact at 440, 550 and 680 nm and at the wavelengths of a given index. Between nodes at most 5 %
-    apart (1.2 % for particles of nearly one size) the logarithms of the cross-sections are linear
-    in the logarithm of the wavelength, and the phase function is linear in the wavelength.
+    Exact at 440, 550 and 680 nm and at the wavelengths of a given index. Nodes are at most 5 %
+    apart (1.2 % for narrow distributions); between them cross-sections follow power laws, and the
+    phase function is linear in wavelength.
 
     Examples
     --------
@@ -181,12 +180,12 @@ class Particles(Matter):
 
     @property
     def needs_phase(self) -> str:
-        """Anomalous diffraction, which has no phase function of its own."""
+        """Anomalous diffraction, which requires an explicit phase function."""
         return "" if self.method == "mie" else "anomalous diffraction"
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known, lowest and highest. [nm]"""
+        """Wavelength range. [nm]"""
         return narrowest([self.index.limits, WIDEST])
 
     def prepare(
@@ -210,13 +209,7 @@ class Particles(Matter):
         return node_wavelengths(self.limits, self.index.tabulated_wavelengths, spacing)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Extinction and scattering cross-section of the mean particle, each shape (nl,). [m²]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        """
+        """Extinction and scattering cross-section of the mean particle, each shape (nl,). [m²]"""
         nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if self.method == "anomalous-diffraction":
             sizes = self.sizes.sizes(_RADII)
@@ -236,13 +229,7 @@ class Particles(Matter):
         return extinction, scattering
 
     def number_of(self, vertical_column: float) -> float:
-        """Number density of particles at relative density 1. [m⁻³]
-
-        Parameters
-        ----------
-        vertical_column : float
-            Integral ∫ relative density dh over the shell. [m]
-        """
+        """Number density of particles at relative density 1. [m⁻³]"""
         if self.number_density is not None:
             return self.number_density
         assert self.optical_depth is not None
@@ -252,39 +239,19 @@ class Particles(Matter):
     def scattering_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        vertical_column : float
-            Integral ∫ relative density dh over the shell, by which an optical depth is divided. [m]
-        """
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         _, scattering = self.cross_sections(wavelengths)
         return scattering * self.number_of(vertical_column)
 
     def absorption_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths, vertical_column
-            See ``scattering_coefficients``. [nm], [m]
-        """
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         extinction, scattering = self.cross_sections(wavelengths)
         return np.maximum(extinction - scattering, 0.0) * self.number_of(vertical_column)
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> TabulatedPhase:
-        """Phase function, known at these wavelengths [nm], shape (nl,).
-
-        Raises
-        ------
-        ParameterError
-            If the method has none.
-        """
+        """Phase function at wavelengths [nm], shape (nl,)."""
         if self.method != "mie":
             raise ConflictError("phase_function", "is required for anomalous diffraction")
         return _phase(self.index, self.sizes, bracketing(self._nodes, wavelengths))

@@ -1,4 +1,4 @@
-"""Keys common to several kinds of matter: state of a gas, number density, radius."""
+"""Keys shared by several kinds of matter: state of a gas, number density, radius."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Haze by turbidity or optical depth, and its Ångström or Junge exponent."""
+"""Haze by turbidity or optical depth and an Ångström or Junge exponent."""
 
 from __future__ import annotations
 
@@ -42,24 +42,24 @@ class _Haze(Matter):
 
     @property
     def needs_phase(self) -> str:
-        """Turbidity, which does not determine it."""
+        """Turbidity, which does not determine a phase function."""
         return "turbidity"
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """Raise an error: the constituent gives the phase function."""
+        """Raise an error, as the phase function belongs to the constituent."""
         raise _no_phase_function()
 
 
 @parameters
 class Turbidity(_Haze):
-    """Haze whose scattering follows a power of the wavelength.
+    """Haze with scattering proportional to a power of the wavelength.
 
     Parameters
     ----------
     turbidity : float, optional
-        T, optical depth of gas and haze over that of the gas alone at 550 nm, 1 to 100. [1]
+        T, optical depth of gas and haze over that of the gas at 550 nm, 1 to 100. [1]
     rayleigh_optical_depth : float, optional
-        Optical depth of the gas at 550 nm, beside a turbidity. [1]
+        Optical depth of the gas at 550 nm, with a turbidity. [1]
     optical_depth : float, optional
         Vertical optical depth of extinction by the haze at 550 nm, instead of a turbidity. [1]
     junge : float, optional
@@ -155,7 +155,7 @@ class Turbidity(_Haze):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known: all. [nm]"""
+        """Wavelength range, unlimited. [nm]"""
         return EVERYWHERE
 
     def _extinction(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
@@ -172,27 +172,13 @@ class Turbidity(_Haze):
     def scattering_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        vertical_column : float
-            Integral ∫ relative density dh over the shell: the paper's scale height. [m]
-        """
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         return self.single_scattering_albedo * self._extinction(wavelengths, vertical_column)
 
     def absorption_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths, vertical_column
-            See ``scattering_coefficients``. [nm], [m]
-        """
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         share = 1.0 - self.single_scattering_albedo
         return share * self._extinction(wavelengths, vertical_column)
 
@@ -209,12 +195,12 @@ class LiteralTurbidity(_Haze):
     turbidity : float
         T, 1 to 100. [1]
     junge : float
-        v = 4: with any other v the formula has other units. [1]
+        v = 4; the units of the formula are wrong for other values. [1]
 
     Notes
     -----
     λ in m; the result is read in m⁻¹. K is (0.0096, 0.0092, 0.0089) at 680, 550 and 440 nm, linear
-    between them. It does not absorb, and does not depend on the thickness of the haze.
+    between them. Absorption is 0; the result does not depend on the thickness of the haze.
 
     References
     ----------
@@ -247,21 +233,13 @@ class LiteralTurbidity(_Haze):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which K is taken as known. [nm]"""
+        """Wavelength range of K. [nm]"""
         return _K_LIMITS
 
     def scattering_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        vertical_column : float
-            Not used.
-        """
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
         nm = values_in(wavelengths, "nm", "wavelengths")
         concentration = (0.65 * self.turbidity - 0.65) * 1e-16
         k = np.interp(nm, _K_AT, _K)

@@ -1,4 +1,4 @@
-"""Keys of a constituent that are not fields of it: its coefficients in other forms."""
+"""Keys of a constituent's coefficients in other forms than its fields."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ def read_coefficients(
     wavelengths : tuple of float or None
         Wavelengths that its lists belong to. [nm]
     profile : Profile
-        Profile over whose column an optical depth is spread.
+        Density profile, for coefficients from an optical depth.
     thickness : float
         Thickness of the shell. [m]
 
@@ -81,7 +81,7 @@ def read_coefficients(
 
 
 def read_scattering(section: TomlTable, wavelengths: Wavelengths) -> Spectral | Scatterer:
-    """Read the key ``scattering``: a coefficient, or molecules that scatter. [m⁻¹]"""
+    """Read the key ``scattering``: a coefficient [m⁻¹], or molecules."""
     if not isinstance(section.raw("scattering"), dict):
         return section.spectral("scattering", "1/m", _SCATTERING.example, wavelengths)
     allowed = "a coefficient or a table such as { rayleigh = 'air', … }"
@@ -89,20 +89,7 @@ def read_scattering(section: TomlTable, wavelengths: Wavelengths) -> Spectral | 
 
 
 def read_absorption(section: TomlTable, wavelengths: Wavelengths) -> Spectral | Absorber:
-    """Read the key ``absorption``: a coefficient, an absorber, or 0 if it is absent.
-
-    Parameters
-    ----------
-    section : TomlTable
-        Table of the constituent.
-    wavelengths : tuple of float or None
-        Wavelengths that its lists belong to. [nm]
-
-    Returns
-    -------
-    float, PerWavelength or Absorber
-        Absorption as ``Constituent`` takes it. [m⁻¹]
-    """
+    """Read the key ``absorption``: a coefficient [m⁻¹], an absorber, or 0 if absent."""
     if "absorption" not in section:
         return 0.0
     if not isinstance(section.raw("absorption"), dict):
@@ -158,7 +145,7 @@ def _given(key: Field, section: TomlTable, wavelengths: Wavelengths) -> Spectral
 
 
 def _over(depth: Spectral, column: float, section: TomlTable) -> Spectral:
-    """Extinction at relative density 1 that gives an optical depth. [m⁻¹]"""
+    """Extinction at relative density 1, from an optical depth. [m⁻¹]"""
     values = [_in_range(one / column, section, "extinction") for one in _listed(depth, None)]
     if isinstance(depth, PerWavelength):
         return PerWavelength(wavelengths=depth.wavelengths, values=tuple(values))

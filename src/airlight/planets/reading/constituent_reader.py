@@ -1,4 +1,4 @@
-"""One ``[[constituents]]`` table of a planet file: profile, coefficients, phase function."""
+"""Reader of a ``[[constituents]]`` table: profile, coefficients, phase function."""
 
 from __future__ import annotations
 
@@ -22,9 +22,8 @@ def read_constituent(section: TomlTable, thickness: float) -> Constituent:
 
     Parameters
     ----------
-    section : TomlTable
     thickness : float
-        Thickness of the shell, over which optical depths are spread. [m]
+        Thickness of the shell. [m]
     """
     name = section.text("name", "a name of its own")
     wavelengths = section.wavelengths()
@@ -54,7 +53,7 @@ def read_constituent(section: TomlTable, thickness: float) -> Constituent:
 
 
 def _matter(section: TomlTable, wavelengths: Wavelengths) -> Matter | None:
-    """Matter of the constituent, if given; it can be combined with absorption only."""
+    """Matter of the constituent, if given; only absorption can be combined with it."""
     given = [kind for kind in MATTER if kind.keyword in section]
     if not given:
         return None

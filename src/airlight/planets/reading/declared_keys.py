@@ -1,4 +1,4 @@
-"""Keys of a planet file's nested tables: the declaration of each, and lists spelled out."""
+"""Declarations of the keys of a planet file's nested tables, and expanded lists."""
 
 from __future__ import annotations
 
@@ -14,13 +14,7 @@ from airlight.planets.schema.toml_table import suggestion
 
 
 def key_at(tables: Tables, path: str) -> Field:
-    """Declaration of the key at a path; items of a list have the list's key.
-
-    Raises
-    ------
-    ParameterError
-        If no key is declared at the path.
-    """
+    """Declaration of the key at a path; items of a list have the list's key."""
     cursor: Any = tables
     kind, found = "planet", None
     for step in steps_of(path):
@@ -37,23 +31,12 @@ def key_at(tables: Tables, path: str) -> Field:
 def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
     """Copy of the tables with comma-separated lists split, and file names made absolute.
 
-    The meaning is unchanged; every number then has its own path.
+    Every number then has its own path.
 
     Parameters
     ----------
-    tables : dict
-        Tables of a planet file.
     folder : Path, optional
-        Folder of the files that it names.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    ParameterError
-        If a key is undeclared.
+        Folder of named files.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Tables of ``docs/planet-files.md``: every key as it is declared."""
+"""Key tables of ``docs/planet-files.md``, from the declarations."""
 
 from __future__ import annotations
 
@@ -26,11 +26,6 @@ def filled(page: str, table: Callable[[str], str] | None = None) -> str:
         Text in Markdown.
     table : callable, optional
         ``table(kind)``, the contents of a block; ``key_table`` by default.
-
-    Raises
-    ------
-    KeyError
-        If a block names an unknown kind of table.
     """
 
     def block(match: re.Match[str]) -> str:
@@ -40,7 +35,7 @@ def filled(page: str, table: Callable[[str], str] | None = None) -> str:
 
 
 def key_table(kind: str) -> str:
-    """Keys of one kind of table, as a table in Markdown.
+    """Markdown table of the keys of one kind of table.
 
     Parameters
     ----------
@@ -65,14 +60,12 @@ def key_table(kind: str) -> str:
 
 
 def rows_of(keys: Sequence[Field], which: Sequence[str] = ()) -> str:
-    """Table of keys in Markdown: value, default and meaning of each.
+    """Markdown table of keys: value, default and meaning.
 
     Parameters
     ----------
     keys : sequence of Field
         Declarations.
-    which : sequence of str
-        Names of keys of which one has to be given.
     """
     lines = ["| key | value | left out | meaning |", "|---|---|---|---|"]
     for key in keys:
@@ -82,7 +75,7 @@ def rows_of(keys: Sequence[Field], which: Sequence[str] = ()) -> str:
 
 
 def _of_kinds(kinds: TaggedUnion[Any]) -> Iterator[str]:
-    """Rows of a table of kinds: the word, its keys, and the first line of its class."""
+    """Rows of a table of kinds: keyword, keys, and summary line of the class."""
     yield "| `kind` | keys | |"
     yield "|---|---|---|"
     for one in kinds.classes:

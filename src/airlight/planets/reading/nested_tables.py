@@ -17,11 +17,6 @@ _STEPS: Final = re.compile(r"([^.\[\]]+)|\[(\d{1,6})\]|\.")
 def steps_of(path: str) -> list[Step]:
     """Keys and indices of a path.
 
-    Raises
-    ------
-    ParameterError
-        If the path is malformed.
-
     Examples
     --------
     >>> steps_of("constituents[0].gas.composition.N2")
@@ -69,27 +64,18 @@ def get(tables: Tables, path: str) -> Any:
 
 
 def put(tables: Tables, path: str, value: Any) -> Tables:
-    """Copy of the tables with another value at a path, or with the key removed for None.
+    """Copy of the tables with a value at a path, or with the key removed for None.
 
     Only the tables along the path are copied.
 
     Parameters
     ----------
     tables : dict
-        Not changed.
+        Tables, not modified.
     path : str
         Path whose tables exist, up to its last key.
     value : object
         Value as in the file, or None.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    ParameterError
-        If the path leads nowhere.
 
     Examples
     --------

@@ -1,8 +1,7 @@
-"""Changes of single keys of a planet file before it is read: ``dust.particles.optical_depth = 1``.
+"""Overrides of single keys of a planet file: ``dust.particles.optical_depth = 1``.
 
-A path names a key as it is nested in the file, with dots, and items of lists by their index:
-``shell.top_radius``, ``star.distance``, ``ground.albedo[2]``. Constituents are found by their
-name, or as ``constituents[0]``.
+A path consists of nested keys with dots and of list indices: ``shell.top_radius``,
+``ground.albedo[2]``. Constituents are referred to by name, or as ``constituents[0]``.
 """
 
 from __future__ import annotations
@@ -33,27 +32,22 @@ _STEPS: Final = re.compile(r"[^.\[\]]+|\[\d{1,6}\]|\.")
 
 
 def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[str, Any]:
-    """Change some keys in the tables of a planet file.
+    """Tables of a planet file with some keys overridden.
 
-    A key that is not in the file is added, if the table it belongs to is there: the reader decides
-    whether it exists. ``None`` removes a key, so that another may replace it. The top of the shell
-    moves with the ground, unless it is changed too.
+    Missing keys are added to existing tables. ``None`` removes a key. The top of the shell moves
+    with the ground, unless overridden.
 
     Parameters
     ----------
     values : mapping
-        Tables as returned by the TOML parser; not changed.
+        Tables from the TOML parser; not modified.
     overrides : mapping
         Map from path to value, in order: values as in a file, including texts with a unit.
-
-    Returns
-    -------
-    dict
 
     Raises
     ------
     ParameterError
-        If paths lead nowhere: for each the nearest existing path is suggested.
+        If paths do not exist; the nearest existing ones are suggested.
 
     Examples
     --------
@@ -77,24 +71,18 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
 
 
 def parsed(text: str) -> tuple[str, Any]:
-    """Parse path and value of ``PATH=VALUE``, the value as TOML or as plain text.
+    """Path and value of ``PATH=VALUE``, the value as TOML or as plain text.
 
     Parameters
     ----------
     text : str
-        ``ground.albedo=0.3``; ``shell.top_radius=6500 km``, where quotes are not needed;
-        ``air.scattering=["5e-6 /m", "1e-5 /m"]``. ``PATH=`` removes the key.
+        ``ground.albedo=0.3``; ``shell.top_radius=6500 km``, without quotes; ``air.scattering=["5e-6
+        /m", "1e-5 /m"]``. ``PATH=`` removes the key.
 
     Returns
     -------
-    path : str
     value : object
-        Value; None if there is nothing after the sign.
-
-    Raises
-    ------
-    ParameterError
-        If there is no sign, or no path before it.
+        Value; None if empty.
 
     Examples
     --------
@@ -108,12 +96,7 @@ def parsed(text: str) -> tuple[str, Any]:
 
 
 def indexed_path(values: Mapping[str, Any], path: str) -> str:
-    """Path of an override with its constituent by index in place of its name.
-
-    Raises
-    ------
-    ParameterError
-        If the path leads nowhere.
+    """Path of an override, with the constituent's index instead of its name.
 
     Examples
     --------
@@ -131,14 +114,14 @@ def with_hint(
 ) -> ParameterError:
     """Reader's error with a suggestion for a misspelt path.
 
-    A key that planet files may have, and this one has not, meant itself.
+    Declared keys that are absent get no suggestion.
 
     Parameters
     ----------
     error : ParameterError
         Error of the reader for the overridden file.
     values : mapping
-        File before it was overridden.
+        Tables without overrides.
     overrides : mapping
         Map from path to value.
     """
@@ -182,7 +165,7 @@ def _value(text: str) -> Any:
 def _plain(value: Any) -> Any:
     """Value as a TOML parser returns it: numbers and lists of Python, tables as dicts.
 
-    Quantities stay, since only the reader knows the unit that it needs.
+    Quantities are unchanged, as only the reader knows the unit.
     """
     if type(value) is np.ndarray or isinstance(value, np.generic):
         return value.tolist()
@@ -196,7 +179,7 @@ def _plain(value: Any) -> Any:
 
 
 def _change(root: dict[str, Any], path: Any, value: Any) -> str:
-    """Change one key in place; its path with indices, ``constituents[0].profile``."""
+    """Change one key in place; returns its path with indices, ``constituents[0].profile``."""
     steps = _steps(root, path)
     place: Any = root
     for step in steps[:-1]:
@@ -271,7 +254,7 @@ def _nowhere(root: Mapping[str, Any], path: str) -> ParameterError:
 
 
 def _nearest(path: str, known: list[str], least: float = 0.5) -> str | None:
-    """Path most similar to this path, or with the same last key; None below a similarity."""
+    """Path most similar to this path, or with the same last key; None if there is none."""
     last = path.rpartition(".")[2]
     same = [one for one in known if one.rpartition(".")[2] == last]
     for options, cutoff in ((known, 0.75), (same, 0.0), (known, least)):

@@ -18,7 +18,7 @@ _INLINE: Final = 160
 
 
 def planet_file(tables: Tables, comments: tuple[str, ...] = ()) -> str:
-    """Text of a planet file, from which the reader restores the same tables.
+    """Text of a planet file with these tables.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def planet_file(tables: Tables, comments: tuple[str, ...] = ()) -> str:
     Returns
     -------
     str
-        Text in TOML.
+        TOML.
 
     Examples
     --------

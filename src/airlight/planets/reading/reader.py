@@ -1,4 +1,4 @@
-"""Reader of planet files: TOML with units to a ``Planet``, with one-line errors."""
+"""Reader of planet files: from TOML with units to a ``Planet``."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LARGEST_FILE: Final = 4_000_000
 
 
 class HasPlanet(Protocol):
-    """Solution, as far as its planet is concerned."""
+    """Object with a planet, such as a solution."""
 
     @property
     def planet(self) -> Planet | None:
@@ -64,25 +64,19 @@ def load_planet(
     Parameters
     ----------
     name_or_path : str, Path, Planet or Solution
-        One of ``planet_names()``, or the path to a TOML file; its format is described in
-        ``docs/planet-files.md``. A planet is returned as it is, and of a solution its planet.
+        One of ``planet_names()``, or the path of a TOML file (``docs/planet-files.md``). Of a
+        solution its planet is returned, and a planet itself.
     overrides : mapping, optional
-        Keys of the file that are changed before it is read, from path to value: constituents by
-        name, values as in the file, None to remove a key.
+        Values of keys by path, as in the file: constituents by name, None to remove a key.
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``: new particles take seconds.
-
-    Returns
-    -------
-    Planet
+        See ``airlight.kernel.threads``; Mie computations take seconds.
 
     Raises
     ------
     FileError
         If the file does not exist, cannot be read, or is not TOML.
     ParameterError
-        If the name is unknown, or the file is invalid: the error names file, field, value and the
-        allowed values. If overrides are given for a planet, which has no file.
+        If the name is unknown, the file is invalid, or overrides are given for a planet object.
 
     Examples
     --------
@@ -110,23 +104,16 @@ def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
     Parameters
     ----------
     name_or_path : str or Path
-        Name or path as for ``load_planet``.
+        Name or path, as for ``load_planet``.
 
     Returns
     -------
     text : str
-        Text in TOML, not read yet.
+        TOML.
     file : str
         Name in errors.
     folder : Path or None
-        Folder of files that the text names; None for a preset.
-
-    Raises
-    ------
-    FileError
-        If the file does not exist, or cannot be read.
-    ParameterError
-        If the name is unknown.
+        Folder of named files; None for a preset.
 
     Examples
     --------
@@ -150,12 +137,7 @@ def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
 
 
 def file_text(path: Path) -> str:
-    """Text of a file that a user names, of limited size.
-
-    Parameters
-    ----------
-    path : Path
-        Path of the file.
+    """Text of a file, of limited size.
 
     Raises
     ------
@@ -203,22 +185,9 @@ def read_planet(
     file : str
         Name in errors.
     folder : Path, optional
-        Folder of files that the text names; by default, the working directory.
+        Folder of named files; default: the working directory.
     overrides : mapping, optional
         Changes as for ``load_planet``.
-    progress, cancel : callable, optional
-        See ``load_planet``.
-
-    Returns
-    -------
-    Planet
-
-    Raises
-    ------
-    FileError
-        If the text is not TOML.
-    ParameterError
-        If the file is invalid.
     """
     tables = nested_tables(text, file)
     return read_tables(tables, file, folder, overrides, progress=progress, cancel=cancel)
@@ -239,21 +208,12 @@ def read_tables(
     Parameters
     ----------
     tables : mapping
-        Tables from ``nested_tables``; not changed.
+        Tables from ``nested_tables``; not modified.
     file, folder, overrides, progress, cancel
         See ``read_planet``.
     wavelengths : callable
-        ``wavelengths(planet)``: wavelengths at which the planet is sampled to check it; a later
-        request for the medium there gets that medium. The planet's own by default. [nm]
-
-    Returns
-    -------
-    Planet
-
-    Raises
-    ------
-    ParameterError
-        If the tables are invalid.
+        ``wavelengths(planet)``, at which the planet's medium is computed for validation and cached;
+        default: the planet's. [nm]
     """
     try:
         changed = tables if overrides is None else overridden(tables, overrides)
@@ -268,31 +228,12 @@ def read_tables(
 
 
 def declared_planet(tables: Mapping[str, Any], folder: Path | None = None) -> Planet:
-    """Planet of the nested tables of a file, whose medium is neither computed nor checked.
-
-    Raises
-    ------
-    ParameterError
-        If a table or a value is invalid.
-    """
+    """Planet from the nested tables of a file, without validation of its medium."""
     return _planet(TomlTable(tables, folder=folder))
 
 
 def nested_tables(text: str, file: str) -> dict[str, Any]:
-    """Nested tables of a planet file, before anything in them is checked.
-
-    Parameters
-    ----------
-    text : str
-        Text in TOML.
-    file : str
-        Name in errors.
-
-    Raises
-    ------
-    FileError
-        If the text is not TOML.
-    """
+    """Nested tables of a planet file, unchecked."""
     try:
         return tomllib.loads(text.replace("\r\n", "\n"))
     except RecursionError:
@@ -343,7 +284,7 @@ def _planet(root: TomlTable) -> Planet:
 
 
 def _check_shell(bottom: float, top: float) -> None:
-    """Refuse radii early: a column of gas is spread over the shell while the file is read."""
+    """Raise an error for invalid radii, before columns are converted to densities."""
     if not bottom > 0.0:
         raise ParameterError("shell.bottom_radius", bottom, "more than 0 m")
     if not bottom < top:

@@ -1,4 +1,4 @@
-"""Edit of the radius of the ground: the atmosphere above it keeps its thickness."""
+"""Edit of the ground radius with unchanged thickness of the shell."""
 
 from __future__ import annotations
 
@@ -20,20 +20,14 @@ def lifted(tables: Tables, before: Tables) -> Tables:
     Parameters
     ----------
     tables : dict
-        Tables of a planet file whose ``shell.bottom_radius`` was edited; not changed.
+        Tables of a planet file with an edited ``shell.bottom_radius``; not modified.
     before : dict
         Tables before the edit.
 
     Returns
     -------
     dict
-        Tables whose shell is as thick as before; those given where a radius cannot be read, which
-        the reader will reject.
-
-    Raises
-    ------
-    ParameterError
-        If the atmosphere is too thick or too thin for the radius.
+        Tables with unchanged thickness of the shell; unchanged tables if a radius is invalid.
 
     Examples
     --------
@@ -55,7 +49,7 @@ def lifted(tables: Tables, before: Tables) -> Tables:
 
 
 def _km(value: Any) -> float | None:
-    """Radius, or None where it is none. [km]"""
+    """Radius; None if invalid. [km]"""
     try:
         return None if value is None else number_in(value, "km", "m", BOTTOM)
     except ParameterError:

@@ -1,4 +1,4 @@
-"""All kinds of table of a planet file with their keys, for reader, editors and handbook."""
+"""Kinds of tables of a planet file with their keys, for reader, editors and handbook."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class _Listed:
 
 
 def _planet() -> _Listed:
-    """Keys of a whole file: those of a planet, with the shell's in a nested table."""
+    """Keys of a planet file, with those of the shell in a nested table."""
     own = Planet.declared()
     first = next(i for i, key in enumerate(own) if key.kind == "table")
     shell = Field(name="shell", label="shell", help="Radii of the atmosphere.", kind="table",
@@ -101,7 +101,7 @@ def keys_of(kind: str, table: FileTable | None = None) -> tuple[Field, ...]:
     kind : str
         Name of the kind in ``TABLES``.
     table : mapping, optional
-        Table of that kind; its own words narrow the keys that it may have.
+        Table of that kind, whose contents restrict its keys.
 
     Examples
     --------

@@ -1,1 +1,1 @@
-"""Content of planet files: each key declared once, on the object that it becomes a field of."""
+"""Schema of planet files: keys declared as fields of parameter objects."""

@@ -1,7 +1,7 @@
-"""Declaration of a key of a planet file: range, unit, default, choices, and how it is edited.
+"""Declaration of a key of a planet file: range, unit, default, choices, control.
 
-A ``Field`` is part of the annotation of a field of a parameter object, and validates its values;
-reader, overrides, lists of controls and the tables of the handbook use the same ``Field``.
+A ``Field`` annotates a field of a parameter object and validates its values; reader, overrides,
+controls and the key tables of the documentation follow from it.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ FileTable = Mapping[str, Any]
 
 
 def always(table: FileTable) -> bool:
-    """Offer the key to every table that leaves it out."""
+    """Show the key in an editor for every table that omits it."""
     return True
 
 
 def never(table: FileTable) -> bool:
-    """Do not offer the key where the file leaves it out."""
+    """Show the key in an editor only if the file has it."""
     return False
 
 
 class Prebuilt:
-    """Base of parameter objects, which are valid values of a table."""
+    """Base of parameter objects that are valid values of a key."""
 
 
 def _no_choices() -> tuple[str, ...]:
@@ -53,60 +53,60 @@ class Field:
     label, help : str
         Label of a few words; help of one sentence.
     name : str
-        Name in the file, if the field has another; ``*`` in a table whose keys are names.
+        Name in the file, if different from the field's; ``*`` in a table whose keys are names.
     note : str
         Further sentences for the handbook, after ``help``.
     kind : str
         ``number`` (also lists of numbers, and ``words`` instead), ``choice``, ``text``, ``switch``,
         ``table``.
     unit : str
-        Unit of the field, of ``range``, and of a number that the file gives without a unit.
+        Unit of the field, of ``range``, and of a number without a unit.
     range : (float, float)
-        Lowest and highest allowed value; of a text, the number of letters. [unit]
+        Allowed values, or lengths of a text. [unit]
     open_ends : bool
-        Whether the ends themselves are refused.
+        Whether the ends are excluded.
     example : str
-        Value as a file may write it, for errors.
+        Example of a value in a file, for errors.
     spectral : bool
-        Whether a list beside ``wavelengths`` is allowed.
+        Whether a list over ``wavelengths`` is allowed.
     listed : bool
         Whether the value is a list of numbers.
     read : callable, optional
-        ``read(section, name, wavelengths)`` where the file's form differs from the field's.
+        ``read(section, name, wavelengths)``, if the form in the file differs from the field's.
     required : bool, optional
-        Whether the file has to give it; by default, whether the field has no default.
+        Whether the key is required; default: whether the field has no default.
     default : object
-        Value of a key that is left out, if it differs from the field's default.
+        Value of an omitted key, if different from the field's default.
     offered : callable
-        Whether an editor shows the key for a table that leaves it out.
+        Whether an editor shows the key for a table that omits it.
     shown : str
-        Unit in which it is edited; ``unit`` by default.
+        Unit in an editor; ``unit`` by default.
     slider : (float, float), optional
         Ends of its slider; ``range`` by default. [shown]
     input_range : (float, float), optional
-        Range that an editor accepts, if narrower than ``range``. [shown]
+        Range in an editor, if narrower than ``range``. [shown]
     scale : str
         Scale of the slider: ``linear`` or ``log``.
     initial : object
-        Value that an editor enters when it makes a table of this kind, as a file writes it.
+        Initial value in a new table, as in a file.
     initial_fraction : float, optional
-        The same value, over the shell's thickness.
+        Initial value over the shell's thickness.
     choices : callable
         Allowed words, looked up at each use.
     placeholder : str
-        Word by which an editor shows a table that has to leave the key out.
+        Word shown by an editor if the key has to be omitted.
     table : str
-        Kind of the table, or of each table of the list, that the key holds.
+        Kind of the table, or of the tables of a list, under the key.
     prefix : str
         Prefix of the labels of the keys within that table.
     per, per_unit : str
-        Key whose list the items of this list belong to; unit in which that list is shown.
+        Key of the list that this list belongs to, and unit in which that list is shown.
     mode : str
-        ``standard`` or ``advanced``: by coefficients, or by composition.
+        ``standard`` (coefficients) or ``advanced`` (composition).
     within : str
-        Table of the file that contains the key of a planet, if not at the top.
+        Table of the file that contains the key, if not at the top.
     synonyms : tuple of str
-        Other words that people say for it, found by an editor's search.
+        Synonyms for an editor's search.
     """
 
     label: str
@@ -151,13 +151,7 @@ class Field:
         return self.checked(value, info.field_name or "value")
 
     def checked(self, value: Any, field: str) -> Any:
-        """Check that a field's value is within the range, and return it.
-
-        Raises
-        ------
-        ParameterError
-            If it is not.
-        """
+        """Validated value of the field."""
         low, high = self.range
         if self.table and isinstance(value, Prebuilt):
             return value
@@ -186,12 +180,12 @@ class Field:
 
     @property
     def unit_text(self) -> str:
-        """Unit as errors show it: ``/m`` for ``1/m``, nothing for ``1``."""
+        """Unit in errors: ``/m`` for ``1/m``, empty for ``1``."""
         return self.unit.removeprefix("1")
 
     @property
     def unit_words(self) -> str:
-        """Unit as tables show it: ``W m⁻² nm⁻¹`` for ``W/m^2/nm``, nothing for ``1``.
+        """Unit in tables: ``W m⁻² nm⁻¹`` for ``W/m^2/nm``, empty for ``1``.
 
         Examples
         --------
@@ -205,13 +199,7 @@ class Field:
     # --- of the file --------------------------------------------------------------------------
 
     def read_from(self, section: TomlTable, wavelengths: Wavelengths) -> Any:
-        """Value of the key in a table of the file, in ``unit``; None if the table leaves it out.
-
-        Raises
-        ------
-        ParameterError
-            If it is missing though required, or not a value of its kind.
-        """
+        """Value of the key in a table of the file, in ``unit``; None if omitted."""
         name = self.name
         if not self.required and name not in section:
             return None
@@ -233,7 +221,7 @@ class Field:
 
     @property
     def shown_unit(self) -> str:
-        """Unit in which it is edited."""
+        """Unit in an editor."""
         return self.shown or self.unit.removeprefix("1") or "1"
 
     @property

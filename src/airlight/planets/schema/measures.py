@@ -42,12 +42,12 @@ _COLUMN: Final = re.compile(rf"\s*(\S{{1,40}}?)\s*({'|'.join(_THICKNESS)})\s*")
 
 
 def column_of_gas(value: Any, field: str, *, bare: bool = False) -> float:
-    """Molecules above an area, from text such as ``345 DU``, ``0.345 atm-cm``. [m⁻²]
+    """Column of molecules from text such as ``345 DU``, ``0.345 atm-cm``. [m⁻²]
 
     Parameters
     ----------
     value : float, str or quantity
-        Column by thickness (1 atm-cm is 1000 DU), in moles or in molecules over an area.
+        Column as a thickness (1 atm-cm is 1000 DU), or in moles or molecules per area.
     field : str
         Name in the error.
     bare : bool
@@ -87,14 +87,7 @@ def number_in(value: Any, unit: str, bare: str, field: str) -> float:
     unit : str
         Unit of the result.
     bare : str
-        Unit of a number that has none.
-    field : str
-        Name in the error.
-
-    Raises
-    ------
-    ParameterError
-        If it is not a quantity of that kind.
+        Unit of a plain number.
 
     Examples
     --------
@@ -111,7 +104,7 @@ def number_in(value: Any, unit: str, bare: str, field: str) -> float:
 
 
 def text_of(number: float, unit: str) -> float | str:
-    """Text of a number in a planet file, with its unit if it has one.
+    """Text of a number for a planet file, with its unit.
 
     Examples
     --------
@@ -141,7 +134,7 @@ def listed(text: str, bare: str) -> list[Any]:
 
 
 def _with_unit(item: str, unit: str, number: float, bare: str) -> str:
-    """Add the shared unit to a list item that has none, if its value stays the same."""
+    """List item with the shared unit added, if its value is unchanged."""
     if unit:
         try:
             if quantity(f"{item} {unit}", bare, bare=True) == number:

@@ -1,4 +1,4 @@
-"""Tables of several kinds: distinguished by the word after ``kind``, or by their keys."""
+"""Tables of several kinds, distinguished by the key ``kind`` or by their other keys."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ class TaggedUnion(Generic[Kind]):
         return tuple(one.keyword for one in self.classes)
 
     def of(self, keyword: Any) -> type[Kind] | None:
-        """Class of the kind with this word."""
+        """Class of a kind by its keyword."""
         return next((one for one in self.classes if one.keyword == keyword), None)
 
     def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
-        """``kind`` and the keys of the table's kind; those of all kinds if it names none."""
+        """``kind`` and the keys of the table's kind; those of all kinds without ``kind``."""
         choice = Field(name="kind", label=self.label, help=self.help, kind="choice",
                      choices=lambda: self.keywords, mode=self.mode, required=True)  # fmt: skip
         kind = self.of((table or {}).get("kind"))
@@ -64,7 +64,7 @@ class TaggedUnion(Generic[Kind]):
 
 @dataclass(frozen=True)
 class Alternatives(Generic[Kind]):
-    """Union of kinds of a table, each with a key that no other has: its keyword.
+    """Union of kinds of a table, distinguished by a key, the keyword.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Parameter objects that are tables of a planet file, read by their declared fields."""
+"""Parameter objects read from tables of a planet file by their declared fields."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ class TomlModel(Prebuilt):
     Attributes
     ----------
     keyword : str
-        Word, or key, by which a planet file selects this kind of table.
+        Word or key that selects this kind of table.
     has_wavelengths : bool
         Whether the table has its own list of wavelengths.
     extra_keys : tuple of Field
-        Keys of the table that are not fields: other ways to give them.
+        Keys of the table that are alternatives to fields.
     """
 
     keyword: ClassVar[str] = ""
@@ -41,14 +41,8 @@ class TomlModel(Prebuilt):
 
         Parameters
         ----------
-        section : TomlTable
         wavelengths : tuple of float, optional
-            Wavelengths that its lists belong to, if the table has none of its own. [nm]
-
-        Raises
-        ------
-        ParameterError
-            If a value is invalid, or an unknown key remains.
+            Wavelengths of its lists, if the table has none. [nm]
         """
         collector = Collector()
         values: dict[str, Any] | None = None
@@ -67,7 +61,7 @@ class TomlModel(Prebuilt):
 
     @classmethod
     def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
-        """Values of the table, by field; keys that it leaves out are absent."""
+        """Values of the table by field; omitted keys are absent."""
         if cls.has_wavelengths:
             wavelengths = section.wavelengths()
         found: dict[str, Any] = {}
@@ -80,7 +74,7 @@ class TomlModel(Prebuilt):
 
     @classmethod
     def from_values(cls, section: TomlTable, values: Mapping[str, Any]) -> Self:
-        """Create the object of these fields; errors name the key of the file."""
+        """Object with these fields; errors name the key of the file."""
         names = {field: key.name for field, key in fields_of(cls).items()}
         with section.prefix_errors():
             try:
@@ -90,7 +84,7 @@ class TomlModel(Prebuilt):
 
     @classmethod
     def default_table(cls, old: FileTable, thickness: float) -> dict[str, Any]:
-        """Default contents of a table that an editor changes to this kind.
+        """Default table of this kind, for an editor.
 
         Parameters
         ----------
@@ -102,7 +96,7 @@ class TomlModel(Prebuilt):
         Returns
         -------
         dict
-            Table as in a planet file, without the word that names the kind.
+            Table as in a planet file, without ``kind``.
         """
         table: dict[str, Any] = {}
         for key in fields_of(cls).values():
@@ -115,7 +109,7 @@ class TomlModel(Prebuilt):
 
 
 def _renamed(error: ParameterError, names: Mapping[str, str]) -> ParameterError:
-    """Error of a field by the name of its key."""
+    """Error with the key's name instead of the field's."""
     return error.named(names.get(error.field, error.field))
 
 
@@ -147,7 +141,7 @@ def _declared_fields(cls: type[Any]) -> dict[str, Field]:
 
 
 def _key_in(hint: Any) -> Field | None:
-    """Declaration within an annotation, if there is one."""
+    """Declaration within an annotation; None without one."""
     if get_origin(hint) is Annotated:
         for one in hint.__metadata__:
             if isinstance(one, Field):

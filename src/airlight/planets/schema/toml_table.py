@@ -1,4 +1,4 @@
-"""Table of a planet file: typed reads with one-line errors, and a check for unknown keys."""
+"""Table of a planet file: typed reads, and a check for unknown keys."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ class TomlTable:
     Parameters
     ----------
     values : dict
-        Content as returned by the TOML parser.
+        Contents from the TOML parser.
     path : str
-        Path with dots and indices, for errors: ``constituents[1].profile``; empty for the file.
+        Path for errors: ``constituents[1].profile``; empty for the file.
     folder : Path, optional
-        Folder of the planet file; files that it names are looked for there.
+        Folder of the planet file and of files named in it.
     """
 
     def __init__(self, values: Any, path: str = "", folder: Path | None = None) -> None:
@@ -45,7 +45,7 @@ class TomlTable:
         self.folder = folder
 
     def name_of(self, key: str) -> str:
-        """Key with the section's path before it."""
+        """Full path of a key."""
         return f"{self.path}.{key}" if self.path else key
 
     def __contains__(self, key: str) -> bool:
@@ -53,21 +53,21 @@ class TomlTable:
         return key in self._values
 
     def note(self, keys: Iterable[str]) -> None:
-        """Count keys as read."""
+        """Mark keys as read."""
         self._read += [key for key in keys if key not in self._read]
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Keys that are present, for a table whose keys are names."""
+        """Keys of a table whose keys are names."""
         return tuple(self._values)
 
     def raw(self, key: str) -> Any:
-        """Value as the TOML parser returned it, or None."""
+        """Value from the TOML parser, or None."""
         self.note((key,))
         return self._values.get(key)
 
     def required(self, key: str, allowed: str) -> Any:
-        """Value as the TOML parser returned it; an error if it is absent."""
+        """Value from the TOML parser; an error if absent."""
         if key not in self:
             raise ParameterError(self.name_of(key), MISSING, allowed)
         return self._values[key]
@@ -82,21 +82,21 @@ class TomlTable:
         return value
 
     def choice(self, key: str, options: tuple[str, ...]) -> str:
-        """Choice of several words; the error for a misspelt word suggests the nearest."""
+        """Word from a list; the error suggests the nearest word."""
         value = self.text(key, f"one of {', '.join(options)}")
         if value not in options:
             raise ParameterError(self.name_of(key), value, suggestion(value, options))
         return value
 
     def switch(self, key: str) -> bool:
-        """True or false; false if the key is absent."""
+        """Boolean; False if the key is absent."""
         value = self.raw(key) if key in self else False
         if not isinstance(value, bool):
             raise ParameterError(self.name_of(key), value, "true or false")
         return value
 
     def number(self, key: str, unit: str, example: str) -> float:
-        """Quantity in the unit, which a number has to have, unless it is zero."""
+        """Quantity in the unit, as text with a unit, or zero."""
         allowed = f"a number such as {example!r}" if unit == "1" else f"such as {example!r}"
         return quantity(self.required(key, allowed), unit, self.name_of(key))
 
@@ -110,7 +110,7 @@ class TomlTable:
         return quantity_list(value, unit, self.name_of(key))
 
     def wavelengths(self) -> tuple[float, ...] | None:
-        """Wavelengths that the lists of this table belong to [nm], or None."""
+        """Wavelengths of the lists of this table, or None. [nm]"""
         if "wavelengths" not in self:
             return None
         field = self.name_of("wavelengths")
@@ -122,7 +122,7 @@ class TomlTable:
     def spectral(
         self, key: str, unit: str, example: str, wavelengths: tuple[float, ...] | None
     ) -> Spectral:
-        """One quantity for every wavelength, or a list with one for each of the wavelengths."""
+        """Quantity for all wavelengths, or a list with one per wavelength."""
         value = self.required(key, f"such as {example!r}, or a list with one for each wavelength")
         return spectral_of(value, unit, self.name_of(key), wavelengths)
 
@@ -142,11 +142,11 @@ class TomlTable:
         return [TomlTable(item, name, self.folder) for item, name in zip(value, names, strict=True)]
 
     def beside(self, file: str) -> Path:
-        """Path of a file that this file names, relative to its own folder."""
+        """Path of a file named in this file, relative to its folder."""
         return Path(file) if self.folder is None else self.folder / file
 
     def finish(self) -> None:
-        """Refuse keys that were not read, and suggest for each the nearest that exists."""
+        """Raise an error for keys that were not read, with suggestions."""
         collector = Collector()
         for key in self._values:
             with collector:
@@ -182,7 +182,7 @@ def quantity_list(value: Any, unit: str, field: str, *, bare: bool = False) -> t
 def spectral_of(
     value: Any, unit: str, field: str, wavelengths: tuple[float, ...] | None
 ) -> Spectral:
-    """One quantity for every wavelength, or a list with one for each of the wavelengths."""
+    """Quantity for all wavelengths, or a list with one per wavelength."""
     listed = isinstance(value, list) or (isinstance(value, str) and "," in value)
     if not listed:
         return quantity(value, unit, field)
@@ -197,7 +197,7 @@ def spectral_of(
 
 
 def suggestion(given: str, options: tuple[str, ...]) -> str:
-    """Allowed words, with a suggestion for a misspelt word."""
+    """Text of the allowed words, with the nearest to a misspelt word."""
     near = difflib.get_close_matches(given[:60], options, n=1, cutoff=0.6)
     listed = ", ".join(options)
     return f"{listed} (did you mean {near[0]!r}?)" if near else listed

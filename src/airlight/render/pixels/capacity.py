@@ -16,11 +16,6 @@ def check_capacity(wavelengths: int, constituents: int = 1, *, field: str = "wav
     field : str
         Name of the wavelengths in the message.
 
-    Raises
-    ------
-    ParameterError
-        If there are too many wavelengths or constituents.
-
     Examples
     --------
     >>> check_capacity(5)

@@ -36,7 +36,7 @@ def shading_uniforms(
     Parameters
     ----------
     phase, limb : float or None, float
-        Of ``LightSource``. [deg]
+        Fields of ``LightSource``. [deg]
     sun_level, sun_z : float
         Horizontal and vertical component towards the light. [1]
 
@@ -87,7 +87,7 @@ def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
     toward : float
         Coordinate t towards the bright limb, in radii. [1]
     phase_sine, phase_cosine : float
-        Of the phase angle α. [1]
+        Sine and cosine of the phase angle α. [1]
     phase_share : float
         2 / Φ(α), from ``dusty_sphere``. [1]
 

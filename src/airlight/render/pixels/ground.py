@@ -211,14 +211,8 @@ def reflectance(color, mapped, tables, at):
 
     Parameters
     ----------
-    color : array, shape (11,)
-        Values from ``ground_color``. [1]
-    mapped : bool
-        Whether the ground has a map.
     tables : MarchTables
         Tables of the solution.
-    at : int
-        Index of the first lane.
     """
     detail = np.float32(max(color[8], 0.0))
     if not mapped:

@@ -53,8 +53,6 @@ def refraction_to_ground(z, sine, observer, tables, columns):
     ----------
     z, sine : float
         Cosine and sine of its zenith angle. [1]
-    observer, tables : Observer, MarchTables
-        Observer, and tables of the solution.
     columns : array, shape (nc,)
         Workspace. [m]
     """
@@ -122,14 +120,12 @@ def ground_angles(x, z, sine, angle, observer, tables):
         Components along x and z in the observer's frame, and sine of the zenith angle. [1]
     angle : float
         Angle of refraction. [rad]
-    observer, tables : Observer, MarchTables
-        Observer, and tables of the solution.
 
     Returns
     -------
     mu_s, mu_r, nu : float
         Cosines of the star-zenith angle, of the reflection angle, and of the angle between line of
-        lines and star. [1]
+        sight and star. [1]
     """
     mu_r = ground_cosine(z, sine, observer, tables)
     across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)

@@ -31,11 +31,5 @@ BY_PANELS: Final = {1: FEW, 2: FEW}
 
 
 def march_points(solution: MomentsSolution) -> MarchPoints:
-    """March resolution for rendering a solution.
-
-    Parameters
-    ----------
-    solution : MomentsSolution
-        Solution of the planet.
-    """
+    """March resolution for rendering a solution."""
     return BY_PANELS.get(solution.settings.march_panels, MANY)

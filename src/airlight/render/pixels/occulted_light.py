@@ -80,10 +80,6 @@ def occulted_light(
 
     Parameters
     ----------
-    source : LightSource
-        Source of the light.
-    light : LightPosition
-        Position of the light.
     lights : sequence of LightPosition
         Lights of the scene; only the moon nearest to the light occults it.
     """

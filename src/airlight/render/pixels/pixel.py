@@ -158,8 +158,6 @@ def phase_of(half_sine, constituent, table):
     ----------
     half_sine : float
         sin(θ/2). [1]
-    constituent : int
-        Index of the constituent.
     table : lanes, shape (nodes, nc)
         ``phase`` or ``phase_f12`` of the tables.
     """
@@ -267,8 +265,6 @@ def sky_view_coordinates(x, y, row, to_ground, window):
         Horizontal components of its direction in the observer's frame. [1]
     row, to_ground : float, bool
         Results of ``classify_ray``.
-    window : SkyViewWindow
-        Window.
 
     Returns
     -------

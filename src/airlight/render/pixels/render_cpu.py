@@ -51,8 +51,6 @@ def render_pixels(px, py, window, observer, view, tables, work, weights, reach, 
     ----------
     px, py : array, shape (n,)
         Pixel centres, from the left and top edge of the frame. [pixel]
-    window : SkyViewWindow
-        Window of the sky-view LUT.
     observer, view, tables : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work : MarchWorkspace

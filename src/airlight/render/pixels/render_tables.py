@@ -37,11 +37,6 @@ def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     The strongest scatterers with a forward peak, at most two; within 10° of forward an isotropic
     phase function scatters 0.8 %, Rayleigh's 1.1 %.
 
-    Parameters
-    ----------
-    solution : MomentsSolution
-        Solution of the planet.
-
     Returns
     -------
     tuple of int
@@ -119,11 +114,6 @@ def pack_texels(values: Float32Array, wavelengths: int) -> Float32Array:
         Table with eight lanes per element.
     wavelengths : int
         Number of lanes in use.
-
-    Raises
-    ------
-    ParameterError
-        If there are more wavelengths than a texel holds.
     """
     if wavelengths > WAVELENGTHS:
         raise ParameterError("wavelengths", wavelengths, f"at most {WAVELENGTHS} on the GPU")

@@ -46,8 +46,6 @@ def scenes_by_light(scene: Scene, solution: MomentsSolution) -> list[SceneForLig
     ----------
     scene : Scene
         Observer, lights and camera.
-    solution : MomentsSolution
-        Solution of the planet.
 
     Returns
     -------

@@ -99,12 +99,8 @@ def fill_sky_view(
         Tables of the solution, with the resolution of the march.
     observer : Observer
         Position of observer and star.
-    window : SkyViewWindow
-        Window to fill.
     polarised : bool
         Whether Q and U are filled.
-    cancel, progress : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------

@@ -41,8 +41,6 @@ def camera_direction(px, py, view):
     ----------
     px, py : float
         Position from the left and top edge of the frame. [pixel]
-    view : ViewUniforms
-        Camera.
     """
     right, above, ahead = projected_ray(
         view.projection, px, py, view.width, view.height, view.field_of_view

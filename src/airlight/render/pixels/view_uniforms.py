@@ -47,13 +47,6 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     ----------
     scene : Scene
         Observer, star and camera.
-    solution : MomentsSolution
-        Solution of the planet.
-
-    Returns
-    -------
-    dict
-        Values by name.
     """
     camera, medium = scene.camera, solution.geometry.medium
     if scene.altitude < 0.0:
@@ -122,13 +115,7 @@ def _occulter_uniforms(occulter: Occulter | None) -> dict[str, float]:
 
 
 def observer_from(uniforms: Mapping[str, float]) -> Observer:
-    """``Observer`` from the uniforms of a scene and of the orders of scattering.
-
-    Parameters
-    ----------
-    uniforms : mapping
-        Numbers by name.
-    """
+    """``Observer`` from the uniforms of a scene and of the orders of scattering."""
     values: dict[str, Any] = {name: float(uniforms[name]) for name in Observer._fields}
     values["outside"] = bool(values["outside"])
     values["orders"] = int(values["orders"])
@@ -205,13 +192,7 @@ def map_uniforms(ground: SurfaceMap | None) -> dict[str, int]:
 
 
 def overlay_size_uniforms(overlay: SurfaceMap | None) -> dict[str, int]:
-    """Uniforms of the size of an overlay.
-
-    Parameters
-    ----------
-    overlay : SurfaceMap
-        City lights and clouds; None without both.
-    """
+    """Uniforms of the size of an overlay."""
     if overlay is None:
         return {"overlaid": 0, "over_rows": 1, "over_columns": 1, "over_levels": 1}
     size = {"over_rows": overlay.rows, "over_columns": overlay.columns}
@@ -240,11 +221,6 @@ def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
 
     Radiance per irradiance of the star and map value; the colour is independent of the star's.
     City lights are part of the first light only.
-
-    Parameters
-    ----------
-    solution : MomentsSolution
-        Solution, lit by one of the lights.
     """
     names = ("lamp_red", "lamp_green", "lamp_blue")
     star = solution.lights[0]
@@ -268,11 +244,6 @@ def display_uniforms(exposure: float, tone_map: str, encoding: str | None) -> di
         Name from ``TONE_MAPS``.
     encoding : str or None
         Name from ``ENCODINGS``; None for a target with its own encoding.
-
-    Raises
-    ------
-    ParameterError
-        If a name or the exposure is not allowed.
     """
     return {
         name: float(value)
@@ -287,11 +258,6 @@ def order_number(orders: str) -> float:
     ----------
     orders : str
         Name from ``ORDERS``.
-
-    Raises
-    ------
-    ParameterError
-        If the name is unknown.
     """
     if orders not in ORDERS:
         raise ParameterError("orders", orders, ", ".join(ORDERS))
@@ -300,11 +266,6 @@ def order_number(orders: str) -> float:
 
 def checked_samples(samples: int) -> int:
     """Validated number of samples per side of a pixel.
-
-    Parameters
-    ----------
-    samples : int
-        Samples per side.
 
     Raises
     ------

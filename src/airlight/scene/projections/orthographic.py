@@ -56,9 +56,7 @@ def disc_extent(top_radius: float, width: int, height: int) -> float:
     Parameters
     ----------
     top_radius : float
-        Radius of the top of the air. [m]
-    width, height : int
-        Size of the frame. [pixel]
+        Radius of the top of the atmosphere. [m]
 
     Examples
     --------

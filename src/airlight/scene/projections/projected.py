@@ -44,7 +44,7 @@ def projected_rays(
     width, height : int
         Size of the frame. [pixel]
     field_of_view : float
-        Field of view, as the projection's ``ray`` takes it. [rad]
+        Field of view of the projection's ``ray``. [rad]
 
     Returns
     -------

@@ -41,7 +41,7 @@ class Projection:
     circular : bool
         Whether the image is limited to the largest circle that fits.
     parallel : bool
-        Whether lines of sight are parallel, as for a planet from far away.
+        Whether lines of sight are parallel.
     """
 
     name: str

@@ -101,11 +101,6 @@ def changed_system(
         From path to value, as in a file: ``observer.altitude``; ``moon.position``, a key of the
         body of that name; or ``earth.ground.albedo``, a path in its planet file. None removes a
         key.
-
-    Raises
-    ------
-    ParameterError
-        If a path does not exist, or the tables are invalid.
     """
     bodies = tables.get("bodies", [])
     names = [one.get("name") if isinstance(one, dict) else None for one in bodies]
@@ -138,13 +133,6 @@ def system_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
     (str, str, Path or None)
         Text in TOML, name for error messages, and folder that its paths refer to, None for a
         preset.
-
-    Raises
-    ------
-    FileError
-        If the file does not exist, or cannot be read.
-    ParameterError
-        If the name is unknown.
     """
     if isinstance(name_or_path, str) and name_or_path in system_names():
         preset = resources.files("airlight.scene.system") / "presets" / f"{name_or_path}.toml"
@@ -167,13 +155,6 @@ def read_system(text: str, file: str, folder: Path | None = None) -> System:
         Name in errors.
     folder : Path, optional
         Folder that paths in the text refer to.
-
-    Raises
-    ------
-    FileError
-        If the text is not TOML.
-    ParameterError
-        If the file is invalid.
     """
     return read_system_tables(nested_tables(text, file), file, folder)
 
@@ -194,11 +175,6 @@ def read_system_tables(
         See ``read_system``.
     changes : mapping, optional
         Overrides of planet files, see ``System``.
-
-    Raises
-    ------
-    ParameterError
-        If the tables are invalid.
     """
     try:
         return _read(TomlTable(dict(tables), folder=folder), changes or {})

@@ -32,7 +32,7 @@ class System:
     Parameters
     ----------
     name, description : str
-        Title, and a sentence about it.
+        Title and description.
     bodies : tuple of Body
         Bodies, whose spheres and atmospheres do not overlap.
     lights : tuple of Light

@@ -36,11 +36,6 @@ def unit(vector: Sequence[float] | FloatArray, field: str) -> FloatArray:
     field : str
         Name for error messages.
 
-    Raises
-    ------
-    ParameterError
-        If the vector is not a direction.
-
     Examples
     --------
     >>> unit([0.0, 3.0, 4.0], "pole")

@@ -103,8 +103,6 @@ class View(TomlModel):
         Clockwise rotation of the camera about its line of sight. [deg]
     polariser : float, optional
         Axis of a polarising filter, counterclockwise from the camera's up. [deg]
-    projection : str
-        Name of the projection.
     field_of_view : float, optional
         Angle as for ``Camera``. [deg]
     """

@@ -48,7 +48,7 @@ class GatherDirections(NamedTuple):
 
 
 def directions_for(axes: Layout, settings: DirectSettings) -> GatherDirections:
-    """GatherDirections, split at the horizon of each radius if the rule is graded."""
+    """Directions of the gather, split at the horizon of each radius if the rule is graded."""
     rules = []
     for i in range(axes.radii):
         cuts: tuple[float, ...] = (0.0, np.pi)
@@ -70,7 +70,6 @@ def phase_nodes(
 
     Parameters
     ----------
-    medium : Medium
     scatterers : array, shape (ns,)
         Indices of the scattering constituents.
 
@@ -98,8 +97,6 @@ def gather(
 
     Parameters
     ----------
-    i : int
-        Index of the radius.
     axes, directions : Layout, GatherDirections
         Axes of the table, and directions of the gather.
     phase, which : array
@@ -108,7 +105,6 @@ def gather(
         Radiance H of one order at this radius, per irradiance of the star. [sr⁻¹]
     cos_psi, sin_psi : float
         Cosine and sine of the azimuth of a table without angles. [1]
-    normalise, logarithmic : bool
     out : array, shape (views, sun_angles, angles, ns·nl)
         Receives G or its logarithm. [sr⁻¹]
     """
@@ -175,14 +171,13 @@ def gather(
 def complete(r, axes, out):
     """Extrapolation of gathered radiance to impossible angles between view and sun, at one radius.
 
-    Straight up or down, and with the sun overhead, only one angle is possible; the shape is then
-    that of the neighbouring view or sun angle.
+    For a vertical view or an overhead sun only one angle is possible; the shape is then that of the
+    neighbouring view or sun angle.
 
     Parameters
     ----------
     r : float
         Radius. [m]
-    axes : Layout
     out : array, shape (views, sun_angles, angles, channels)
         Logarithms, changed in place.
     """
@@ -222,7 +217,6 @@ def extrapolate_shape(values, index, neighbour):
         Identical logarithms; changed in place.
     index : float
         Fractional index of the known angle.
-    neighbour : array, shape (angles, channels)
     """
     n = values.shape[0]
     node = min(max(int(index), 0), n - 2)

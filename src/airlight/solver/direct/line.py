@@ -45,7 +45,7 @@ class LineOptics(NamedTuple):
     extinction : array, shape (nc, nl)
         Extinction coefficients. [m⁻¹]
     scatterers : array, shape (ns,)
-        Indices of these among all constituents.
+        Indices of the scattering constituents among all.
     strongest : array, shape (nc,)
         Largest extinction at any wavelength. [m⁻¹]
     nodes : tuple of arrays
@@ -282,18 +282,12 @@ def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
 
     Parameters
     ----------
-    r, mu_s, nu : float
-        Coordinates of the start. [m], [1]
-    count : int
-        Number of points of the line.
     phase : array, shape (ns·nl,)
         Phase functions at nu. [sr⁻¹]
     nested : bool
         Whether columns to the star are integrated by the rule rather than looked up.
     air, line :
         Medium, and line after ``prepare``.
-    out : array, shape (nl,)
-        Receives the light, per irradiance of the star. [sr⁻¹]
     """
     distance, radius = line.path[0], line.path[1]
     source, sun_columns = line.source, line.columns
@@ -317,7 +311,7 @@ def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
 
 @compiled_loop
 def star_columns(r, mu_s, nested, air, edges, path, out):
-    """Columns from a point to the star, or past the horizon if that hides its centre. [m]"""
+    """Columns from a point to the star, or along the horizon if its centre has set. [m]"""
     mu = max(mu_s, horizon_cosine(r, air.bottom))
     if not nested:
         columns_to_top(r, mu, air.bottom, air.top, air.nodes[0], air.rows, air.ratios, out)

@@ -73,20 +73,7 @@ def solve_orders(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Orders:
-    """Successive orders: radiance, irradiance of the ground, gather, repeated.
-
-    Parameters
-    ----------
-    medium : Medium
-    settings : DirectSettings
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; the reported total is an estimate until the last order.
-
-    Raises
-    ------
-    ConvergenceError
-        If a tail is requested and the orders do not decrease.
-    """
+    """Successive orders: radiance, irradiance of the ground, gather, repeated."""
     work = _Passes(medium, settings, progress, cancel)
     incoming = work.first()
     total: FloatArray | None = None
@@ -135,7 +122,7 @@ def solve_orders(
 
 
 class _Passes:
-    """The passes with their arrays; each returns a new one."""
+    """Passes of the iteration with their arrays; each returns a new array."""
 
     def __init__(
         self,
@@ -209,7 +196,7 @@ class _Passes:
         return out
 
     def next(self, gathered: FloatArray, order: int) -> FloatArray:
-        """S⁽ᵏ⁾ + A⁽ᵏ⁾·T from G⁽ᵏ⁻¹⁾; as printed, D stands in for A⁽²⁾."""
+        """S⁽ᵏ⁾ + A⁽ᵏ⁾·T from G⁽ᵏ⁻¹⁾; in the literal second notes D replaces A⁽²⁾."""
         late = self.settings.literal == "atmosphere-plus-2" and order == 2
         lit = self.lit_by_star if late else self.from_sky
 
@@ -225,7 +212,7 @@ class _Passes:
 
 
 def _order_ratio(part: FloatArray, total: FloatArray, wavelengths: int) -> FloatArray:
-    """Largest fraction of a part in its sum, per wavelength, in texels that are not dark. [1]"""
+    """Largest ratio of an order to the sum of orders, per wavelength, outside dark texels. [1]"""
     part, total = part.reshape(-1, wavelengths), total.reshape(-1, wavelengths)
     bright = total > _FAINT * total.max(axis=0)
     ratios = np.divide(part, total, out=np.zeros_like(part), where=bright)

@@ -37,10 +37,6 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
 
     Parameters
     ----------
-    i : int
-        Index of the radius.
-    axes, directions, air, line :
-        See ``Layout``, ``Directions``, ``LineOptics`` and ``Line``.
     phase, which : array
         Arrays from ``phase_nodes``. [sr⁻¹]
     lit_ground : array, shape (sun_angles, nl)
@@ -87,8 +83,6 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
 
     Parameters
     ----------
-    i, axes, directions, air, line :
-        Arguments of ``first_pass``.
     table : array, shape (radii·views, sun_angles, angles, ns·nl)
         Gathered radiance G⁽ᵏ⁻¹⁾, or its logarithm. [sr⁻¹]
     logarithmic : bool
@@ -96,9 +90,7 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
     lit_ground : array, shape (sun_angles, nl)
         Diffuse irradiance of the ground, with the reflection A⁽ᵏ⁾. [1]
     by_star : bool
-        Whether it is direct irradiance instead.
-    out : array, shape (sun_angles, nl, nz, na)
-        Receives the radiance, per irradiance of the star. [sr⁻¹]
+        Whether ``lit_ground`` is direct irradiance.
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
     r = radius_of(i, axes)
@@ -143,7 +135,7 @@ def add_ground(
     lit_ground : array, shape (sun_angles, nl)
         Irradiance of the ground. [1]
     by_star : bool
-        Whether it is direct rather than diffuse.
+        Whether ``lit_ground`` is direct irradiance.
     logarithmic : bool
         Whether to interpolate the logarithm.
     ground : Reflection
@@ -171,9 +163,6 @@ def reflected(ground, l, by_star, mu_s, mu_r, nu):
 
     Parameters
     ----------
-    ground : Reflection
-    l : int
-        Index of the wavelength.
     by_star : bool
         Whether irradiance is direct rather than diffuse.
     mu_s, mu_r, nu : float
@@ -194,8 +183,6 @@ def direct_light(r, mu_s, nested, air, line, out):
         Radius, and zenith cosine of the star. [m], [1]
     nested : bool
         Whether the column is integrated by the rule rather than looked up.
-    air, line :
-        See ``LineOptics`` and ``Line``.
     out : array, shape (nl,)
         Receives the irradiance. [1]
     """

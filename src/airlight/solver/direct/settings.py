@@ -136,11 +136,5 @@ ATMOSPHERE_PLUS: Final = DirectSettings(
 
 
 def settings_for(quality: str | DirectSettings) -> DirectSettings:
-    """Settings of a named quality level; settings are returned unchanged.
-
-    Raises
-    ------
-    ParameterError
-        If the name is not one of ``QUALITIES``.
-    """
+    """Settings of a named quality level; settings are returned unchanged."""
     return settings_by_name(quality, QUALITIES)

@@ -54,8 +54,6 @@ class DirectSolution(Solution):
     ----------
     medium : Medium
         Medium that was solved.
-    settings : DirectSettings
-        Settings of the solver.
     parts : list of (Medium, Orders)
         Medium and its orders; for the literal first notes one pair per scattering constituent.
     seconds : float

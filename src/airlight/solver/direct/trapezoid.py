@@ -75,11 +75,6 @@ def weights_2d(steps: int, steps_2: int) -> FloatArray:
 def uniform(steps: int) -> Rule:
     """Trapezoid rule on [0, 1] with equal steps, ends included, and its running sums.
 
-    Parameters
-    ----------
-    steps : int
-        Number of steps.
-
     Returns
     -------
     Rule
@@ -101,11 +96,6 @@ def uniform(steps: int) -> Rule:
 
 def graded(steps: int) -> Rule:
     """Trapezoid rule on [0, 1] in t with x = t - sin(2πt)/2π; the ends have no weight.
-
-    Parameters
-    ----------
-    steps : int
-        Number of steps in t.
 
     Returns
     -------

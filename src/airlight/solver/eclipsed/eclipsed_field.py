@@ -115,19 +115,6 @@ def eclipsed_field(
         Star and moon, in the shadow's frame (``shadow_axes``), with optical radii.
     cache : bool
         Whether to read the field from the cache on disk, and to write it there.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Returns
-    -------
-    ShadowTables
-
-    Raises
-    ------
-    ConvergenceError
-        If the orders do not converge.
-    Cancelled
-        If ``cancel`` returned True.
     """
     coarse = _empty(solution, star)
     end = float(coarse.middle * np.sinh(coarse.width))
@@ -153,7 +140,7 @@ def _key(solution: MomentsSolution, star: OccultedStar) -> str:
 
 
 def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
-    """Tables around the shadow, of the final shape, without correction."""
+    """Shadow tables of the final shape with zero correction."""
     tables, grid = solution.tables, _grid(solution)
     degree = min(grid.degree, solution.moments.degree)
     terms = harmonics(degree)

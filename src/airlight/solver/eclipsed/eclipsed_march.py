@@ -55,7 +55,6 @@ def split_at_umbra(x, y, u, v, length, shadow, edges, count):
         [1].
     length : float
         Length of the line. [m]
-    shadow : ShadowTables
     edges, count :
         Arguments of ``insert_edge``.
 
@@ -90,7 +89,6 @@ def visible_star_fraction(x, y, z, shadow, scratch):
     ----------
     x, y, z : float
         Point in the frame of the shadow, optical. [m]
-    shadow, scratch : ShadowTables, ShadowWorkspace
     """
     separation, size = apparent_discs(x, y, z, shadow.star)
     row, node, e, f = table_place(separation, size, shadow.star)

@@ -227,7 +227,6 @@ def deviation(density, moments, constituents, shadow, scratch, at):
         Relative densities. [1]
     moments : lanes, shape (nc, N + 1)
         Scattering coefficient times Legendre moment. [m⁻¹]
-    constituents : int
     shadow, scratch : ShadowTables, ShadowWorkspace
         Field, and workspace after ``place_in_shadow`` and ``direction_functions``.
     at : int
@@ -275,7 +274,6 @@ def node_point(row, column, angle, bottom, top, shadow):
         Indices of altitude, distance and position angle.
     bottom, top : float
         Optical radii of the ground and of the shell's top. [m]
-    shadow : ShadowTables
     """
     x = row / (shadow.radii - 1.0)
     q = bottom + (top - bottom) * x * x

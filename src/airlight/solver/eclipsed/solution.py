@@ -41,20 +41,11 @@ class EclipsedSolution:
         Star and moon, in any frame around the planet's centre.
     cache : bool
         Whether to read the field from the cache on disk, and to write it there.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Attributes
     ----------
     axes : array, shape (3, 3)
         Axes of the shadow's frame in that of ``star``, as rows. [1]
-
-    Raises
-    ------
-    ConvergenceError
-        If the orders of scattering do not converge.
-    Cancelled
-        If ``cancel`` returned True.
     """
 
     def __init__(

@@ -1,10 +1,9 @@
 """Anderson acceleration of a fixed-point iteration.
 
 For X ← G(X) the next guess is the linear combination of recent iterates G(X_i) whose residuals
-G(X_i) - X_i combine to the smallest norm. An optically thin atmosphere converges by a factor of
-three per order without it; an optically thick one, by a few per cent, would not converge.
-Source: D. G. Anderson (1965), J. ACM 12, 547; type II of Walker & Ni (2011), SIAM J. Numer. Anal.
-49, 1715.
+G(X_i) - X_i combine to the smallest norm. Without it an optically thin atmosphere converges by a
+factor of three per order, an optically thick one by a few per cent. Source: D. G. Anderson (1965),
+J. ACM 12, 547; type II of Walker & Ni (2011), SIAM J. Numer. Anal. 49, 1715.
 """
 
 from __future__ import annotations
@@ -33,8 +32,6 @@ def combine(products, steps, weights):
     products : array, shape ((steps - 1)·steps,)
         One row for each change from one residual to the next: its products with all changes, then
         with the last residual. Overwritten.
-    steps : int
-        Number of residuals.
     weights : array, shape (steps,)
         Receives the weights, the latest last; (0, …, 0, 1), plain iteration, where they are
         undetermined.

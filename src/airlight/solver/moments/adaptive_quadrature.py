@@ -29,12 +29,10 @@ def adaptive_quadrature(rays: Rays, air: ScaledOptics, nodes: int) -> Rays:
 
     Parameters
     ----------
-    rays : Rays
-        Rays with ``nodes`` Gauss-Legendre points in each panel.
     air : ScaledOptics
         Optics of eight wavelengths; the most demanding one decides.
     nodes : int
-        Number of points of a panel, as given and at most.
+        Largest number of points of a panel.
     """
     extinction = air.extinction.astype(float)
     constituents = extinction.shape[0]

@@ -1,8 +1,7 @@
 """Convergence of the iteration: acceleration weights, remaining error, Anderson step.
 
-These functions take the field at all radii and sun angles, for one batch of wavelengths. Formulas
-of a single node or wavelength are kernels, which the browser shares; ``stopping`` has the stopping
-rule.
+Formulas of a single node or wavelength are kernels, shared with the browser; the others take the
+whole field of one batch of wavelengths.
 """
 
 from __future__ import annotations
@@ -91,7 +90,7 @@ def counted_changes(before, after, thick, night, brightest, changes, largest):
     changes : array, shape (r·n, w)
         Receives the changes. [1]
     largest : array, shape (w,)
-        Receives the largest; NaN stays NaN. [1]
+        Receives the largest change; NaN propagates. [1]
     """
     largest[:] = 0.0
     for i in range(after.shape[0]):
@@ -113,7 +112,7 @@ def counted_changes(before, after, thick, night, brightest, changes, largest):
 def positivity_fixup(
     field: Float32Array, sky: Float32Array, swept_field: Float32Array, swept_sky: Float32Array
 ) -> Light:
-    """Accelerated iterate, or the swept one where the former is far below it or negative."""
+    """Accelerated iterate, or the swept one where the former is negative or far below it."""
     field, sky = field.copy(), sky.copy()
     _replace(field, swept_field, field[:, :, 0] > LEAST * swept_field[:, :, 0])
     _replace(sky[:, :, None], swept_sky[:, :, None], sky > LEAST * swept_sky)
@@ -180,7 +179,7 @@ def geometric_tail(last, before, steps):
 
 
 def estimated_tail(residuals: deque[FloatArray]) -> FloatArray:
-    """``geometric_tail`` of the residuals (n, w), by norm, over up to two steps, shape (w,). [1]"""
+    """Geometric tail from the norms of the residuals (n, w) of up to two steps, shape (w,). [1]"""
     sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
     steps = min(len(sizes), BACK + 1) - 1
     return np.asarray(vectorized(geometric_tail)(sizes[-1], sizes[-1 - steps], steps))

@@ -4,12 +4,11 @@ Of phase functions with a sharp forward peak, the fraction f = g_{N+1} is treate
 (δ-M: Wiscombe 1977, JAS 34, 1408), and the first order uses the exact phase function with the
 scaled extinction (TMS: Nakajima & Tanaka 1988, JQSRT 40, 51). For optically thin particles single
 scattering dominates the peak; δ-M then gains nothing and degrades the narrow bright band along the
-horizon, so f is faded in with the particles' vertical optical depth. Measurements:
-docs/decisions/0001-moments-in-the-twilight.md.
+horizon, so f grows with the particles' vertical optical depth (docs/decisions/04-forward-peaks.md).
 
 Q and U are expanded to degree 2 only. Their truncated fraction is therefore larger: the element of
 degree 5 of the phase matrix, which represents degrees 3 and more to 0.01 of the degree of
-polarisation under haze (docs/decisions/0049-haze-in-polarised-light.md); 0 for molecules.
+polarisation under haze; 0 for molecules.
 """
 
 from __future__ import annotations
@@ -105,8 +104,7 @@ def delta_m_scaling(
     phases : array, shape (nc, nl, degree + 2)
         Legendre moments of the phase functions. [1]
     polarised_elements : array, shape (nc, nl, 4)
-        Expansion coefficients of the phase matrix: three of degree 2, one of degree 5, see
-        ``PhaseFunction``; 0 for scalar transfer. [1]
+        Three expansion coefficients of degree 2 and one of degree 5; 0 for scalar transfer. [1]
     columns : array, shape (nc,)
         Vertical columns. [m]
     degree : int
@@ -284,13 +282,7 @@ class Optics:
         return Depths(altitude, column @ smooth.max(axis=1), medium.thin_layers)
 
     def air(self, block: slice) -> ScaledOptics:
-        """Pack the optics of some wavelengths in whole groups of eight lanes.
-
-        Parameters
-        ----------
-        block : slice
-            Indices of the wavelengths.
-        """
+        """Packed optics of some wavelengths, in whole groups of eight lanes."""
         medium, (extinction, moments, polarised_moments, _) = self.medium, self._reduced
         return ScaledOptics(
             extinction=pack(extinction[:, block]),
@@ -308,9 +300,8 @@ def panel_ends(
 
     Parameters
     ----------
-    medium : Medium
     grid : MomentsGrid
-        MomentsGrid of the medium.
+        Grid of the medium.
     refinement : int
         More than 1 for optically thick media, where panels end at some levels; otherwise, and in
         sweeps, at boundaries of layers aloft.

@@ -49,7 +49,7 @@ def directions(grid: MomentsGrid, counts: tuple[int, ...]) -> Directions:
     Parameters
     ----------
     grid : MomentsGrid
-        MomentsGrid with the radii.
+        Grid with the radii.
     counts : tuple of int
         Number of directions on each side; or those of the panel next to the horizon and of the rest
         of the side.

@@ -1,7 +1,6 @@
 """Gaussian elimination for eight wavelengths at once: one matrix per lane.
 
-Without pivoting, which matrices 1 - K with a small K do not need. Lanes make small systems fast,
-and the result does not depend on the threads of a BLAS.
+Without pivoting, which matrices 1 - K with a small K do not need.
 """
 
 from __future__ import annotations
@@ -53,8 +52,6 @@ def substitute(factors, size, values, columns):
     ----------
     factors : array, shape (size·size, 8)
         Triangular factors from ``factorise``. [1]
-    size : int
-        Number of rows.
     values : array, shape (size·columns, 8)
         Right-hand sides by rows, overwritten by the solutions.
     columns : int

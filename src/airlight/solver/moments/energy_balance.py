@@ -73,8 +73,8 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
 def violates_energy_balance(energy: FloatArray, tolerance: float) -> bool:
     """Whether the energy balance error exceeds half of the tolerance.
 
-    Interpolation across the unresolved boundary of a thick cloud creates energy: where it is half
-    of the tolerance, radiance errors reach all of it.
+    Interpolation across an unresolved cloud boundary creates energy; radiance errors reach twice
+    the energy balance error.
 
     Parameters
     ----------

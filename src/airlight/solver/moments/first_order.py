@@ -91,7 +91,6 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, na
         Radii of the point, of the ground and of the top. [m]
     extinction : lanes, shape (nc,)
         Extinction coefficients. [m⁻¹]
-    workspace : array, shape (nc + 1, 8)
     first : int
         Index of the point's first value in ``out``.
     out : array
@@ -149,7 +148,6 @@ def transmittance_tabled(depths, row, places, lane, directions, narrow):
         Fractional indices of directions, from ``place_star_points``.
     lane : int
         Index of the first azimuth among them.
-    directions : int
     narrow : bool
         A constant.
     """
@@ -190,7 +188,7 @@ def _first_order(
     i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out,
     narrow,
 ):  # fmt: skip
-    """``first_order_radius``, or ``first_order_radius_narrow`` if ``narrow``, a constant."""
+    """First-order moments at one radius; ``narrow``, a constant: at most four wavelengths."""
     # Unpacked once: in the loop each access of a tuple would count references.
     bottom, top, _, sun_cosines, first_nodes, _, _ = grid
     (
@@ -426,8 +424,6 @@ def first_order_radius(
         As in ``sweep_radius``.
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes, from ``column_rows``. [1]
-    ratios : array, shape (radii, nc, 2, directions)
-        ``Setup.star_ratios``.
     refraction_table : array, shape (rows, columns, 2)
         Table from ``refraction_table``. [1]
     """

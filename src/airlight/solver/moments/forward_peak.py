@@ -131,8 +131,6 @@ def peak_fraction(constituent, tables, at):
 
     Parameters
     ----------
-    constituent : int
-        Index of the constituent.
     tables, at :
         Arguments of ``add_peaks``.
     """
@@ -166,11 +164,6 @@ def peak_broadening(optics: Optics) -> FloatArray | None:
     """Table of the relative gain f B/p of single scattering by forward peaks.
 
     Peaked constituents are averaged by their vertical scattering optical depths.
-
-    Parameters
-    ----------
-    optics : Optics
-        Optics of the medium.
 
     Returns
     -------

@@ -4,8 +4,7 @@ Radii are even in the distance to the horizon (Bruneton's mapping), denser in op
 (``levels``). The density of sun elevations e peaks at the terminator, as 1/sqrt(w² + (e + s)²) per
 degree, where w and s are 0.6 and 0.3 of the dip of the horizon at the top of the shell (6° and 3°
 for Earth). It is lower deep in the shadow, where no light is left, and has a lower bound by day,
-where radiance is a curved function of elevation. Measurements:
-docs/decisions/0001-moments-in-the-twilight.md, docs/decisions/0073-deep-twilight.md.
+where radiance is a curved function of elevation.
 """
 
 from __future__ import annotations
@@ -77,7 +76,7 @@ def make_grid(
     depths: Depths,
     first_nodes: FloatArray,
 ) -> tuple[MomentsGrid, int]:
-    """MomentsGrid of a shell, and its refinement.
+    """Grid of a shell, and its refinement.
 
     Parameters
     ----------
@@ -133,8 +132,6 @@ def sun_indices(dip: float, sun_angles: int) -> tuple[FloatArray, FloatArray]:
     ----------
     dip : float
         Dip of the horizon, seen from the top of the shell. [deg]
-    sun_angles : int
-        Number of nodes.
 
     Returns
     -------

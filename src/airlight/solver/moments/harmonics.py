@@ -176,14 +176,8 @@ def directed_functions(mu, cosine, terms, out):
 
     Parameters
     ----------
-    mu : float
-        Cosine of the zenith angle. [1]
     cosine : float
         Cosine of the azimuth, cos φ. [1]
-    terms : Harmonics
-        Recurrences; they fix the degree.
-    out : array, shape (k,)
-        Receives the values, (l, m) at l(l + 1)/2 + m. [1]
     """
     degree, start, ahead, back = terms
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))

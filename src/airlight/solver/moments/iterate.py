@@ -135,9 +135,7 @@ def solve_moments(
     geometry : RefractedGeometry
         Refracted geometry of a medium with any number of wavelengths and constituents.
     settings : MomentsSettings
-        MomentsGrid sizes and tolerance.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
+        Grid sizes and tolerance.
 
     Raises
     ------
@@ -145,8 +143,6 @@ def solve_moments(
         If the medium exceeds the limits of ``check_limits``.
     ConvergenceError
         If the tolerance is not reached within ``settings.max_sweeps``.
-    Cancelled
-        If ``cancel`` returned True.
     """
     setup = Setup(geometry=geometry, settings=settings)
     check_limits(setup.optics)
@@ -180,18 +176,16 @@ def gather(
     cancel: Cancel | None = None,
     out: Light | None = None,
 ) -> Light:
-    """Moments by ``first_order_radius`` or ``sweep_radius``, at all radii, on all cores.
+    """Moments at all radii by ``first_order_radius`` or ``sweep_radius``, on all cores.
 
     Parameters
     ----------
     batch : WavelengthBatch
         Set-up from ``Setup.batch``.
     kernel : callable
-        One of these two functions.
+        One of these functions.
     *light : array
         Its arguments after the set-up.
-    cancel : callable, optional
-        See ``airlight.kernel.threads``.
     out : Light, optional
         Arrays for the result.
 

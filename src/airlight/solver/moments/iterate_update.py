@@ -1,7 +1,6 @@
 """Next iterate after a sweep, with synthetic acceleration and over-relaxation.
 
-Loops run over one radius at a time, on all cores: the arrays exceed the caches, and whole-array
-operations would stream them from memory a dozen times.
+Loops run over one radius at a time, as the arrays exceed the caches.
 """
 
 from __future__ import annotations

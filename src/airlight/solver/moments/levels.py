@@ -117,7 +117,7 @@ def radial_grid(even: FloatArray, depths: Depths, count: int) -> RadialGrid:
     depths : Depths
         Optical depths at the same altitudes.
     count : int
-        Number of levels of a clear grid.
+        Number of levels in an optically thin medium.
     """
     total = depths.scattering[-1]
     thick = 1.0 - exp(-((total / THICK) ** 2))
@@ -144,11 +144,7 @@ def _layered(coordinate: FloatArray, depths: Depths, count: int) -> FloatArray:
     Parameters
     ----------
     coordinate : array, shape (m,)
-        That index without thin layers.
-    depths : Depths
-        Optical depths at the same altitudes.
-    count : int
-        Number of levels of a clear grid.
+        Fractional index without thin layers.
     """
     altitude, depth = depths.altitude, depths.scattering
     ends = sorted({end for layer in depths.layers for end in layer})
@@ -314,8 +310,6 @@ def between_levels(x, near, far, bend, near_scale, far_scale, level):
     ----------
     x : float
         Position between the levels, 0 to 1. [1]
-    near, far : float
-        Moment at the levels.
     bend : float
         Value of ``cubic_bend``, times ``smoothness``.
     near_scale, far_scale : float

@@ -37,11 +37,6 @@ def check_limits(optics: Optics) -> None:
     ----------
     optics : Optics
         Optics of a medium, with the degree of the harmonics.
-
-    Raises
-    ------
-    ParameterError
-        If the medium is too thick, also for its height or for its backward peak.
     """
     medium = optics.medium
     scattered = medium.columns[:, None] * medium.scattering

@@ -1,8 +1,8 @@
-"""Ray march: radiance along a line of sight from a solution's moments, for queries and pictures.
+"""Ray march: radiance along a line of sight from a solution's moments.
 
-The source function is integrated along the line. Single scattering uses the exact phase function
-and the exact shadow; the multiple-scattering source comes from the moments. All wavelengths are
-marched together, so that geometry is evaluated once per point.
+Single scattering uses the exact phase function and the exact shadow; the multiple-scattering source
+comes from the moments. All wavelengths are marched together, so that geometry is evaluated once per
+point.
 
 Restricted Python, shared by all backends: Numba compiles it for groups of eight wavelengths, the
 emitter translates it to shaders, whose single group is a texel.
@@ -138,12 +138,10 @@ def add_point(
     r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine, turn_sine, phase,
     phase_f12, tables, work, result,
 ):  # fmt: skip
-    """Add the source of one point of a panel to the result of a march.
+    """Add the source of one point of a panel to the result; further arguments as in ``march``.
 
     Parameters
     ----------
-    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, phase_f12, tables, work, result :
-        Arguments of ``march``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
     k, n : int
@@ -379,8 +377,6 @@ def multiple_scattering_at(row, sun, f, e, tables, work, at):
         Results of ``field_place``; the fractions in single precision.
     tables, work : MarchTables, MarchWorkspace
         Arguments of ``march``, after ``field_place``.
-    at : int
-        Index of the first lane.
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return multiple_scattering_source(

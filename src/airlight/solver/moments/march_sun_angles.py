@@ -117,7 +117,6 @@ def scattering_by_constituent(
 
     Parameters
     ----------
-    solution : MomentsSolution
     lines : LinesOfSight
         n lines of sight; neighbours with equal radius, view and length are marched together.
     orders : int
@@ -252,8 +251,6 @@ def _next_panel(count, tables, stars):
 
     Parameters
     ----------
-    count : int
-        Number of sun angles.
     tables, stars : MarchTables, SunAngleWorkspace
         Tables of the solution; workspace, whose ``together`` receives the indices.
 

@@ -1,8 +1,7 @@
 """Tables of a solution for the ray march, and its workspace, with the same names in all backends.
 
-On the CPU the spectral arrays have whole groups of eight lanes on the last axis; on a device
-each table is a part of a texture, a spectral element is a texel of four wavelengths, and the
-arrays of constant size.
+On the CPU the spectral arrays have whole groups of eight lanes on the last axis. On a GPU each
+table is a part of a texture, and a spectral element is a texel of four wavelengths.
 """
 
 from __future__ import annotations
@@ -244,13 +243,7 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
 
 
 def new_workspace(tables: MarchTables) -> MarchWorkspace:
-    """Workspace of one CPU thread.
-
-    Parameters
-    ----------
-    tables : MarchTables
-        Tables of the march.
-    """
+    """Workspace of one CPU thread."""
     count = tables.constituents
     points = max(int(tables.rules[int(tables.rules[k])]) for k in range(3))
     single = ("point_density", "depths", "functions")

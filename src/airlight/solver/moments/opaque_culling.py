@@ -25,13 +25,6 @@ MOST: Final = 0.5
 def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
     """Rays without points that are opaque at all eight wavelengths, and normalisation factors.
 
-    Parameters
-    ----------
-    rays : Rays
-        Rays for all wavelengths.
-    air : ScaledOptics
-        Optics of eight wavelengths.
-
     Returns
     -------
     rays : Rays
@@ -92,7 +85,6 @@ def ray_norm(first, points, columns, amounts, total, extinction, constituents):
         Optical depth of the whole ray. [1]
     extinction : lanes, shape (nc,)
         Extinction coefficients. [m⁻¹]
-    constituents : int
     """
     light = splat(0.0)
     for k in range(points):

@@ -218,15 +218,7 @@ def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Flo
 
 
 def day_weight(sun_cosines: FloatArray, dip: float) -> FloatArray:
-    """Weight of day: 0 at night, 1 by day, smooth through dusk. [1]
-
-    Parameters
-    ----------
-    sun_cosines : array, shape (s,)
-        Sun cosines. [1]
-    dip : float
-        Dip of the horizon, seen from the top of the shell. [rad]
-    """
+    """Weight of day: 0 at night, 1 by day, smooth through dusk. [1]"""
     height = np.clip(0.5 + np.arcsin(sun_cosines) / (_DUSK * dip), 0.0, 1.0)
     return np.asarray(height * height * (3.0 - 2.0 * height))
 

@@ -1,7 +1,4 @@
-"""Components of radiance: single scattering by constituent, multiple scattering, ground.
-
-Each component is marched separately; none is a difference.
-"""
+"""Components of radiance: single scattering by constituent, multiple scattering, ground."""
 
 from __future__ import annotations
 
@@ -48,13 +45,8 @@ def radiance_parts(solution: MomentsSolution, lines: LinesOfSight) -> Parts:
 
     Parameters
     ----------
-    solution : MomentsSolution
     lines : LinesOfSight
         n lines of sight.
-
-    Returns
-    -------
-    Parts
     """
     tables = solution.tables
     dark_air = tables._replace(field=_without_source(tables.field, solution))

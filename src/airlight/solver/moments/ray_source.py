@@ -152,8 +152,6 @@ def source_four_suns(
         Index of the radius below the point, and the point's fraction of the step above it.
     factors : lanes, shape (points, n)
         Factors from ``fill_factors``.
-    sun_angles : int
-        Number of sun angles.
     field : lanes, shape (r, s, 1 + k)
         As in ``sweep_radius``.
     start : int
@@ -164,8 +162,6 @@ def source_four_suns(
         Highest active degree at this point, and highest degree of the moments.
     rows : lanes, shape (points, s, n)
         Receives a node of ``source_at_point`` for each sun angle.
-    narrow : bool
-        See ``first_register``; a constant.
     """
     all_wide, orders, _ = order_registers(degree, narrow)
     registers = first_register(degree + 1, narrow)

@@ -74,7 +74,7 @@ class Rays(NamedTuple):
 
 @compiled_loop
 def _turn(r, mu, distance, radius, angle, out):
-    """Fill ``Rays.turn`` at a point of a ray, whose refraction up to there is ``angle``."""
+    """Row of ``Rays.turn`` at a point of a ray with the refraction angle ``angle`` up to it."""
     mu_along = min(max((r * mu + distance) / radius, -1.0), 1.0)
     out[0], out[2] = turned(mu_along, r / radius, 0.0, angle)
     out[1], out[3] = turned(mu_along, distance / radius, 1.0, angle)
@@ -85,7 +85,7 @@ def _turn(r, mu, distance, radius, angle, out):
 def trace_into(
     grid, mu, panels, rule, nodes, strongest, refraction_strength, ends, edges, path, rays
 ):
-    """Fill ``rays``, see ``trace_rays``; returns the number of points."""
+    """Rays of ``trace_rays`` written to ``rays``; returns the number of points."""
     count = 0
     end = np.empty(4)
     constituents = nodes[1].shape[1]
@@ -151,7 +151,7 @@ def trace_rays(
     Parameters
     ----------
     grid : MomentsGrid
-        MomentsGrid whose radii the rays start from.
+        Grid whose radii the rays start from.
     density : DensitySegments
         Density profiles.
     strongest : array, shape (nc,)

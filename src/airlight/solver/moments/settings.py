@@ -38,8 +38,7 @@ class MomentsSettings:
     march_nodes, march_panels : int
         Points per panel and panels per leg of a ray march.
     cut_nodes : tuple of int
-        Points per panel with layers aloft: on steep lines by day, on most lines, and on those that
-        graze the ground.
+        Points per panel with layers aloft: on steep lines by day, most lines, and grazing lines.
     cut_panels : int
         Panels per leg there, before those of the layers.
     layer_degree : int
@@ -141,11 +140,5 @@ QUALITIES: Final = {
 
 
 def settings_for(quality: str | MomentsSettings) -> MomentsSettings:
-    """Settings of a named quality level; settings are returned unchanged.
-
-    Raises
-    ------
-    ParameterError
-        If the name is not one of ``QUALITIES``.
-    """
+    """Settings of a named quality level; settings are returned unchanged."""
     return settings_by_name(quality, QUALITIES)

@@ -1,4 +1,4 @@
-"""MomentsGrid, rays and optics that a solve derives from a medium, shared by CPU, GPU and browser.
+"""Grid, rays and optics derived from a medium, shared by CPU, GPU and browser.
 
 ``Setup`` is shared by all wavelengths; ``WavelengthBatch`` adds those that are solved together.
 """
@@ -74,10 +74,10 @@ class Setup:
     geometry : RefractedGeometry
         Refracted geometry of a medium with any number of wavelengths and constituents.
     settings : MomentsSettings
-        MomentsGrid sizes and tolerance.
+        Grid sizes and tolerance.
     extinction_headroom : float
-        Factor of the extinction for which grid and rays are made: above 1 if later edits that
-        increase extinction reuse them. [1]
+        Factor of the extinction for which grid and rays are made; above 1 if they are reused after
+        edits that increase extinction. [1]
     """
 
     geometry: RefractedGeometry
@@ -128,7 +128,7 @@ class Setup:
 
     @cached_property
     def gathering(self) -> MomentsGrid:
-        """MomentsGrid with only the radii of the sweep."""
+        """Grid with only the radii of the sweep."""
         return self.grid._replace(radii=self.grid.radii[:: self.refinement])
 
     @cached_property

@@ -95,7 +95,7 @@ class MomentsSolution(Solution):
         return Setup(geometry=self.geometry, settings=self.settings)
 
     def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
-        """See ``Solution``."""
+        """Solution under another light source; see ``Solution``."""
         tables = self.tables._replace(
             star_radius=source.angular_radius, darkening=pack(source.darkenings.T)
         )
@@ -232,13 +232,6 @@ class MomentsSolution(Solution):
     ) -> tuple[FloatArray, FloatArray]:
         """Path radiance, and total radiance with that of the ground.
 
-        Parameters
-        ----------
-        lines : LinesOfSight
-            n lines of sight.
-        orders : int
-            As for ``radiance_per_irradiance``.
-
         Returns
         -------
         air, whole : array, shape (n, nl)
@@ -261,8 +254,6 @@ class MomentsSolution(Solution):
         length : array, shape (n,)
             Lengths in the optical radius, from ``geometry.optical_length``, at most those of the
             lines. [m]
-        tables : MarchTables, optional
-            Modified tables, instead of ``self.tables``.
 
         Returns
         -------

@@ -38,8 +38,8 @@ def solve(
 ) -> MomentsSolution:
     """Solution of a medium, computed or from the cache.
 
-    If energy is created or the iteration does not converge, and there are layers aloft that do not
-    count as thin, the medium is solved again with grids that resolve all layers.
+    If the energy balance is violated or the iteration does not converge, a medium with thick layers
+    aloft is solved again with grids that resolve them.
 
     Parameters
     ----------
@@ -136,8 +136,6 @@ def solve_work(quality: str | MomentsSettings, wavelengths: int) -> float:
     ----------
     quality : str or MomentsSettings
         Quality of the solution.
-    wavelengths : int
-        Number of wavelengths.
     """
     settings = settings_for(quality)
     degree = settings.thick_degree

@@ -1,7 +1,4 @@
-"""Source function at a point of a line of sight: single and multiple scattering, separately.
-
-The march runs these for a group of lanes at a time: eight wavelengths on the CPU, four in a shader.
-"""
+"""Source function at a point of a line of sight: single and multiple scattering, separately."""
 
 from __future__ import annotations
 
@@ -98,8 +95,6 @@ def multiple_scattering_source(
 
     Parameters
     ----------
-    density : array, shape (nc,)
-        Relative densities. [1]
     moments : lanes, shape (nc, N + 1)
         Moments of ``ScaledOptics``. [m⁻¹]
     polarised_moments : lanes, shape (nc, 4)
@@ -216,8 +211,6 @@ def direct_horizontal(below, above, from_low, from_high, extinction, constituent
         Columns towards the two points that represent the star. [m]
     from_low, from_high : float
         Weights from ``direct_horizontal_weights``. [1]
-    extinction, constituents :
-        As in ``transmittance_columns``.
     """
     low = transmittance_columns(below, extinction, constituents)
     high = transmittance_columns(above, extinction, constituents)

@@ -30,8 +30,6 @@ def contracted(factors, point, field, level, sun, f, m, degree, narrow):
     ----------
     factors : lanes, shape (points, n)
         Strength of each degree times Legendre function, in the order of ``first_register``.
-    point : int
-        Index of the point.
     field : lanes, shape (r, s, 1 + k)
         Field as in ``sweep_radius``.
     level, sun : int

@@ -124,8 +124,6 @@ class SpectralGuess:
 
         Parameters
         ----------
-        wavelengths : array, shape (w,)
-            Wavelengths. [nm]
         change : array, shape (w,)
             Largest relative change of the mean radiance by all sweeps. [1]
         """

@@ -46,8 +46,6 @@ def place_stars(
         Index of the ray's first point in ``turned``, and number of its points.
     azimuths : array, shape (2·c,)
         Cosines, then sines of the azimuths in groups of eight. [1]
-    first : int
-        Index of the first azimuth.
     sine_s, mu_s : float32
         Sine and cosine of the star's zenith angle at the start of the ray. [1]
     places : array
@@ -133,7 +131,6 @@ def place_star_points(
         Radius [m], (top - radius)(top + radius) [m²], shortest distance to the top [m], steps of
         the tabulated directions per distance [m⁻¹]; cosines of the horizon's true and geometric
         zenith angles, and sine of the latter [1].
-    points : int
     ahead : lanes
         Component of the star along the ray's plane, at its start. [1]
     mu_s : float32
@@ -142,7 +139,6 @@ def place_star_points(
         Angular radius of the star; not 0. [rad]
     lifts : array, shape (points·2·columns,)
         Rows from ``fill_refraction_row``.
-    columns : int
     disc : array
         Table from ``fill_disc``.
     directions : int

@@ -145,13 +145,7 @@ class Iteration:
             self.remaining_error, self._fewest = change, 0
 
     def unfinished(self) -> bool:
-        """Whether another order is needed.
-
-        Raises
-        ------
-        ConvergenceError
-            If more than the largest number of sweeps is needed, or predicted to be.
-        """
+        """Whether another order is needed."""
         if self.sweeps >= self._fewest and self.remaining_error.max() <= self.tolerance:
             return False
         self._look_ahead()

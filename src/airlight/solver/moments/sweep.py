@@ -227,14 +227,10 @@ def sweep_radius(
 
     Parameters
     ----------
-    i : int
-        Index of the radius.
     grid, rays, azimuths, air : MomentsGrid, Rays, Azimuths, ScaledOptics
         Shell, its rays, and its optics.
     norm : array, shape (r, a, 8)
         Normalisation factors from ``cull_opaque``. [1]
-    expansion : Harmonics
-        Harmonics of the moments.
     field : array, shape (r, s, 1 + k, 8)
         Moments of the previous orders, as (s, M·s) per node; see the head of this file.
     ground : array, shape (1, s, 2, 8)

@@ -46,8 +46,6 @@ class SyntheticAcceleration:
     ----------
     batch : WavelengthBatch
         Set-up of the sweeps.
-    cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
 
     def __init__(self, batch: WavelengthBatch, cancel: Cancel | None = None) -> None:
@@ -196,8 +194,6 @@ def take_terms(field, sky, m, degree, first, out):
         Moments, and irradiances from above.
     m, degree : int
         Order of the moments, and highest degree.
-    first : int
-        Index of the first sun angle.
     out : array, shape (n, sun_angles, 8)
         Receives the moments by radius, then degree.
     """
@@ -258,10 +254,7 @@ def spread_onto(matrix, values, terms, inner, scale, out):
 
 @compiled_loop
 def multiply(matrix, values, out):
-    """Product of a matrix (r, k, 8) and values (k, s, 8) per wavelength, into ``out`` (r, s, 8).
-
-    Further values are left out.
-    """
+    """Product of a matrix (r, k, 8) and values (k, s, 8) per wavelength, into ``out`` (r, s, 8)."""
     factors, given, found = lane_view(matrix), lane_view(values), lane_view(out)
     for r in range(found.shape[0]):
         for s in range(found.shape[1]):

@@ -44,11 +44,6 @@ def eclipsed_estimate(
     -------
     Estimate
         Estimate with all orders sampled.
-
-    Raises
-    ------
-    Cancelled
-        If the solution's ``cancel`` returned True.
     """
     started = perf_counter()
     at = np.atleast_2d(np.asarray(points, float))

@@ -85,7 +85,7 @@ class Query:
     known : array, shape (n, 3, nl), or None
         I, Q and U of the first order, if it is not sampled.
     order : int or None
-        Order whose error decides; None: all orders together.
+        Order whose standard error determines the number of histories; None: sum of all orders.
     occulted : sequence of OccultedStar, optional
         Moon in front of the star for each start, in its own frame (``events.start_vectors``), with
         all wavelengths.
@@ -112,19 +112,10 @@ def estimate(
 
     Parameters
     ----------
-    query : Query
     airs : sequence of HistoryOptics, length nl
         Optical properties at each wavelength.
     wavelengths : array, shape (nl,)
         Wavelengths, from which the streams of random numbers are derived. [nm]
-    settings : MonteCarloSettings
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
     """
     n, count = query.starts.shape[0], len(airs)
     bins = settings.kept_orders + 1

@@ -102,8 +102,6 @@ def trace_paths(
 
     Parameters
     ----------
-    count : int
-        Number of histories.
     start : tuple of float
         Radius [m], cosines of view zenith, star zenith and the angle between them [1].
     hemisphere : bool
@@ -113,7 +111,6 @@ def trace_paths(
         Lowest order that is counted.
     sun_sampling_fraction : float
         Fraction of sun-biased points; see ``sun_biased_sampling``. [1]
-    air : HistoryOptics
     occulted : OccultedStar
         Moon in front of the star, in the frame of ``start_vectors``; without lanes for none.
     state : array, shape (1,)

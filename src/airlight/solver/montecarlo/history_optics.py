@@ -97,10 +97,6 @@ def history_optics(
 
     Parameters
     ----------
-    geometry : RefractedGeometry
-        Refracted geometry of the medium.
-    wavelength : int
-        Index of the wavelength.
     polarised : bool
         Whether histories carry polarisation.
     """
@@ -195,9 +191,8 @@ def running_depths(r, mu, extinction, path, distances, out):
     ----------
     r, mu : array, shape (n,)
         Start of the rays. [m], [1]
-    extinction, path : Extinction, Trace
     distances, out : array, shape (n, m)
-        Receive distances [m] and depths [1]; the remainder is unchanged.
+        Receive distances [m] and depths [1].
     """
     nodes, running = extinction.nodes, extinction.running
     for k in range(r.size):

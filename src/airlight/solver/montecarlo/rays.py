@@ -175,7 +175,6 @@ def trace_optical_depth(r, mu, to_ground, extinction, path):
         Start of the ray. [m], [1]
     to_ground : bool
         Whether the ray ends on the ground rather than at the top.
-    extinction : Extinction
     path : Trace
         Receives the panels.
 
@@ -338,9 +337,6 @@ def depth_within(at, t, base, before, extinction, path):
         Index of the panel, and panel variable.
     base : int
         Index of the rule's point just below t; -1 is the panel's start.
-    before : float
-        Optical depth from the panel's start to that point.
-    extinction, path : Extinction, Trace
     """
     table = extinction.table
     scale = (table.size - 1) / sqrt(extinction.top - extinction.bottom)

@@ -98,7 +98,6 @@ def refraction_on_path(r, mu, along, bottom, thickness, refraction):
         Length of the segment in the optical radius. [m]
     bottom, thickness : float
         Optical radius of the ground and thickness of the shell. [m]
-    refraction : RefractionColumn
 
     Returns
     -------
@@ -154,7 +153,6 @@ def apparent_direction(x, y, z, r, a, b, c, bottom, top, refraction):
         True direction of the point of the star. [1]
     bottom, top : float
         Optical radii of the ground and of the top. [m]
-    refraction : RefractionColumn
 
     Returns
     -------
@@ -179,7 +177,6 @@ def refracted_direct_irradiance(
 
     Parameters
     ----------
-    geometry : RefractedGeometry
     star_radius : float
         Angular radius of the star. [rad]
     r, mu_s : array, shape (n,)

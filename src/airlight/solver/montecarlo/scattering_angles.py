@@ -76,12 +76,6 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
     """Phase functions of a medium at one of its wavelengths.
 
     Tables are normalised, since those of a planet integrate to 1 only within 0.001.
-
-    Parameters
-    ----------
-    medium : Medium
-    wavelength : int
-        Index of the wavelength.
     """
     count = len(medium.names)
     kinds, parameters = np.zeros(count, np.int64), np.zeros((count, 3))
@@ -199,8 +193,6 @@ def henyey_greenstein_cosine(u, g):
 
     Parameters
     ----------
-    u : float
-        Random number, 0 to 1.
     g : float
         Mean cosine, between -1 and 1.
 
@@ -277,9 +269,6 @@ def random_cosine(lobes, i, state):
 
     Parameters
     ----------
-    lobes : Lobes
-    i : int
-        Index of a scattering constituent.
     state : array, shape (1,)
         Stream of random numbers.
 
@@ -315,8 +304,6 @@ def lobe_value(lobes, i, nu):
 
     Parameters
     ----------
-    lobes : Lobes
-    i : int
     nu : float
         Cosine of the scattering angle. [1]
     """
@@ -347,15 +334,7 @@ def lobe_value(lobes, i, nu):
 
 @compiled_loop
 def lobe_ratios(lobes, i, nu):
-    """Elements F₁₂, F₂₂, F₃₃, F₃₄, F₄₄ of constituent i's phase matrix over its phase function. [1]
-
-    Parameters
-    ----------
-    lobes : Lobes
-    i : int
-    nu : float
-        Cosine of the scattering angle. [1]
-    """
+    """Elements F₁₂, F₂₂, F₃₃, F₃₄ and F₄₄ over F₁₁ of constituent i's phase matrix. [1]"""
     if lobes.kinds[i] == RAYLEIGH:
         across, along, turned, circular = rayleigh_ratios(nu, lobes.parameters[i, 0])
         return across, along, turned, 0.0, circular

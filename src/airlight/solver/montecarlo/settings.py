@@ -64,11 +64,5 @@ QUALITIES: Final = {
 
 
 def settings_for(quality: str | MonteCarloSettings) -> MonteCarloSettings:
-    """Settings of a named quality level; settings are returned unchanged.
-
-    Raises
-    ------
-    ParameterError
-        If the name is not one of ``QUALITIES``.
-    """
+    """Settings of a named quality level; settings are returned unchanged."""
     return settings_by_name(quality, QUALITIES)

@@ -85,8 +85,6 @@ class MonteCarloSolution(Solution):
         Medium to solve.
     settings : MonteCarloSettings
         Stopping rule.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; for every result.
     """
 
     def __init__(
@@ -119,9 +117,9 @@ class MonteCarloSolution(Solution):
 
         Parameters
         ----------
-        lines : LinesOfSight
         order : int, optional
-            Order whose error decides when to stop; default: all orders together.
+            Order whose standard error determines the number of histories; default: sum of all
+            orders.
         """
         started = perf_counter()
         known = self.first_order(lines) if self._integrates_first_order else None
@@ -185,13 +183,7 @@ class MonteCarloSolution(Solution):
         return self.settings.polarisation
 
     def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; all orders, or the first if computed by quadrature.
-
-        Raises
-        ------
-        ParameterError
-            If another order is requested.
-        """
+        """See ``Solution``; all orders, or the first if computed by quadrature."""
         if order is None:
             got = self.trace(lines)
             return np.concatenate([got.total[:, None], got.polarised], axis=1)
@@ -247,7 +239,7 @@ class MonteCarloSolution(Solution):
         }
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """See ``Solution``; all orders sampled, also in direction."""
+        """See ``Solution``; all orders and directions are sampled."""
         return self._sky(r, mu_s).total
 
     def _sky(self, r: FloatArray, mu_s: FloatArray) -> Estimate:
@@ -297,14 +289,6 @@ class MonteCarloSolution(Solution):
             ``stokes``, ``stokes_radiance`` and ``stokes_standard_error`` of shape
             (..., stokes, wavelength); for a vertical line, errors of Q and U are assumed
             independent.
-
-        Raises
-        ------
-        ParameterError
-            If a value is out of its range, the shapes do not broadcast, or Stokes parameters are
-            requested of a scalar solution.
-        Cancelled
-            If ``cancel`` returned True.
         """
         if stokes:
             self.check_polarised()
@@ -356,7 +340,7 @@ class MonteCarloSolution(Solution):
 def _turned(
     whole: FloatArray, polarised: FloatArray, view_zenith: FloatArray, azimuth: FloatArray
 ) -> FloatArray:
-    """I, Q and U in the frame of the observer's azimuths, (n, 3, nl); see ``to_meridian``."""
+    """I, Q and U in the meridian frame of the observer's azimuths, (n, 3, nl)."""
     return to_meridian(np.concatenate([whole[:, None], polarised], axis=1), view_zenith, azimuth)
 
 
@@ -374,7 +358,6 @@ def disc_mean(
 
     Parameters
     ----------
-    medium : Medium
     element : callable
         Function of cosines of scattering angles: ``medium.phase_function`` or ``.phase_f12``.
     nu : array, shape (n,)

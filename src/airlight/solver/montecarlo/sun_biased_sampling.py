@@ -124,7 +124,6 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, star_transmittance
         between them. [m], [1]
     count : int
         Number of panels, from ``trace_optical_depth``.
-    extinction, star_transmittance, path : Extinction, StarTransmittance, Trace
     sampling : SamplingDensity
         Receives the pieces.
 

@@ -1,1 +1,1 @@
-"""Labelled tables, their layouts and look-up; columns; results kept on disk."""
+"""Labelled tables, their layouts and look-up, and columns."""

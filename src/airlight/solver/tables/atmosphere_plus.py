@@ -1,4 +1,4 @@
-"""Layout of a three-dimensional table of scattered light, Atmosphere Plus: (h, φ, δ).
+"""Layout of a three-dimensional scattering table, Atmosphere Plus: (h, φ, δ).
 
 The axes are altitude and the cosines of the view's and of the sun's zenith angle, by the linear,
 the power or the weighted power mapping; there is no azimuth. In a texture, altitude is the width,
@@ -63,7 +63,7 @@ class AtmospherePlusGrid(NamedTuple):
     altitudes, views, suns : int
         Texels along each axis.
     first_sky : array, shape (altitudes,)
-        First view texel at each altitude that sees the sky; those before it see the ground.
+        Index of the first view texel above the horizon at each altitude.
     """
 
     bottom_radius: float
@@ -236,7 +236,7 @@ class AtmospherePlusLayout(TableLayout):
     lower_weight, surface_slope, surface_offset : float
         Weights w_L1, w_S1 and w_S0 of the weighted power mapping, 0 or more, together below 1. [1]
     azimuth : float
-        Azimuth of the texels' points; 0 looks to the sun's side. [deg]
+        Azimuth of the texels; 0 towards the sun. [deg]
     """
 
     kind: ClassVar[str] = "atmosphere-plus"
@@ -379,7 +379,7 @@ class AtmospherePlusLayout(TableLayout):
 
 
 def at_azimuth(positions: Positions, azimuth: float) -> Positions:
-    """The same points with the view at this azimuth from the sun. [deg]"""
+    """Points with views at this azimuth from the sun. [deg]"""
     mu, mu_s = positions.mu, positions.mu_s
     spread = np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
     nu = np.clip(mu * mu_s + spread * np.cos(np.radians(azimuth)), -1.0, 1.0)

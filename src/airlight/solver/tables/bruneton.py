@@ -1,4 +1,4 @@
-"""Layout of a four-dimensional table of scattered light, Bruneton's 2017 (r, mu, mu_s, nu).
+"""Layout of a four-dimensional scattering table, Bruneton's 2017 (r, mu, mu_s, nu).
 
 The axis of views has two halves, one on each side of the horizon. In a texture, mu_s and nu share
 the width, mu_s running fastest, mu is the height and r the depth: 256 x 128 x 32 for the usual
@@ -67,10 +67,6 @@ def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
         Whether the line of sight ends on the ground, which selects the half of the views.
     grid : BrunetonGrid
         Parameters of the layout.
-
-    Returns
-    -------
-    four tuples of (int, int, float)
     """
     bottom, top = grid.bottom_radius, grid.top_radius
     x = view_coordinate(r, mu, to_ground, bottom, top)
@@ -93,8 +89,6 @@ def bruneton_look_up(values, r, mu, mu_s, nu, to_ground, grid, out):
     values : array, shape (radii, views, suns, angles, channels)
     r, mu, mu_s, nu, to_ground : array, shape (n,)
         Arguments of ``bruneton_corners``.
-    grid : BrunetonGrid
-        Parameters of the layout.
     out : array, shape (n, channels)
         Receives the values.
     """
@@ -160,8 +154,8 @@ class BrunetonLayout(TableLayout):
     radii, views, suns, angles : int
         Texels along each axis; ``views`` is even and at least 4.
     mu_s_min : float, optional
-        Lowest cosine of the sun's zenith angle in the table, -1 to 0; if left out, that at which
-        twilight ends on this planet (``geometry.mappings.scattering.lowest_sun_cosine``). [1]
+        Lowest cosine of the sun's zenith angle in the table, -1 to 0; default: the end of twilight
+        (``geometry.mappings.scattering.lowest_sun_cosine``). [1]
     """
 
     kind: ClassVar[str] = "bruneton-scattering"

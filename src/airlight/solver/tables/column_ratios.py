@@ -29,11 +29,6 @@ def rational_mean_density(table: ColumnTable) -> FloatArray:
     plane-parallel geometry, where m does not depend on direction. The column is this ratio times
     the distance to the top. Below 1e-6 of its largest value m is interpolated linearly.
 
-    Parameters
-    ----------
-    table : ColumnTable
-        Columns.
-
     Returns
     -------
     array, shape (radii, directions, nc, 2)

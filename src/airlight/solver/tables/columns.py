@@ -308,8 +308,6 @@ class ColumnTable:
         ----------
         bottom_radius, top_radius : float
             Radii of the ground and of the top of the shell. [m]
-        density : DensitySegments
-            The profiles.
         shape : tuple of int
             Numbers of rows and of directions.
         radii : array, optional

@@ -1,4 +1,4 @@
-"""Layout of a table of the sky's light on level ground, Bruneton's 2017 (r, mu_s)."""
+"""Layout of a table of diffuse horizontal irradiance, Bruneton's 2017 (r, mu_s)."""
 
 from __future__ import annotations
 

@@ -1,10 +1,7 @@
 """Interface of table layouts: positions of texels and interpolation between them.
 
-A table of light or transmittance is an array whose axes follow a mapping of physical quantities.
-A layout knows the mapping but not the values; code that fills a table asks it for the points of
-its texels. Interpolation is linear along every axis, and never across the horizon: a view of the
-sky is interpolated from texels that see the sky, a view of the ground from texels that see the
-ground.
+A layout maps physical quantities to the axes of a table. Interpolation is linear along every axis,
+and never across the horizon.
 """
 
 from __future__ import annotations
@@ -30,7 +27,7 @@ MOST_TEXELS = 1 << 26
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
-    """Axis of a table, described for its readers.
+    """Description of an axis of a table.
 
     Attributes
     ----------
@@ -43,7 +40,7 @@ class Axis:
     unit : str
         Unit of the quantity.
     parameters : mapping
-        Numbers that the mapping needs.
+        Parameters of the mapping.
     """
 
     name: str
@@ -86,7 +83,7 @@ class Positions:
         bottom_radius: float,
         to_ground: ArrayLike | None = None,
     ) -> Positions:
-        """Make points from arrays that broadcast; without ``to_ground`` the geometry decides."""
+        """Points from arrays that broadcast; ``to_ground`` by default follows from the geometry."""
         cosines = [values_in(one, "1", name) for one, name in
                    ((mu, "mu"), (mu_s, "mu_s"), (nu, "nu"))]  # fmt: skip
         arrays = np.broadcast_arrays(values_in(r, "m", "r"), *cosines)
@@ -107,7 +104,7 @@ class Positions:
         )
 
     def joined(self, other: Positions) -> Positions:
-        """These points, then others."""
+        """Concatenation with other points."""
         return Positions(
             *(
                 np.concatenate([getattr(self, one), getattr(other, one)])
@@ -134,7 +131,7 @@ class TableLayout(ABC):
     @property
     @abstractmethod
     def axes(self) -> tuple[Axis, ...]:
-        """Axes in the order of the array's, without the channels, which come last."""
+        """Axes in array order, without the channels, which are last."""
 
     @property
     @abstractmethod
@@ -147,7 +144,7 @@ class TableLayout(ABC):
 
     @abstractmethod
     def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
-        """Interpolate between texels.
+        """Linear interpolation between texels.
 
         Parameters
         ----------
@@ -155,15 +152,11 @@ class TableLayout(ABC):
             Stored values, float32 or float64.
         positions : Positions
             Points, n of them.
-
-        Returns
-        -------
-        array, shape (n, channels)
         """
 
     @abstractmethod
     def parameters(self) -> dict[str, Any]:
-        """Arguments that make an equal layout: ``type(layout)(**layout.parameters())``."""
+        """Constructor arguments: ``type(layout)(**layout.parameters())`` is an equal layout."""
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -77,11 +77,6 @@ def refraction_table(
         Apparent less true cosine, and d apparent/d true. Rows are even in the distance to the
         horizon, from the ground to the top; columns are even in the square root of the true cosine
         less that of the horizon's true direction, up to the zenith. [1]
-
-    Raises
-    ------
-    ParameterError
-        If a star would have several apparent elevations, as in a mirage.
     """
     x = vectorized(radius_from_coordinate)(np.linspace(0.0, 1.0, SHAPE[0]), bottom, top)
     # Slightly above the horizon, so that rounding does not send the ray into the ground.

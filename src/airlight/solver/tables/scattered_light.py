@@ -1,10 +1,10 @@
-"""Radiance of the air from tables: parts of scattered light, each times its phase function.
+"""Path radiance from tables: sum of parts, each times its phase function.
 
-A table without the angle between view and sun, or with few texels along it, cannot resolve the peak
-of a phase function. So light is packed as a smooth part, to be multiplied by the gas's phase
-function, and single scattering by particles, to be multiplied by theirs. The particles' part has a
-table of its own, or one channel: then its colours follow the smooth part (Bruneton & Neyret 2008,
-section 4) or are grey (Atmosphere Plus notes, first print, section 2.3).
+Few texels along the angle between view and sun do not resolve the peak of a phase function.
+Radiance is therefore the sum of a smooth part times the phase function of the gas, and of single
+scattering by particles times theirs. The latter has a separate table, or one channel, whose colours
+follow the smooth part (Bruneton & Neyret 2008, section 4) or are grey (Atmosphere Plus notes, first
+print, section 2.3).
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class PhaseFunctions:
     values: FloatArray
 
     def at(self, name: str, nu: FloatArray) -> FloatArray:
-        """Phase function of one constituent, linear in u, from nu (...) to (..., nl). [sr⁻¹]"""
+        """Phase function of a constituent, linear in u, from nu (...) to (..., nl). [sr⁻¹]"""
         rows = self._by_node[self.names.index(name)]
         x = np.sqrt(np.clip(0.5 * (1.0 - nu), 0.0, 1.0)) * (len(rows) - 1)
         low = np.minimum(x.astype(int), len(rows) - 2)
@@ -50,30 +50,26 @@ class PhaseFunctions:
 
     @cached_property
     def _by_node(self) -> FloatArray:
-        """Values with all wavelengths of a node side by side, shape (np, nodes, nl). [sr⁻¹]"""
+        """Values with the wavelength axis last, shape (np, nodes, nl). [sr⁻¹]"""
         return np.ascontiguousarray(np.swapaxes(self.values, 1, 2))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ScatteredLight:
-    """Radiance of the air per irradiance of the star, reconstructed from tables.
+    """Path radiance per irradiance of the star, reconstructed from tables.
 
     Parameters
     ----------
     packing : str
         One of ``PACKINGS``. ``phase-included``: the table ``scattering`` alone. ``separate``: it is
-        multiplied by the first phase function, and each kind of particles has a further table and
-        phase function. ``combined`` and ``rgba``: the last channel of ``scattering`` holds the
-        particles' light, to be multiplied by the phase function ``particles``, if there is one.
-    tables : mapping of str to Table
-        Tables by name.
-    phases : PhaseFunctions
-        Phase functions by name.
+        multiplied by the first phase function, and each type of particles has a further table and
+        phase function. ``combined`` and ``rgba``: the last channel of ``scattering`` is multiplied
+        by the phase function ``particles``, if any.
     colours : array, shape (nl,)
-        Ratio of particles' light to smooth light at each wavelength, relative to the ratio at the
-        wavelength ``reference``; only for ``combined``. [1]
+        Ratio of the particles' to the smooth part, over that at the wavelength ``reference``; only
+        for ``combined``. [1]
     reference : int
-        Index of the wavelength of the particles' light in the last channel.
+        Index of the wavelength of the last channel.
     """
 
     packing: str
@@ -87,7 +83,7 @@ class ScatteredLight:
             raise ParameterError("packing", self.packing, ", ".join(PACKINGS))
 
     def relative_radiance(self, positions: Positions) -> FloatArray:
-        """Radiance of the air alone, without the ground's, shape (n, nl). [sr⁻¹]"""
+        """Path radiance, shape (n, nl). [sr⁻¹]"""
         main = self.tables["scattering"].at(positions)
         if self.packing == "phase-included":
             return main
@@ -107,13 +103,10 @@ class ScatteredLight:
 
 
 def proportional(smooth: FloatArray, colours: FloatArray, reference: int) -> FloatArray:
-    """Colours of the particles' light in proportion to the smooth light's, 1 at the reference. [1]
+    """Colours of the particles' part, proportional to the smooth part, 1 at the reference. [1]
 
     Parameters
     ----------
-    smooth : array, shape (n, nl)
-    colours : array, shape (nl,)
-        See ``ScatteredLight``.
     reference : int
         Index of the reference wavelength.
     """

@@ -50,14 +50,9 @@ class Table:
     values : array, shape (..., channels)
         Stored values: float16, float32 or float64.
     scale : float
-        Factor of the stored values; 1 unless in half precision.
+        Factor of the stored values; 1 except in half precision.
     provenance : mapping of str to str
         Origin of the values.
-
-    Raises
-    ------
-    ParameterError
-        If the shape or the type does not fit.
     """
 
     name: str
@@ -96,7 +91,7 @@ class Table:
         return np.ascontiguousarray(self.values * self.values.dtype.type(self.scale))
 
     def at(self, positions: Positions) -> FloatArray:
-        """Interpolate at ``n`` points, shape (n, channels); on all cores."""
+        """Interpolated values at n points, shape (n, channels), on all cores."""
         out = np.empty((len(positions), len(self.channels)))
         values = self.physical
 
@@ -116,7 +111,7 @@ class Table:
         *,
         to_ground: ArrayLike | None = None,
     ) -> FloatArray:
-        """Interpolate at coordinates that broadcast.
+        """Interpolated values at coordinates that broadcast.
 
         Parameters
         ----------
@@ -124,7 +119,7 @@ class Table:
             Radius [m]; cosines of view zenith, sun zenith and the angle between view and sun [1].
             Coordinates for which the layout has no axis are ignored.
         to_ground : array of bool, optional
-            Whether the line of sight ends on the ground; if left out, the geometry decides.
+            Whether the line of sight ends on the ground; default: by the geometry.
 
         Returns
         -------
@@ -139,10 +134,10 @@ class Table:
 
 
 def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
-    """Values as a table stores them, and the scale by which to multiply them.
+    """Stored values, and their scale.
 
-    Half precision holds 6e-8 to 65504 only: the values are divided by the power of two that
-    brings the largest just below 32768, so that a sky keeps eleven decades.
+    For half precision, 6e-8 to 65504, values are divided by the power of two that brings the
+    largest just below 32768.
 
     Parameters
     ----------
@@ -174,13 +169,7 @@ def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
 
 
 def layout_of(kind: str, parameters: Mapping[str, Any]) -> TableLayout:
-    """Layout of the name and parameters in a manifest.
-
-    Raises
-    ------
-    ParameterError
-        If there is no such layout, or a parameter is missing, unknown or out of range.
-    """
+    """Layout of the name and parameters in a manifest."""
     if kind not in LAYOUTS:
         raise ParameterError("layout", kind, ", ".join(LAYOUTS))
     try:

@@ -1,8 +1,7 @@
-"""Look-ups of baked tables as shaders read them: texel by texel, four channels at a time.
+"""Shader look-ups of baked tables, texel by texel.
 
-They are emitted to shading languages (``engines.baking.look_up_code``) and give the numbers of the
-layouts' own ``interpolate``, on the same mappings. A table is a texture in the order of its memory;
-an index reads one texel of it.
+Kernels that are emitted by ``baking.look_up_code`` and equal ``interpolate`` of the layouts. A
+table is a texture in memory order, indexed by texel.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ from airlight.kernel.lanes import splat
 
 
 class TextureShape(NamedTuple):
-    """Numbers of the textures of one bake, constants of a shader.
+    """Parameters of the textures of a bake, constants of a shader.
 
     Attributes
     ----------
@@ -67,7 +66,7 @@ def ends_on_ground(r, mu, shape):
 
 @inlined
 def row_at(table, near, l0, l1, k0, k1, c, d, shape):
-    """Values of one view at one radius, linear along nu and mu_s, in the stored unit.
+    """Values at a view and a radius, bilinear in nu and mu_s, in the stored unit.
 
     Parameters
     ----------
@@ -78,9 +77,9 @@ def row_at(table, near, l0, l1, k0, k1, c, d, shape):
     l0, l1, k0, k1 : int
         Neighbours along nu and along mu_s.
     c, d : float
-        Shares of the second along each. [1]
+        Weights of the second neighbour along each. [1]
     shape : TextureShape
-        Numbers of the textures.
+        Parameters of the textures.
     """
     low, high = (near + l0) * shape.suns, (near + l1) * shape.suns
     first = table[low + k0] * np.float32(1.0 - d) + table[low + k1] * np.float32(d)
@@ -90,18 +89,14 @@ def row_at(table, near, l0, l1, k0, k1, c, d, shape):
 
 @inlined
 def scattering_at(table, r, mu, mu_s, nu, to_ground, shape):
-    """Values of a table of scattered light, linear along each axis, in the stored unit.
+    """Values of a scattering table, linear along each axis, in the stored unit.
 
     Parameters
     ----------
-    table : array
-        Texels: mu_s runs fastest, then nu, mu, r.
     r, mu, mu_s, nu : float
         Radius [m]; cosines of the zenith angles of view and sun, and of the angle between them [1].
     to_ground : bool
         Whether the line of sight ends on the ground, which selects the half of the views.
-    shape : TextureShape
-        Numbers of the textures.
     """
     bottom, top = shape.bottom, shape.top
     half = shape.views // 2
@@ -131,10 +126,6 @@ def phase_at(table, nu, row, shape):
         Texels: u runs fastest, then the functions.
     nu : float
         Cosine of the angle between view and sun. [1]
-    row : int
-        Index of the function.
-    shape : TextureShape
-        Numbers of the textures.
     """
     u = sqrt(min(max(0.5 * (1.0 - nu), 0.0), 1.0))
     low, high, f = cell(u * (shape.nodes - 1), 0, shape.nodes - 1)
@@ -144,12 +135,10 @@ def phase_at(table, nu, row, shape):
 
 @inlined
 def light_at(table, phases, r, mu, mu_s, nu, to_ground, row, scale, shape):
-    """Radiance in one table of the atmosphere's light. [sr⁻¹]
+    """Radiance from a scattering table. [sr⁻¹]
 
     Parameters
     ----------
-    table, r, mu, mu_s, nu, to_ground, shape
-        Arguments of ``scattering_at``.
     phases, row
         Texture of the phase functions, and the index of the table's.
     scale : float
@@ -161,7 +150,7 @@ def light_at(table, phases, r, mu, mu_s, nu, to_ground, row, scale, shape):
 
 @inlined
 def between_four(table, x, y, rows, columns):
-    """Value of a table of two axes, linear along both, in the stored unit.
+    """Bilinear value of a two-dimensional table, in the stored unit.
 
     Parameters
     ----------
@@ -190,8 +179,6 @@ def transmittance_at(table, r, mu, scale, shape):
         Texels of the transmittance, and their factor.
     r, mu : float
         Radius [m] and cosine of the ray's zenith angle [1].
-    shape : TextureShape
-        Numbers of the textures.
     """
     if mu < horizon_cosine(r, shape.bottom):
         return splat(0.0)
@@ -202,7 +189,7 @@ def transmittance_at(table, r, mu, scale, shape):
 
 @inlined
 def irradiance_at(table, r, mu_s, scale, shape):
-    """Irradiance of level ground by the sky, per that of the star. [1]
+    """Diffuse horizontal irradiance, per irradiance of the star. [1]
 
     Parameters
     ----------
@@ -210,8 +197,6 @@ def irradiance_at(table, r, mu_s, scale, shape):
         Texels of the irradiance, and their factor.
     r, mu_s : float
         Radius [m] and cosine of the sun's zenith angle [1].
-    shape : TextureShape
-        Numbers of the textures.
     """
     x = irradiance.radius_coordinate(r, shape.bottom, shape.top)
     y = irradiance.sun_coordinate(mu_s)

@@ -1,7 +1,7 @@
 """Layout of a table of transmittance to the top of the shell, Bruneton's 2017 (r, mu).
 
-Only rays that miss the ground are covered. Transmittance spans too many decades for half
-precision: the eye sees the sun through 1e-5 of it.
+Only rays that miss the ground are covered. Values are not stored in half precision, as the sun
+remains visible at 1e-5.
 """
 
 from __future__ import annotations

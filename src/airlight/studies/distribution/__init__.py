@@ -1,7 +1,4 @@
-"""Independent tasks on this process, on processes of this machine, or on a cluster.
-
-Nothing here knows what a task computes.
-"""
+"""Independent tasks in this process, in processes of this machine, or on a cluster."""
 
 from __future__ import annotations
 

@@ -99,7 +99,7 @@ class DaskRunner:
 
 @contextlib.contextmanager
 def _explained(client: Any) -> Iterator[None]:
-    """Convert lost workers or a lost scheduler to a one-line error."""
+    """Convert the loss of workers or of the scheduler to a one-line error."""
     from distributed import CancelledError, KilledWorker
     from distributed.comm.core import CommClosedError
 
@@ -119,7 +119,7 @@ def _first_line(error: BaseException) -> str:
 
 @contextlib.contextmanager
 def _settings(patience: int) -> Iterator[None]:
-    """Settings of Dask while a runner is open: patience with a connection [s], folder, no logs."""
+    """Settings of Dask while a runner is open: timeouts [s], folder, no logs."""
     import dask
 
     own = {
@@ -140,21 +140,12 @@ def _settings(patience: int) -> Iterator[None]:
 
 @contextlib.contextmanager
 def started(workers: int) -> Iterator[DaskRunner]:
-    """Start processes that share the cores of this machine, and end them with the block.
+    """Context with processes that share the cores of this machine.
 
     Parameters
     ----------
     workers : int
         Number of processes, each with an equal share of the threads.
-
-    Yields
-    ------
-    DaskRunner
-
-    Raises
-    ------
-    WorkerError
-        If they do not start.
     """
     from distributed import Client, LocalCluster
 
@@ -180,21 +171,12 @@ def started(workers: int) -> Iterator[DaskRunner]:
 
 @contextlib.contextmanager
 def connected(address: str) -> Iterator[DaskRunner]:
-    """Connect to a cluster that runs already.
+    """Context with the connection to a running cluster.
 
     Parameters
     ----------
     address : str
         Address of its scheduler.
-
-    Yields
-    ------
-    DaskRunner
-
-    Raises
-    ------
-    WorkerError
-        If none answers there, or it has no worker.
     """
     from distributed import Client
 

@@ -1,4 +1,4 @@
-"""Fingerprints of tasks: a hash of everything that defines a result."""
+"""Fingerprints of tasks: hashes of all inputs of a result."""
 
 from __future__ import annotations
 
@@ -23,21 +23,14 @@ def digest(value: Any, files: Iterable[Path] = ()) -> str:
     Parameters
     ----------
     value : object
-        Value; the order of a mapping's keys does not matter, that of a list does.
+        Value; mappings are hashed independently of the order of their keys.
     files : iterable of Path
-        Files whose contents belong to it.
+        Files whose contents are included.
 
     Returns
     -------
     str
         Thirty-two hexadecimal digits.
-
-    Raises
-    ------
-    TypeError
-        If the value holds something else.
-    FileError
-        If a file cannot be read.
 
     Examples
     --------
@@ -57,30 +50,18 @@ def digest(value: Any, files: Iterable[Path] = ()) -> str:
 def code_digest(*files: Path) -> str:
     """Hash of source files, of all files of the package that they import, and of the compiler.
 
-    Machines that work on one result, and the run that resumes it, have to agree on it.
-
-    Parameters
-    ----------
-    *files : Path
-        Source files.
+    Machines that share a computation, and runs that resume it, have to agree on it.
     """
     return digest([fingerprint(file) for file in files])
 
 
 def check_code(code: str, *files: Path) -> None:
-    """Refuse, on a worker, source that is not that of the process which sent the task.
+    """Raise an error on a worker whose source code differs from the sender's.
 
     Parameters
     ----------
     code : str
-        Hash that was sent.
-    *files : Path
-        Source files.
-
-    Raises
-    ------
-    WorkerError
-        If the hash here is another.
+        Hash of the sender's source code.
     """
     if code != code_digest(*files):
         raise WorkerError(
@@ -107,7 +88,7 @@ def _content(file: Path, size: int, changed: int) -> bytes:
 
 
 def _add(state: Any, value: Any) -> None:
-    """Add a value, with its kind and its length, so that no two values read alike."""
+    """Add a value with its type and length, so that encodings are unique."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         state.update(f"{type(value).__qualname__} ".encode())
         fields = {one.name: getattr(value, one.name) for one in dataclasses.fields(value)}

@@ -1,4 +1,4 @@
-"""Tasks one after another in this process, each with all its threads."""
+"""Serial tasks in this process, each with all its threads."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from airlight.studies.distribution.runner import Name, Task
 
 
 class Here:
-    """Process that runs already, as a ``Runner``.
+    """Local process as a ``Runner``.
 
     Examples
     --------

@@ -22,18 +22,17 @@ _WORTH: Final = 6
 def opened_runner(
     tasks: int, *, scheduler: str | None = None, workers: int | None = None
 ) -> Iterator[Runner]:
-    """Open the runner of some tasks, and close it when the block ends.
+    """Context with the runner of some tasks.
 
     Parameters
     ----------
     tasks : int
         Number of tasks.
     scheduler : str, optional
-        Address of a Dask scheduler, ``tcp://host:8786``: its workers run the tasks.
+        Address of a Dask scheduler, ``tcp://host:8786``, whose workers run the tasks.
     workers : int, optional
-        Number of processes, which share the cores of this machine. 1 is this process; by
-        default as many as there are cores, but not more than a sixth of the tasks, and this
-        process alone where Dask is not installed.
+        Number of processes, which share the cores of this machine; 1 is this process. Default: the
+        number of cores, at most a sixth of the tasks, and 1 without Dask.
 
     Yields
     ------
@@ -42,7 +41,7 @@ def opened_runner(
     Raises
     ------
     ParameterError
-        If the number is out of range or both are given, or Dask is not installed though asked for.
+        If the number is out of range, both are given, or Dask is requested and not installed.
     WorkerError
         If there is no scheduler at that address.
     """

@@ -18,7 +18,7 @@ class Runner(Protocol):
     workers : int
         Number of tasks that run at a time.
     description : str
-        Words for a line about it: ``4 processes``.
+        Description for messages: ``4 processes``.
     """
 
     @property
@@ -27,32 +27,27 @@ class Runner(Protocol):
 
     @property
     def description(self) -> str:
-        """Words for a line about it."""
+        """Description for messages."""
 
     def run(
         self, function: Callable[..., Any], tasks: Iterable[Task[Name]]
     ) -> Iterator[tuple[Name, Any]]:
-        """Run tasks, and yield name and result of each as it ends.
+        """Run tasks, and yield name and result of each on completion.
 
-        Tasks are taken one by one as workers become free, so that neither a long list of them nor
-        their results have to fit into memory.
+        Tasks are taken as workers become free, so that neither tasks nor results have to fit into
+        memory.
 
         Parameters
         ----------
         function : callable
-            Function of a module, which other processes can import.
+            Module-level function, importable by other processes.
         tasks : iterable
             Names and arguments.
 
         Yields
         ------
         (name, result)
-            In the order in which tasks end.
-
-        Raises
-        ------
-        WorkerError
-            If the workers are lost; what was yielded before stays right.
+            In order of completion.
         """
 
     def once_per_machine(self, function: Callable[..., Any], *arguments: Any) -> None:

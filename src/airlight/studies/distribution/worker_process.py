@@ -1,4 +1,4 @@
-"""Set-up of the processes that ``dask_runner`` starts: Dask imports this module in each of them."""
+"""Set-up of the processes of ``dask_runner``: Dask imports this module in each."""
 
 from __future__ import annotations
 
@@ -10,12 +10,6 @@ from airlight.errors import AirlightWarning
 
 
 def dask_setup(worker: Any) -> None:
-    """Leave Ctrl-C and warnings to the process that started them all.
-
-    Parameters
-    ----------
-    worker : distributed.Worker
-        Worker of this process.
-    """
+    """Ignore Ctrl-C and warnings, which the parent process handles."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     warnings.simplefilter("ignore", AirlightWarning)

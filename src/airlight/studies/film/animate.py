@@ -54,7 +54,7 @@ class Animated:
     damaged : int
         Number of rendered frames that replaced damaged ones.
     exposures : (float, float) or None
-        Lowest and highest exposure of a PNG. [EV]
+        Lowest and highest exposure, for PNG. [EV]
     """
 
     frames: FramesFolder
@@ -82,9 +82,8 @@ def animate(
 ) -> Animated:
     """Render the missing, damaged and changed frames of a film.
 
-    The header of each frame's file holds a fingerprint of all inputs and a checksum of the file.
-    Files are written atomically: a run that is interrupted or killed loses only the frames in
-    progress.
+    The header of each file has a fingerprint of all inputs and a checksum. Files are written
+    atomically: an interrupted run loses only the frames in progress.
 
     Parameters
     ----------
@@ -111,10 +110,6 @@ def animate(
         Receives progress messages.
     progress : callable, optional
         See ``airlight.kernel.threads``.
-
-    Returns
-    -------
-    Animated
 
     Raises
     ------
@@ -304,23 +299,14 @@ def rendered_frame(
 
     Parameters
     ----------
-    spec : FrameSpec
-        Frame.
     finish : Finish
         Format and display.
     exposure : float
         Exposure. [EV]
     eye : bool
-        Whether faint light is seen as by an eye in the dark.
-    fingerprint : str
-        Fingerprint of the file.
+        Whether mesopic vision of the dark-adapted eye is simulated.
     code : str
-        Hash of the source that the film was begun with.
-
-    Raises
-    ------
-    WorkerError
-        If the source of this machine is another.
+        Hash of the source code of the run.
     """
     check_code(code, *_SOURCES)
     metadata = {**spec.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}

@@ -22,7 +22,7 @@ _FEWEST: Final = 7
 def smoothed(values: FloatArray) -> FloatArray:
     """Binomial smoothing with weights 1, 4, 6, 4, 1.
 
-    Straight lines stay as they are, also at the ends, beyond which they are continued.
+    Linear sequences are unchanged, also at the ends, by linear extrapolation.
 
     Examples
     --------
@@ -46,7 +46,7 @@ class ExposureCurve:
     numbers : sequence of int
         Numbers of the metered frames, ascending and about evenly spaced.
     metered : sequence of float
-        Exposures that were measured there. [EV]
+        Metered exposures. [EV]
 
     Examples
     --------
@@ -79,7 +79,7 @@ class ExposureCurve:
 def metered_numbers(plan: FilmPlan) -> list[int]:
     """Indices of metered frames: about three per second, with the first and the last.
 
-    A film has seven at least, or all of its frames: a short one may hold a whole sunset.
+    At least seven, or all frames, as a short film may contain a whole sunset.
     """
     step = max(1, round(plan.rate / 3.0))
     count = min(plan.count, max(_FEWEST, 1 + math.ceil((plan.count - 1) / step)))

@@ -40,7 +40,7 @@ class Film:
     file : str
         Name of that file, for error messages.
     folder : Path, optional
-        Folder that relative paths in it refer to.
+        Folder of relative paths.
     view : mapping, optional
         Table of a ``PlanetView``, for a film of one planet; None for a scene.
     """

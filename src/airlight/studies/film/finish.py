@@ -42,8 +42,6 @@ def finished(
 
     Parameters
     ----------
-    frame : Frame
-        Frame.
     finish : Finish
         Format and display.
     exposure : float

@@ -76,7 +76,7 @@ class FrameSpec(Protocol):
 
     @property
     def solved_for(self) -> object:
-        """Key that is equal for frames with the same solution."""
+        """Key of the solution, equal for frames that share it."""
 
     @property
     def defined_by(self) -> object:
@@ -287,6 +287,6 @@ def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, 
 
 
 def distinct_solutions(specs: Sequence[FrameSpec]) -> int:
-    """1 plus the number of changes of the solution between successive frames."""
+    """Number of runs of successive frames with the same solution."""
     keys = [one.solved_for for one in specs]
     return 1 + sum(a != b for a, b in pairwise(keys))

@@ -57,8 +57,6 @@ class FramesFolder:
         Name of the film.
     suffix : str
         ``.png`` or ``.exr``.
-    count : int
-        Number of frames.
     """
 
     def __init__(self, folder: Path, name: str, suffix: str, count: int) -> None:
@@ -74,18 +72,7 @@ class FramesFolder:
         return [self.path(number) for number in range(self.count)]
 
     def present(self, progress: Progress | None = None) -> Present:
-        """Existing frames, verified by their checksums.
-
-        Parameters
-        ----------
-        progress : callable, optional
-            See ``airlight.kernel.threads``.
-
-        Raises
-        ------
-        FileError
-            If a file of this name is not a frame of a film, or a link.
-        """
+        """Existing frames, verified by their checksums."""
         there = {entry.name for entry in os.scandir(self.folder)}
         numbers = [n for n, path in enumerate(self.paths) if path.name in there]
         fingerprints: dict[int, str] = {}
@@ -121,13 +108,7 @@ class FramesFolder:
 
     @contextlib.contextmanager
     def claimed(self) -> Iterator[None]:
-        """Context that creates and locks the folder and removes partial files.
-
-        Raises
-        ------
-        FileError
-            If the folder cannot be created or written, or is locked by another run.
-        """
+        """Context that creates and locks the folder and removes partial files."""
         try:
             self.folder.mkdir(exist_ok=True)
         except OSError as error:

@@ -1,4 +1,4 @@
-"""Tables of ``docs/films.md``: every key of a film file as it is declared."""
+"""Key tables of ``docs/films.md``, from the declarations."""
 
 from __future__ import annotations
 

@@ -39,11 +39,6 @@ class KeyFrames(TomlModel):
     law : str
         Name from ``LAWS``.
 
-    Raises
-    ------
-    ParameterError
-        If a value, time or law is invalid.
-
     Examples
     --------
     >>> climb = KeyFrames(path="view.altitude", values=["1 m", "1 km"], law="exponential")

@@ -36,13 +36,6 @@ def check_movie(path: Path, field: str) -> None:
         Path of the MP4.
     field : str
         Name of the option, for error messages.
-
-    Raises
-    ------
-    ParameterError
-        If imageio-ffmpeg is not installed.
-    FileError
-        If the path is not writable.
     """
     check_target(path)
     if util.find_spec("imageio_ffmpeg") is None:
@@ -63,13 +56,6 @@ def write_movie(
         4:2:0 requires even sizes.
     rate : float
         Frames per second. [1/s]
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If a frame cannot be read, or ffmpeg fails, for instance because the disk is full.
     """
     import imageio_ffmpeg
 

@@ -30,7 +30,7 @@ class FilmPlan(TomlModel):
     rate : float
         Frames per second of playback. [1/s]
     start, end : str, optional
-        Instants of the first and the last frame; the clock runs evenly between them.
+        Instants of the first and the last frame; time is linear between them.
     zone : str, optional
         Zone of instants without one.
     keys : tuple of KeyFrames

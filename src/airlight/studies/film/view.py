@@ -41,8 +41,6 @@ class PlanetView(TomlModel):
         Clockwise rotation of the camera. [deg]
     polariser : float, optional
         Axis of a polarising filter, counterclockwise from the camera's up. [deg]
-    projection : str
-        Name of the projection.
     field_of_view : float, optional
         Angle as for ``Camera``. [deg]
     extent : float, optional
@@ -140,18 +138,10 @@ class PlanetView(TomlModel):
 
         Parameters
         ----------
-        planet : Planet
-            Planet.
         time : datetime, optional
             Instant that determines the position of the sun.
         width, height : int
             Size of the frame. [pixel]
-
-        Raises
-        ------
-        ParameterError
-            If angles of the sun are given together with a time, the target is unknown, or stars
-            cannot be rendered.
         """
         parallel, extent = PROJECTIONS[self.projection].parallel, self.extent
         if parallel and extent is None:

@@ -1,4 +1,4 @@
-"""Ångström exponent of a constituent: evaluated, and replaced."""
+"""Ångström exponent of a constituent: evaluation and change."""
 
 from __future__ import annotations
 
@@ -34,13 +34,7 @@ _NODES: Final = 16
 
 
 def angstrom_refused(constituent: Tables) -> str:
-    """Reason why the spectrum of a constituent cannot be tilted; empty if it can.
-
-    Parameters
-    ----------
-    constituent : dict
-        Table of the constituent.
-    """
+    """Reason why the Ångström exponent of a constituent cannot be changed; empty if it can."""
     given = [constituent[key] for key in COEFFICIENTS if key in constituent]
     phase = constituent.get("phase_function")
     if not given or any(isinstance(one, dict) for one in given):
@@ -55,13 +49,7 @@ def exponent_of(planet: Planet, index: int) -> float:
 
     .. math:: \alpha = -\frac{\ln(\tau_{870} / \tau_{440})}{\ln(870 / 440)}
 
-    Between the ends of what is known, if that is less.
-
-    Parameters
-    ----------
-    planet : Planet
-    index : int
-        Number of the constituent.
+    Over a smaller range if the constituent's is smaller.
 
     References
     ----------
@@ -80,18 +68,18 @@ def exponent_of(planet: Planet, index: int) -> float:
 def tilted(
     constituent: Tables, by: float, wavelengths: FloatArray, limits: tuple[float, float]
 ) -> dict[str, Any]:
-    """Table of a constituent with a steeper spectrum: times (λ / 550 nm)^-by.
+    """Table of a constituent with its spectrum multiplied by (λ / 550 nm)^-by.
 
     Parameters
     ----------
     constituent : dict
-        Table of the constituent, one that ``angstrom_refused`` allows.
+        Table of the constituent, accepted by ``angstrom_refused``.
     by : float
         Increase of the Ångström exponent.
     wavelengths : array, shape (nl,)
-        Wavelengths of the data, covered by a list where there is none yet. [nm]
+        Wavelengths of the data, for a new list. [nm]
     limits : (float, float)
-        Wavelengths at which the planet is known. [nm]
+        Wavelength range of the planet. [nm]
 
     Examples
     --------
@@ -123,7 +111,7 @@ def _at_pivot(nm: FloatArray, values: FloatArray) -> float:
 
 
 def _nodes(wavelengths: FloatArray, limits: tuple[float, float]) -> FloatArray:
-    """Wavelengths of a new list: those of the data and of the eye, within the planet's limits."""
+    """Wavelengths of a new list: those of the data and of vision, within the planet's range."""
     low = max(min(_SPAN[0], float(wavelengths.min())), limits[0])
     high = min(max(_SPAN[1], float(wavelengths.max())), limits[1])
     nodes = np.geomspace(low, high, _NODES) if high > low else np.array([low])

@@ -1,4 +1,4 @@
-"""Error bars of fitted parameters: from the noise, and from scan to scan."""
+"""Error bars of fitted parameters: from noise, and from differences between scans."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ class ErrorBars:
     Attributes
     ----------
     standard : array, shape (p,)
-        Standard errors by the noise of the data; 0 for a parameter at its bound.
+        Standard errors from the noise of the data; 0 for a parameter at its bound.
     by_scans : array, shape (p,), or None
-        Standard errors by how the scans differ, which include what all values of a scan have in
-        common; None with fewer than five scans.
+        Standard errors from differences between scans, which include errors common to a scan; None
+        with fewer than five scans.
     from_data : array, shape (p,)
-        Standard errors that the data alone would give, without priors.
+        Standard errors without priors.
     correlation : array, shape (p, p)
         Correlations; 0 with a parameter at its bound.
     at_bound : array of bool, shape (p,)
-        Whether a parameter ended at one of its bounds.
+        Whether a parameter is at a bound.
     groups : int
         Number of scans.
     chi_square : float
         Sum of the squared residuals of the data. [1]
     freedom : int
-        Number of values less that of parameters.
+        Degrees of freedom.
     """
 
     standard: FloatArray
@@ -52,12 +52,12 @@ class ErrorBars:
 
     @property
     def largest(self) -> FloatArray:
-        """The larger of both error bars, shape (p,)."""
+        """Larger of the two error bars, shape (p,)."""
         return self.standard if self.by_scans is None else np.maximum(self.standard, self.by_scans)
 
     @property
     def reduced(self) -> float:
-        """Sum of squares over the degrees of freedom; 1 where the model is as good as the data."""
+        """Reduced chi-square: sum of squares over the degrees of freedom. [1]"""
         return self.chi_square / max(self.freedom, 1)
 
 
@@ -70,13 +70,13 @@ def errors_of(
     at_bound: NDArray[np.bool_],
     robust: bool,
 ) -> ErrorBars:
-    r"""Error bars from derivatives and residuals at the least loss.
+    r"""Error bars from derivatives and residuals at the minimum.
 
     .. math:: C = (J^T J)^{-1}, \qquad C_\rho = H^{-1} \Big(\sum_i s_i s_i^T\Big) H^{-1}, \qquad
               C_g = \frac{G}{G-1} H^{-1} \Big(\sum_g s_g s_g^T\Big) H^{-1}
 
-    for squares, for a robust loss, and from scan to scan, with the scores
-    :math:`s_i = \rho'(r_i^2) r_i J_i` and :math:`s_g` their sums over a scan.
+    for least squares, a robust loss, and differences between scans, with the scores :math:`s_i =
+    \rho'(r_i^2) r_i J_i` and :math:`s_g` their sums over a scan.
 
     Parameters
     ----------
@@ -89,9 +89,9 @@ def errors_of(
     group : array of int, shape (n,)
         Scans of the data.
     at_bound : array of bool, shape (p,)
-        Parameters at a bound, which count as known.
+        Parameters at a bound, treated as known.
     robust : bool
-        Whether the loss is other than squares.
+        Whether the loss is not least squares.
 
     References
     ----------
@@ -146,7 +146,7 @@ def _by_scans(
 
 
 def _inverse(matrix: FloatArray) -> FloatArray:
-    """Inverse of a symmetric matrix whose rows have very different sizes."""
+    """Inverse of a badly scaled symmetric matrix."""
     root = np.sqrt(np.diag(matrix))
     root = np.where(root > 0.0, root, 1.0)
     scale = np.outer(root, root)

@@ -54,8 +54,8 @@ class FitSettings:
     Attributes
     ----------
     free : sequence of str
-        Free parameters: those of ``free_parameter``, and of the instrument ``scale``,
-        ``pointing.azimuth``, ``pointing.zenith``; of a photograph also ``white_balance.red`` and
+        Free parameters: names for ``free_parameter``; of the instrument ``scale``,
+        ``pointing.azimuth``, ``pointing.zenith``; of a camera ``white_balance.red``,
         ``white_balance.blue``.
     per_scan : sequence of str
         Parameters of the instrument that are fitted per scan.
@@ -63,10 +63,10 @@ class FitSettings:
         Narrower bounds by name.
     priors : mapping of str to Prior
     starts : mapping of str to float
-        Values to begin with; by default the planet's. Like bounds and priors, numbers in the
-        parameter's unit, texts with a unit or quantities.
+        Initial values; default: the planet's. Like bounds and priors, numbers in the parameter's
+        unit, texts with a unit or quantities.
     uncertainty : float, optional
-        Relative standard deviation of all values; by default the data's, or estimated. [1]
+        Relative standard deviation of all values; default: that of the data, or estimated. [1]
     loss : str
         Name from ``airlight.studies.fit.loss.LOSSES``.
     quality : str
@@ -74,7 +74,7 @@ class FitSettings:
     overrides : mapping
         Changes of the planet's file.
     keep : bool
-        Whether predictions are kept on disk, so that the same fit goes on where it was.
+        Whether to cache predictions on disk, so that an interrupted fit resumes.
     """
 
     free: Sequence[str]
@@ -112,9 +112,9 @@ class SkyFit:
         Fitted planet.
     settings : FitSettings
     name : str
-        Planet that the fit began with.
+        Name of the initial planet.
     solves, rough_solves : int
-        Number of solutions that were computed, at the quality of the settings and coarse ones.
+        Numbers of computed solutions, at the quality of the settings and coarse ones.
     seconds : float
         Wall time. [s]
     """
@@ -140,7 +140,7 @@ def fit_radiances(
     Parameters
     ----------
     planet : str or Path
-        Planet to begin with, see ``load_planet``.
+        Initial planet, see ``load_planet``.
     data : Measurements
     settings : FitSettings
     progress, cancel : callable, optional
@@ -179,7 +179,7 @@ def fit_photograph(
 ) -> SkyFit:  # fmt: skip
     """Fit parameters of a planet to the colours of a photograph of unknown exposure.
 
-    The exposure is always free, as ``scale``.
+    The exposure is the free parameter ``scale``.
 
     Parameters
     ----------
@@ -235,7 +235,7 @@ class _Base:
         self.planet = self.read(self.tables)
 
     def read(self, tables: Tables, wavelengths: FloatArray | None = None) -> Planet:
-        """Planet of tables, sampled at some wavelengths."""
+        """Planet from tables, validated at some wavelengths."""
         if wavelengths is None:
             return read_tables(tables, self.file, self.folder)
         return read_tables(
@@ -308,7 +308,7 @@ def _fitted(
 
 
 def check_names(settings: FitSettings, always: Sequence[str] = ()) -> None:
-    """Refuse bounds, priors and starts of fixed parameters, and repeated free parameters."""
+    """Raise an error for bounds, priors and starts of fixed parameters, and repeated names."""
     free = [*settings.free, *settings.per_scan]
     free += [name for name in always if name not in free]
     for name in free:
@@ -411,7 +411,7 @@ def _camera(settings: FitSettings, first: FloatArray, data: Photograph) -> list[
 
 
 def _directions(data: Measurements) -> tuple[ObservedDirections, NDArray[np.int64]]:
-    """Different directions of the data, and the number of each value's."""
+    """Distinct directions of the data, and the index of each value's."""
     table = np.stack(
         [data.altitude, data.sun_zenith, data.view_zenith, data.azimuth, data.scan], axis=-1
     )
@@ -425,7 +425,7 @@ def _directions(data: Measurements) -> tuple[ObservedDirections, NDArray[np.int6
 
 
 def _uncertainty(data: Measurements, settings: FitSettings) -> tuple[FloatArray, bool]:
-    """Standard deviations, and whether they are known or only relative to each other."""
+    """Standard deviations, and whether they are absolute."""
     if settings.uncertainty is None and data.uncertainty is not None:
         return data.uncertainty, True
     sizes = np.maximum(data.radiance, _DARKEST * float(np.median(data.radiance)))
@@ -437,7 +437,7 @@ def _uncertainty(data: Measurements, settings: FitSettings) -> tuple[FloatArray,
 
 
 def _check_wavelengths(planet: Planet, data: Measurements) -> None:
-    """Refuse a wavelength at which the planet is not known, with its line."""
+    """Raise an error for a wavelength outside the planet's range, with its line."""
     low, high = planet.wavelength_limits
     wrong = np.flatnonzero(~((data.wavelength >= low) & (data.wavelength <= high)))
     if wrong.size:

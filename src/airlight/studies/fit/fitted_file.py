@@ -1,4 +1,4 @@
-"""Planet file of a fit: the planet that it began with, with the fitted values."""
+"""Planet file of a fit: the initial planet with the fitted values."""
 
 from __future__ import annotations
 
@@ -10,17 +10,7 @@ from airlight.studies.fit.report import result_lines, warnings_of
 
 
 def fitted_file(sky: SkyFit) -> str:
-    """Text of the fitted planet's file, with values and error bars in its first lines.
-
-    Parameters
-    ----------
-    sky : SkyFit
-
-    Returns
-    -------
-    str
-        Text in TOML that ``load_planet`` reads.
-    """
+    """Text of the fitted planet's file, with a header of values and error bars."""
     comments = (
         f"{sky.name}, fitted to {sky.data.source} by airlight fit.",
         *result_lines(sky),
@@ -30,7 +20,7 @@ def fitted_file(sky: SkyFit) -> str:
 
 
 def _short(value: Any) -> Any:
-    """Tables with numbers of eight digits."""
+    """Tables with numbers rounded to eight digits."""
     if isinstance(value, dict):
         return {key: _short(one) for key, one in value.items()}
     if isinstance(value, list):

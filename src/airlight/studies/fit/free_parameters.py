@@ -1,7 +1,7 @@
 """Free parameters of a planet: numbers of its file, optical depths, columns and albedo.
 
 ``NAME.optical_depth``, ``NAME.angstrom`` and ``NAME.column`` of a constituent, and
-``ground.albedo``, are found however the file gives them.
+``ground.albedo``, do not depend on the form in the file.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class FreeParameter:
     write : callable
         ``write(tables, value)``: copy of the tables with that value.
     order : int
-        Lower ones are written first.
+        Order of writing, ascending.
     """
 
     parameter: FitParameter
@@ -61,7 +61,7 @@ class FreeParameter:
 def free_parameter(
     name: str, tables: Tables, planet: Planet, wavelengths: FloatArray
 ) -> FreeParameter:
-    """Find a free parameter by its name.
+    """Free parameter by its name.
 
     Parameters
     ----------
@@ -70,17 +70,11 @@ def free_parameter(
         ``ozone.column``, ``ground.albedo`` (at 550 nm), or the path of any number of the file:
         ``aerosol.profile.scale_height``.
     tables : dict
-        Tables of the planet's file, as ``spelled_out`` gives them.
+        Tables of the planet's file, from ``spelled_out``.
     planet : Planet
         Planet of these tables.
     wavelengths : array, shape (nl,)
-        Wavelengths of the data: a value that is the same at all wavelengths becomes a list there
-        if it is tilted. [nm]
-
-    Raises
-    ------
-    ParameterError
-        If there is no such number, with the nearest names, or it is a list.
+        Wavelengths of the data, for new spectral lists. [nm]
     """
     if name == "ground.albedo":
         return _albedo(name, tables, planet)
@@ -109,7 +103,7 @@ def free_parameter(
 
 
 def free_names(tables: Tables) -> list[str]:
-    """Names that ``free_parameter`` knows for a planet."""
+    """Names for ``free_parameter`` of a planet."""
     found = ["ground.albedo"]
     for one in tables.get("constituents", []):
         found += [f"{one.get('name')}.{rest}" for rest in ("optical_depth", "angstrom", "column")]
@@ -271,7 +265,7 @@ def _column_path(tables: Tables, index: int) -> str | None:
 
 
 def _albedo(name: str, tables: Tables, planet: Planet) -> FreeParameter:
-    """Albedo of the ground; a list or a table is scaled, and has that value at 550 nm."""
+    """Albedo of the ground at 550 nm; a list or a table is scaled."""
     given = get(tables, name)
     if isinstance(given, (int, float)) or (
         isinstance(given, str) and not given[:1].isalpha() and "," not in given

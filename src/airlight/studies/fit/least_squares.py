@@ -1,4 +1,4 @@
-"""Least squares to convergence: bounded steps, fresh derivatives at the end, error bars."""
+"""Bounded least squares with finite differences, and error bars."""
 
 from __future__ import annotations
 
@@ -56,11 +56,11 @@ class Data:
     values : array, shape (n,)
         Measured values.
     uncertainty : array, shape (n,)
-        Standard deviations; relative to each other only, if ``known`` is False.
+        Standard deviations; only relative if ``known`` is False.
     known : bool
-        Whether the uncertainties are known, or only their ratios.
+        Whether the uncertainties are absolute.
     group : array of int, shape (n,)
-        Number of the scan that a value belongs to, from 0.
+        Scan of each value, from 0.
     """
 
     values: FloatArray
@@ -76,7 +76,7 @@ class FitResult:
     Attributes
     ----------
     parameters : tuple of FitParameter
-        Parameters as they were declared.
+        Parameters of the fit.
     values : array, shape (p,)
         Fitted values.
     errors : ErrorBars
@@ -84,11 +84,11 @@ class FitResult:
     predicted : array, shape (n,)
         Model at the fitted values.
     sigma : array, shape (n,)
-        Standard deviations used; estimated from the residuals if they were unknown.
+        Standard deviations, estimated from the residuals if unknown.
     rounds : int
-        Number of times that the trust region was begun anew.
+        Number of restarts of the trust region.
     last_step : array, shape (p,)
-        Step by the last, fresh derivatives, in error bars.
+        Newton step with the final derivatives, over the error bars.
     """
 
     parameters: tuple[FitParameter, ...]
@@ -114,28 +114,17 @@ def fit(
 ) -> FitResult:  # fmt: skip
     """Fit parameters of a model to data.
 
-    Steps in a trust region within the bounds (``scipy.optimize.least_squares``), with derivatives
-    made anew wherever a step leads farther than the differences reached that made them. The fit has
-    converged when such fresh derivatives, central ones, would move no parameter by more than
-    ``SMALL_STEP`` of its error bar, or by less than one and for no gain. A round is repeated until
-    then, and until an uncertainty that is estimated from the residuals no longer changes.
+    Bounded trust-region steps (``scipy.optimize.least_squares``); derivatives are recomputed where
+    a step exceeds the range of the differences. The fit has converged when a Newton step with new
+    central differences is below ``SMALL_STEP`` error bars for all parameters, or below one error
+    bar without gain, and an estimated uncertainty has converged.
 
     Parameters
     ----------
-    model : Model
-    data : Data
-    parameters : sequence of FitParameter
     loss : str
         Name from ``airlight.studies.fit.loss.LOSSES``.
     start : array, shape (p,), optional
-        Values to begin with, if better ones are known than those of the parameters.
-
-    Raises
-    ------
-    ParameterError
-        If the loss is unknown, or the data do not constrain a parameter.
-    ConvergenceError
-        If the steps do not become small.
+        Initial values, instead of those of the parameters.
 
     References
     ----------
@@ -196,7 +185,7 @@ class _Problem:
         return np.asarray(self.scale * self.data.uncertainty)
 
     def sizes(self, x: FloatArray) -> FloatArray:
-        """Usual sizes of the parameters, never 0."""
+        """Scales of the parameters, above 0."""
         steps = np.array([50.0 * one.least_step for one in self.parameters])
         return np.asarray(np.maximum(np.abs(x), steps))
 
@@ -220,7 +209,7 @@ class _Problem:
         return self._slopes
 
     def _good(self, x: FloatArray, central: bool) -> bool:
-        """Whether the derivatives are known nearer than the differences reached."""
+        """Whether the derivatives are valid within the range of the differences."""
         if self._at is None or (central and not self._central):
             return False
         pairs = zip(self.parameters, self._at, strict=True)
@@ -239,7 +228,7 @@ class _Problem:
         )
 
     def minimised(self, x: FloatArray, *, central: bool) -> FloatArray:
-        """Parameters at the least loss."""
+        """Parameters at the minimum of the loss."""
         from scipy.optimize import least_squares
 
         scale = self.sizes(x)
@@ -288,7 +277,7 @@ class _Problem:
         return np.asarray((x - self.low <= near) | (self.high - x <= near))
 
     def newton_step(self, x: FloatArray, slopes: FloatArray, errors: ErrorBars) -> FloatArray:
-        """Step to the least loss of the linear model, 0 for parameters at a bound, shape (p,)."""
+        """Newton step of the linear model, 0 for parameters at a bound, shape (p,)."""
         residual = self.residuals(x)
         jacobian = self.with_priors(slopes)
         weights = self.loss(np.square(residual))[1]
@@ -302,7 +291,7 @@ class _Problem:
         return np.clip(x + step, self.low, self.high) - x
 
     def check_response(self, slopes: FloatArray) -> None:
-        """Refuse a parameter that changes no predicted value."""
+        """Raise an error for a parameter without effect on predicted values."""
         largest = np.abs(self.data.values).max()
         for one, column in zip(self.parameters, slopes.T, strict=True):
             reach = np.abs(column).max() * (one.high - one.low)
@@ -314,7 +303,7 @@ class _Problem:
                 )
 
     def check_rank(self, slopes: FloatArray, x: FloatArray) -> None:
-        """Refuse parameters that are degenerate given the data and the priors."""
+        """Raise an error for parameters that are degenerate given the data and the priors."""
         free = np.flatnonzero(~self._held(x))
         jacobian = self.with_priors(slopes)[:, free]
         lengths = np.linalg.norm(jacobian, axis=0)
@@ -333,7 +322,7 @@ class _Problem:
 
 
 def _over(steps: FloatArray, errors: FloatArray) -> FloatArray:
-    """Steps in error bars; 0 where a parameter is held at its bound."""
+    """Steps over error bars; 0 for parameters at a bound."""
     return np.divide(steps, errors, out=np.zeros_like(steps), where=errors > 0.0)
 
 
@@ -347,13 +336,10 @@ def difference(
     ----------
     predict : callable
         Predicted values, shape (n,), for parameters of shape (p,).
-    parameters : sequence of FitParameter
     values : array, shape (p,)
-        Values at which the derivative is taken.
-    index : int
-        Number of the parameter.
+        Values of the parameters, shape (p,).
     central : bool
-        Whether to step to both sides, where the bounds allow it.
+        Whether to use central differences, where the bounds allow.
     """
     one = parameters[index]
     step = np.zeros_like(values)

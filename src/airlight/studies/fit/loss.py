@@ -1,4 +1,4 @@
-"""Losses of a fit: how much a residual counts, from squares to hardly at all for outliers."""
+"""Loss functions of a fit, from least squares to robust ones."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ Loss = Callable[[FloatArray], FloatArray]
 
 
 def linear(z: FloatArray) -> FloatArray:
-    """Squares: ρ = z."""
+    """Least squares: ρ = z."""
     return np.stack([z, np.ones_like(z), np.zeros_like(z)])
 
 
 def soft_l1(z: FloatArray) -> FloatArray:
-    """Squares that become absolute values: ρ = 2 (√(1 + z) - 1)."""
+    """Smooth transition from squares to absolute values: ρ = 2 (√(1 + z) - 1)."""
     t = 1.0 + z
     return np.stack([2.0 * (np.sqrt(t) - 1.0), t**-0.5, -0.5 * t**-1.5])
 
 
 def huber(z: FloatArray) -> FloatArray:
-    """Squares up to one standard deviation, absolute values beyond: Huber (1964).
+    """Huber loss: squares up to one standard deviation, absolute values beyond.
 
     References
     ----------
@@ -44,7 +44,7 @@ def huber(z: FloatArray) -> FloatArray:
 
 
 def cauchy(z: FloatArray) -> FloatArray:
-    """Logarithms: ρ = ln(1 + z); outliers hardly count."""
+    """Cauchy loss: ρ = ln(1 + z)."""
     t = 1.0 + z
     return np.stack([np.log(t), 1.0 / t, -1.0 / t**2])
 
@@ -61,7 +61,7 @@ LOSSES: Final[dict[str, Loss]] = {
 def of_data(loss: Loss, count: int) -> Loss:
     """Loss for residuals of which the first ``count`` are data, the others priors.
 
-    A prior is no outlier: it counts by its square.
+    Priors always count by their squares.
     """
 
     def mixed(z: FloatArray) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Measured sky radiances: directions, wavelengths, values, and the scans that they belong to."""
+"""Measured sky radiances: directions, wavelengths, values and scans."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ UNITS: Final = {
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Measurements:
-    """Radiances of a sky, n values: numbers, or quantities, which are converted.
+    """Radiances of a sky, n values, as numbers or quantities.
 
     Attributes
     ----------
     source : str
-        File that they come from.
+        Source file.
     wavelength : array, shape (n,)
         [nm]
     altitude : array, shape (n,)
@@ -67,7 +67,7 @@ class Measurements:
 
     @property
     def wavelengths(self) -> FloatArray:
-        """Wavelengths that occur, ascending. [nm]"""
+        """Distinct wavelengths, ascending. [nm]"""
         return np.unique(self.wavelength)
 
     @property
@@ -76,13 +76,7 @@ class Measurements:
         return angle_from_sun(self.view_zenith, self.sun_zenith, self.azimuth)
 
     def where(self, kept: NDArray[np.bool_]) -> Measurements:
-        """Some of the values, with their scans numbered anew.
-
-        Raises
-        ------
-        ParameterError
-            If no value remains.
-        """
+        """Subset of the values, with renumbered scans."""
         if not kept.any():
             raise ParameterError(self.source, "0 values", "at least one value that is not excluded")
         chosen, numbered = np.unique(self.scan[kept], return_inverse=True)
@@ -101,7 +95,7 @@ class Measurements:
         )  # fmt: skip
 
     def named(self, field: str, index: int) -> str:
-        """Field of a value as errors name it, with its line."""
+        """Name of a value in errors, with its line."""
         return field if self.line is None else f"line {self.line[index]}, {field}"
 
 
@@ -135,12 +129,12 @@ def turned(
     view_zenith, azimuth : array, shape (...)
         Directions as recorded. [deg]
     by_zenith, by_azimuth : array, shape (...)
-        Offsets that are added. [deg]
+        Offsets. [deg]
 
     Returns
     -------
     view_zenith, azimuth : array, shape (...)
-        True directions; past the zenith the azimuth turns by 180°. [deg]
+        True directions; past the zenith the azimuth changes by 180°. [deg]
 
     Examples
     --------

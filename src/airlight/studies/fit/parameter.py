@@ -1,4 +1,4 @@
-"""Parameter of a fit: its start, bounds, prior, and the step of its differences."""
+"""Parameter of a fit: start, bounds, prior, and step of finite differences."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ class Prior:
 
 @dataclass(frozen=True, kw_only=True)
 class FitParameter:
-    """Number that a fit may change.
+    """Parameter of a fit.
 
     Attributes
     ----------
     name : str
-        Name as the user gives it: ``aerosol.optical_depth``, ``scale``.
+        Name: ``aerosol.optical_depth``, ``scale``.
     unit : str
         Unit of all numbers here; ``1`` for none.
     start : float
-        Value at which the fit begins, within the bounds.
+        Initial value, within the bounds.
     low, high : float
         Bounds.
     least_step : float
-        Smallest step of a difference that approximates a derivative: large against the solver's
-        rounding, small against the parameter's usual size.
+        Smallest step of a finite difference: larger than the solver's rounding, smaller than the
+        parameter's scale.
     prior : Prior, optional
         Prior.
     """
@@ -62,7 +62,7 @@ class FitParameter:
             raise ParameterError(f"start of {self.name}", self.start, self.range_text)
 
     def number(self, value: Measure, field: str) -> float:
-        """Number of a value in the parameter's unit, which a plain number has.
+        """Value as a number in the parameter's unit.
 
         Examples
         --------
@@ -88,13 +88,13 @@ class FitParameter:
 
     @property
     def unit_text(self) -> str:
-        """Unit with a space before it; nothing for a pure number."""
+        """Unit with a leading space; empty for a pure number."""
         return "" if self.unit == "1" else f" {self.unit}"
 
     def step(self, value: float) -> float:
         """Step of a difference at a value: 2 % of it, at least ``least_step``, within the bounds.
 
-        The step is towards the farther bound where the nearer one is in the way.
+        Negative if the upper bound would be exceeded.
 
         Examples
         --------
@@ -111,5 +111,5 @@ class FitParameter:
 
     @property
     def width(self) -> float:
-        """Standard deviation of a value anywhere between the bounds."""
+        """Standard deviation of the uniform distribution between the bounds."""
         return (self.high - self.low) / math.sqrt(12.0)

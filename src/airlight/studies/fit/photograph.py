@@ -1,4 +1,4 @@
-"""Photograph of a sky: the colours of some directions, by a camera of known projection."""
+"""Photograph of a sky: colours of some directions, by a camera of known projection."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Photograph:
     Attributes
     ----------
     source : str
-        File that they come from.
+        Source file.
     rgb : array, shape (nd, 3)
         Linear sRGB.
     view_zenith, azimuth : array, shape (nd,)
@@ -52,9 +52,9 @@ class Photograph:
     altitude : float
         [m]
     place : array, shape (nd, 2)
-        Row and column of the middle of each cell in the picture. [pixel]
+        Row and column of the centre of each cell in the picture. [pixel]
     part : array of int, shape (nd,)
-        Part of the picture that a direction belongs to, from 0.
+        Part of the picture, from 0.
     shape : (int, int)
         Rows and columns of the picture. [pixel]
     """
@@ -71,7 +71,7 @@ class Photograph:
 
     @property
     def sizes(self) -> FloatArray:
-        """Channels, at least a fifth of the largest: what relative errors refer to, (nd, 3)."""
+        """Denominators of relative errors: channels, at least a fifth of the largest, (nd, 3)."""
         largest = np.abs(self.rgb).max(axis=1, keepdims=True)
         return np.asarray(np.maximum(np.abs(self.rgb), _LEAST_SHARE * largest))
 
@@ -83,7 +83,7 @@ class Photograph:
 
 @dataclass(frozen=True, kw_only=True)
 class Shot:
-    """What is known of a photograph besides its pixels.
+    """Camera, sun and selection of directions of a photograph.
 
     Attributes
     ----------
@@ -104,12 +104,12 @@ class Shot:
     encoding : str
         Encoding of a PNG or JPEG: ``srgb``, ``gamma`` or ``linear``; EXR is linear.
     tone_map : str, optional
-        Name from ``airlight.image.tone_maps.TONE_MAPS`` that is taken back; by default the one that
-        a PNG of ours names, and none for others.
+        Tone map to invert, from ``airlight.image.tone_maps.TONE_MAPS``; default: that of the
+        metadata of an airlight PNG, otherwise none.
     above : float
-        Smallest altitude above the horizon of directions that count. [deg]
+        Smallest elevation of used directions. [deg]
     exclude_sun : float
-        Directions nearer to the sun than this do not count, for a lens spreads its light. [deg]
+        Smallest angle from the sun of used directions, because of glare. [deg]
     """
 
     projection: str = "fisheye"
@@ -137,22 +137,15 @@ class Shot:
 def read_photograph(path: str | Path, shot: Shot) -> Photograph:
     """Read the colours of a photograph.
 
-    The picture is divided into cells of which each gives the mean of its middle. Cells with a pixel
-    that is too dark, too bright, near the sun, or not of the sky are left out.
+    The colour of a cell of the picture is the mean of its central part. Cells with a pixel that is
+    too dark, too bright, near the sun or not sky are omitted.
 
     Parameters
     ----------
     path : str or Path
         PNG of 8 or 16 bits, JPEG, or EXR with linear sRGB.
     shot : Shot
-        Camera, sun, and what does not count.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, or too little of it is sky.
-    ParameterError
-        If a number of the shot is out of its range.
+        Camera, sun, and selection of directions.
     """
     linear, sound = _pixels(Path(path), shot)
     height, width = linear.shape[:2]
@@ -227,7 +220,7 @@ def _pixels(path: Path, shot: Shot) -> tuple[FloatArray, NDArray[np.bool_]]:
 
 
 def _encoded(path: Path) -> tuple[FloatArray, dict[str, str]]:
-    """Encoded red, green, blue, 0 to 1, and the text of the file."""
+    """Encoded red, green, blue, 0 to 1, and the metadata of the file."""
     from PIL import Image, UnidentifiedImageError
 
     try:

@@ -31,7 +31,6 @@ def residual_curves(residuals: Residuals, title: str = "Residuals") -> ReportPic
 
     Parameters
     ----------
-    residuals : Residuals
     title : str
         Title of the picture.
     """
@@ -57,7 +56,7 @@ def residual_curves(residuals: Residuals, title: str = "Residuals") -> ReportPic
 
 
 def _wavelength_edges(residuals: Residuals) -> FloatArray | None:
-    """Edges of bins where there are more wavelengths than a curve can show."""
+    """Edges of wavelength bins, for many wavelengths."""
     nm = np.unique(residuals.wavelength)
     return None if nm.size <= 64 else np.linspace(nm[0], nm[-1] * (1.0 + 1e-9), 49)
 
@@ -78,13 +77,7 @@ def _curve(axes: Axes, bins: Binned) -> None:
 
 
 def value_plot(residuals: Residuals, title: str = "Measured and fitted values") -> ReportPicture:
-    """Fitted over measured values, by colour, and the distribution of the residuals.
-
-    Parameters
-    ----------
-    residuals : Residuals
-    title : str
-    """
+    """Fitted over measured values, by colour, and the distribution of the residuals."""
     figure = new_figure(title, size=(10.0, 4.6))
     left, right = figure.subplots(1, 2)
     nm = np.unique(residuals.wavelength)
@@ -123,13 +116,7 @@ def value_plot(residuals: Residuals, title: str = "Measured and fitted values") 
 def dome_pictures(
     residuals: Residuals, title: str = "Residuals over the sky"
 ) -> ReportPicture | None:
-    """Measured values, fitted values and differences on the dome; None with few directions.
-
-    Parameters
-    ----------
-    residuals : Residuals
-    title : str
-    """
+    """Measured values, fitted values and differences on the dome; None with few directions."""
     scans = [k for k in range(len(residuals.scans)) if _seen(residuals, k)[0].size >= _DOME]
     if not scans:
         return None
@@ -160,7 +147,7 @@ def dome_pictures(
 
 
 def _seen(residuals: Residuals, scan: int) -> tuple[FloatArray, ...]:
-    """Places on the dome, measured, fitted and relative difference of a scan's directions."""
+    """Positions on the dome, and measured, fitted and relative difference of a scan."""
     at = residuals.scan == scan
     places = np.stack([residuals.view_zenith[at], residuals.azimuth[at]], axis=-1)
     unique, row = np.unique(places, axis=0, return_inverse=True)
@@ -185,13 +172,7 @@ def _frame(axes: Axes, title: str, sun: float) -> None:
 
 
 def correlation_picture(found: FitResult, title: str = "Correlations") -> ReportPicture | None:
-    """Correlation matrix of the first parameters; None for a single parameter.
-
-    Parameters
-    ----------
-    found : FitResult
-    title : str
-    """
+    """Correlation matrix of the first parameters; None for a single parameter."""
     count = min(len(found.parameters), 16)
     if count < 2:
         return None

@@ -1,7 +1,7 @@
-"""Files of measured radiances: CSV, a value or a spectrum a line, with units in the header.
+"""CSV files of measured radiances, one value or spectrum per line, with units in the header.
 
-A line of the long form is one radiance at one wavelength, a line of the wide form one direction
-with a column for each wavelength, as ``airlight radiance`` writes it.
+A line of the long form is a radiance at a wavelength; a line of the wide form is a direction, with
+a column per wavelength.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ class Column:
     name : str
         Name without the unit.
     unit : str
-        Unit in which it is kept; empty for a text.
+        Unit of the values; empty for a text.
     suffix : str
-        Ending of the name that says that unit.
+        Suffix of the name with that unit.
     low, high : float
         Allowed range. [unit]
     needed : bool
-        Whether a file has to have it.
+        Whether the column is required.
     """
 
     name: str
@@ -79,7 +79,7 @@ MOST_VALUES: Final = 2_000_000
 
 @dataclass(frozen=True)
 class _Place:
-    """Column of the file: which, where, its unit's factor, its wavelength in the wide form."""
+    """Column of a file: declaration, index, factor of the unit, wavelength in the wide form."""
 
     column: Column
     index: int
@@ -93,24 +93,17 @@ def read_radiance_file(path: str | Path) -> Measurements:
     Parameters
     ----------
     path : str or Path
-        File in UTF-8. Lines that begin with ``#`` are comments. The header names
-        ``wavelength``, ``sun_zenith``, ``view_zenith``, ``azimuth``, ``radiance`` and, if known,
-        ``uncertainty``, ``altitude``, ``scan``, each with its unit as ``name [unit]`` or, for the
-        usual ones, ``wavelength_nm``, ``sun_zenith_deg``, ``altitude_m``; radiances without one are
-        in W m⁻² sr⁻¹ nm⁻¹. Instead of ``wavelength`` and ``radiance`` there may be columns
-        ``radiance_550nm`` with ``standard_error_550nm`` or ``uncertainty_550nm``.
+        File in UTF-8; lines that begin with ``#`` are comments. Columns: ``wavelength``,
+        ``sun_zenith``, ``view_zenith``, ``azimuth``, ``radiance`` and optionally ``uncertainty``,
+        ``altitude``, ``scan``, with units as ``name [unit]`` or ``wavelength_nm``,
+        ``sun_zenith_deg``, ``altitude_m``; the default unit of radiances is W m⁻² sr⁻¹ nm⁻¹.
+        Alternative to ``wavelength`` and ``radiance``: ``radiance_550nm`` with
+        ``standard_error_550nm`` or ``uncertainty_550nm``.
 
     Returns
     -------
     Measurements
-        Without a column ``scan``, lines of one sun are one scan.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, lacks a column, or holds no radiance.
-    ParameterError
-        For the first cell that is not a number in its range, with line and column.
+        Measurements; without a column ``scan``, lines with the same sun are one scan.
     """
     text = io.StringIO(read_text(path, LARGEST_DATA), newline="")
     lines = [(n, line) for n, line in enumerate(text, 1) if line.strip()]

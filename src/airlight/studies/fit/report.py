@@ -33,7 +33,7 @@ _WIDER: Final = 3.0
 
 
 def number(value: float, error: float) -> str:
-    """Value to the digit that its error bar allows.
+    """Value rounded to the digits allowed by its error bar.
 
     Examples
     --------
@@ -117,9 +117,8 @@ def parts_of(sky: SkyFit, *, pictures: bool = True) -> list[Part]:
 
     Parameters
     ----------
-    sky : SkyFit
     pictures : bool
-        Whether to draw pictures, which needs matplotlib.
+        Whether to draw pictures, which requires matplotlib.
     """
     residuals = residuals_of(sky)
     parts: list[Part] = [Text(text=summary(sky)), _parameters(sky)]
@@ -208,12 +207,12 @@ def _rest_table(label: str, bins: Binned) -> ReportTable:
 
 
 def solutions(sky: SkyFit) -> str:
-    """Number of solutions that were computed, and the time."""
+    """Number of computed solutions, and wall time."""
     return f"{sky.solves} solutions and {sky.rough_solves} coarse ones, {sky.seconds:.1f} s"
 
 
 def facts(sky: SkyFit) -> dict[str, str]:
-    """What is needed to repeat the fit."""
+    """Settings needed to repeat the fit."""
     free = ", ".join(
         [*sky.settings.free, *(f"{one} of each scan" for one in sky.settings.per_scan)]
     )
@@ -228,12 +227,7 @@ def facts(sky: SkyFit) -> dict[str, str]:
 
 
 def html(sky: SkyFit) -> str:
-    """Report as a page of HTML, complete in itself.
-
-    Parameters
-    ----------
-    sky : SkyFit
-    """
+    """Report as a self-contained HTML page."""
     listed = "".join(f"<dt>{escape(k)}</dt><dd>{escape(v)}</dd>" for k, v in facts(sky).items())
     body = [f"<dl>{listed}</dl>", *(part_html(part) for part in parts_of(sky))]
     return page_html(f"airlight: fit of {sky.name}", body)
@@ -244,7 +238,6 @@ def markdown(sky: SkyFit, parts: Sequence[Part], pictures: str) -> str:
 
     Parameters
     ----------
-    sky : SkyFit
     parts : sequence of Part
         From ``parts_of``.
     pictures : str

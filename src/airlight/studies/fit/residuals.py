@@ -31,7 +31,7 @@ class Residuals:
     measured, predicted, first, sigma : array, shape (n,)
         Values, predictions of the fit and of its start, standard deviations; one unit.
     wavelength : array, shape (n,)
-        Wavelength, or that by which a channel of a photograph is shown. [nm]
+        Wavelength, or representative wavelength of a channel of a photograph. [nm]
     view_zenith, azimuth, from_sun, sun_zenith : array, shape (n,)
         [deg]
     scan : array of int, shape (n,)
@@ -66,12 +66,7 @@ class Residuals:
 
 
 def residuals_of(sky: SkyFit) -> Residuals:
-    """Collect the residuals of a fit.
-
-    Parameters
-    ----------
-    sky : SkyFit
-    """
+    """Residuals of a fit."""
     found, data = sky.fitted, sky.data
     if isinstance(data, Measurements):
         return Residuals(
@@ -105,11 +100,11 @@ class Binned:
     Attributes
     ----------
     middle : array, shape (b,)
-        Middle of each bin that has values.
+        Centre of each non-empty bin.
     bias, spread : array, shape (b,)
         Mean and root mean square of the relative differences. [%]
     share : array, shape (b,)
-        Share of the sum of squared differences. [1]
+        Fraction of the sum of squared differences. [1]
     count : array of int, shape (b,)
     """
 
@@ -125,7 +120,6 @@ def binned(residuals: Residuals, by: FloatArray, edges: ArrayLike | None = None)
 
     Parameters
     ----------
-    residuals : Residuals
     by : array, shape (n,)
         Binned quantity.
     edges : array, optional

@@ -1,4 +1,4 @@
-"""Scans of a measured sky: the archive of one day, directions by wavelengths."""
+"""Scans of a measured sky on one day, by direction and wavelength."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Scans:
     radiance : array, shape (ns, nd, nl)
         [W m⁻² sr⁻¹ nm⁻¹]
     solar_irradiance, ground_albedo : array, shape (nl,)
-        Values given to all published models. [W m⁻² nm⁻¹], [1]
+        Inputs of all published models. [W m⁻² nm⁻¹], [1]
     date : str
         Day of the measurement, ``YYYY-MM-DD``.
     """
@@ -65,7 +65,7 @@ class Scans:
         Parameters
         ----------
         solution : Solution
-            Solution at ``wavelengths``, whose ground is at the instrument's altitude.
+            Solution at ``wavelengths``, with the ground at the instrument's altitude.
         view_zenith, azimuth : array, shape (ns, nd), optional
             Other directions than the measured ones. [deg]
 
@@ -82,13 +82,7 @@ class Scans:
         return np.asarray(got.values, dtype=np.float64)
 
     def measurements(self, source: str) -> Measurements:
-        """Radiances one by one, in the order of ``radiance``.
-
-        Parameters
-        ----------
-        source : str
-            Name of the file.
-        """
+        """Flat list of radiances, in the order of ``radiance``."""
         shape = self.radiance.shape
 
         def spread(values: FloatArray) -> FloatArray:
@@ -118,11 +112,6 @@ def read_scan_file(file: Path) -> Scans:
         (ns), ``view_zenith_deg`` and ``relative_azimuth_deg`` (ns, nd), ``wavelength_nm`` (nl),
         ``radiance`` (ns, nd, nl) in W m⁻² sr⁻¹ nm⁻¹, ``solar_irradiance`` and ``ground_albedo``
         (nl).
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, lacks an array, or has impossible shapes or values.
     """
     check_input(file, LARGEST_DATA)
     try:

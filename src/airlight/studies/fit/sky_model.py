@@ -1,4 +1,4 @@
-"""Model of a measured sky: a planet of some parameters, solved, seen in the measured directions."""
+"""Model of a measured sky: radiance of a parametrised planet in the measured directions."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _MOST_SOLUTIONS: Final = 2
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ObservedDirections:
-    """Directions in which a sky is seen, nd of them.
+    """Observed directions of a sky, nd of them.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class ObservedDirections:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Nuisance:
-    """Parameter of the instrument rather than of the planet.
+    """Parameter of the instrument.
 
     Attributes
     ----------
@@ -65,9 +65,9 @@ class Nuisance:
     kind : str
         ``factor`` of predicted values, or an offset of the ``zenith`` or ``azimuth``. [1] or [deg]
     values : array of bool, shape (n,)
-        Predicted values that it acts on.
+        Affected predicted values.
     scans : array of bool, shape (number of scans,)
-        Scans that it acts on.
+        Affected scans.
     """
 
     parameter: FitParameter
@@ -78,32 +78,31 @@ class Nuisance:
 
 @dataclass(kw_only=True, eq=False)
 class SkyModel:
-    """Predicted values for parameters: those of the planet first, then of the instrument.
+    """Model of predicted values for parameters of the planet, then of the instrument.
 
     Attributes
     ----------
     planet_of : callable
-        Planet for its parameters, shape (p,).
+        Function from parameters, shape (p,), to a planet.
     parameters : sequence of FitParameter
         Parameters of the planet.
     nuisances : sequence of Nuisance
         Parameters of the instrument.
     directions : ObservedDirections
     wavelengths : array, shape (nl,)
-        Wavelengths that are solved. [nm]
+        Wavelengths of the solution. [nm]
     combine : callable
         ``combine(radiance, solution)``: predicted values, shape (n,), from radiances (nd, nl).
     quality : str or MomentsSettings
         Quality of the solver.
     identity : bytes
-        What, besides the numbers here, decides the predictions; with it they are kept on disk, so
-        that an interrupted fit goes on where it was. Empty: they are not.
+        Fingerprint of further inputs, for the cache of predictions on disk; empty for no cache.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     expected : int
-        Number of solutions that progress is measured by.
+        Expected number of solutions, for progress.
     solves : int
-        Number of solutions so far; predictions from disk are not counted.
+        Number of solutions so far, without cached predictions.
     """
 
     planet_of: Callable[[FloatArray], Planet]
@@ -148,7 +147,7 @@ class SkyModel:
         return np.where(one.values, self._turning(values, one.kind), 0.0)
 
     def _turning(self, values: FloatArray, kind: str) -> FloatArray:
-        """Derivative by an offset, of all scans at once: each value has one scan's."""
+        """Derivative by an offset of pointing, computed for all scans at once."""
         key = kind.encode() + values.tobytes()
         if key not in self._kept:
             self._kept.clear()

@@ -152,13 +152,10 @@ def disc_stokes(
 
     Parameters
     ----------
-    solution : Solution
     phase_angles : array, shape (n,)
         Phase angles, 0 to 180. [deg]
     radius : float
         Radius of the reference disc. [m]
-    progress, cancel : callable, optional
-        See ``solve``.
 
     Returns
     -------

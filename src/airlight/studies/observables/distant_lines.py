@@ -52,8 +52,6 @@ def disc_lines(
         Impact parameter b [m], and position angle ψ from the sun's side [rad].
     phase : float
         Phase angle α between star and observer at the planet. [rad]
-    bottom, top : float
-        Radii of the ground and of the shell's top. [m]
     """
     height = np.sqrt(np.maximum(top * top - impact * impact, 0.0))
     mu_s = (impact * np.cos(position) * np.sin(phase) + height * np.cos(phase)) / top

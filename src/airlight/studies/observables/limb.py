@@ -23,7 +23,6 @@ def limb_radiance(
 
     Parameters
     ----------
-    solution : Solution
     tangent_height : array, shape (...)
         Geometric tangent height, without refraction, up to the top of the shell; below 0 the line
         meets the ground. [m]
@@ -36,11 +35,6 @@ def limb_radiance(
     -------
     array, shape (..., nl)
         Spectral radiance. [W m⁻² sr⁻¹ nm⁻¹]
-
-    Raises
-    ------
-    ParameterError
-        If a tangent height is above the shell or below the centre.
     """
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
     height, sun, around = np.broadcast_arrays(

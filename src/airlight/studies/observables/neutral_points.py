@@ -38,11 +38,6 @@ def principal_plane(
         Zenith angles, positive on the sun's side. [deg]
     degree : array, shape (n, nl)
         -Q/I, positive for polarisation perpendicular to the plane; NaN where I is 0. [1]
-
-    Raises
-    ------
-    ParameterError
-        If the solution is scalar, or a value is out of its range.
     """
     view = np.arange(-90.0 + 0.5 * _STEP, 90.0, _STEP)  # without the zenith, of undefined plane
     light = solution.radiance(

@@ -1,4 +1,4 @@
-"""Spectra of observables as CSV, one row for each value of the axes, and as netCDF."""
+"""Spectra of observables as CSV, one row per value of the axes, and as netCDF."""
 
 from __future__ import annotations
 
@@ -26,15 +26,10 @@ def write_spectrum(path: str | Path, data: xarray.Dataset) -> None:
     Parameters
     ----------
     path : str or Path
-        Path whose suffix is ``.csv`` or ``.nc``: text whose header names title, notes and units, or
-        netCDF with all attributes.
+        Path ending in ``.csv``, with title, notes and units in the header, or ``.nc``, with all
+        attributes.
     data : xarray.Dataset
         Variables over ``wavelength`` and at most one other dimension, from ``observe``.
-
-    Raises
-    ------
-    FileError
-        If the suffix is another, or the file cannot be written.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:

@@ -59,12 +59,7 @@ class Transit:
 
 
 def transit(solution: Solution) -> Transit:
-    """Effective radius of a planet in front of its star.
-
-    Parameters
-    ----------
-    solution : Solution
-    """
+    """Effective radius of a planet in front of its star."""
     top = solution.medium.top_radius
     edge = ground_edge(solution.geometry)
     lowest = _lowest_ray(solution, edge)

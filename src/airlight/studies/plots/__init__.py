@@ -1,4 +1,4 @@
-"""Figures of planets and their light, as matplotlib figures with a unit on every axis."""
+"""Figures of planets and their radiation, by matplotlib."""
 
 from __future__ import annotations
 

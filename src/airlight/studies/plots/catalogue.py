@@ -1,4 +1,4 @@
-"""Catalogue of figures: subject and settings of each, and its construction from a planet."""
+"""Catalogue of figures with their settings."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Choices:
-    """Settings of a figure; None leaves the choice to the figure.
+    """Settings of a figure; None for its defaults.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class Choices:
     quality : str, optional
         Quality of the solution: ``"preview"``, ``"default"`` or ``"fine"``.
     polarisation : bool, optional
-        Whether light is polarised, as for ``airlight.solve``.
+        Whether transfer is polarised.
     """
 
     wavelengths: tuple[float, ...] | None = None
@@ -61,7 +61,7 @@ class PlotKind:
     takes : tuple of str
         Names of the ``Choices`` that it accepts.
     draw : callable
-        Function that makes the figure, with the signature ``draw(planet, choices, work)``.
+        Function ``draw(planet, choices, work)`` that returns the figure.
     """
 
     sentence: str
@@ -98,7 +98,7 @@ def _solve(
 
 
 def _given(choices: Choices, *names: str) -> dict[str, Any]:
-    """Return the settings that were chosen, by name."""
+    """Settings that are not None, by name."""
     pairs = {name: getattr(choices, name) for name in names}
     return {name: value for name, value in pairs.items() if value is not None}
 
@@ -284,13 +284,7 @@ KINDS: Final[dict[str, PlotKind]] = {
 
 
 def kind_named(name: str) -> PlotKind:
-    """Return the kind of the given name.
-
-    Raises
-    ------
-    ParameterError
-        If there is no such kind.
-    """
+    """Kind of figure by name."""
     if name not in KINDS:
         raise ParameterError("KIND", name, ", ".join(KINDS))
     return KINDS[name]
@@ -299,22 +293,16 @@ def kind_named(name: str) -> PlotKind:
 def draw(
     planet: Planet, kind: str, choices: Choices | None = None, work: Work | None = None
 ) -> Figure:
-    """Draw a figure of a planet.
+    """Figure of a planet.
 
     Parameters
     ----------
-    planet : Planet
     kind : str
         One of ``KINDS``.
     choices : Choices, optional
-        Settings; a setting that the kind does not take is refused.
+        Settings; unsupported ones raise an error.
     work : Work, optional
         Options for solving the planet, if the figure needs a solution.
-
-    Returns
-    -------
-    Figure
-        Figure of matplotlib.
 
     Raises
     ------
@@ -333,7 +321,7 @@ def draw(
 
 
 def check_choices(kind: str, choices: Choices) -> None:
-    """Refuse settings that a kind of figure does not take."""
+    """Raise an error for settings that a kind of figure does not support."""
     takes = kind_named(kind).takes
     for field in fields(choices):
         value = getattr(choices, field.name)

@@ -37,7 +37,6 @@ def sky_chromaticities(solution: Solution, sun_zeniths: Sequence[float]) -> Floa
 
     Parameters
     ----------
-    solution : Solution
     sun_zeniths : sequence of float, length n
         Zenith angles of the sun, 10 to 180. [deg]
 
@@ -68,7 +67,7 @@ def cie(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figur
     Parameters
     ----------
     solution : Solution
-        Solution at wavelengths that make colours: three, or better sixteen.
+        Solution at three or, more accurately, sixteen wavelengths.
     sun_zeniths : sequence of float
         Zenith angles of the sun, each giving the zenith, the horizon and a point near the sun.
         [deg]
@@ -76,8 +75,8 @@ def cie(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figur
     Returns
     -------
     Figure
-        Matching functions above; below, all colours with the triangle of sRGB, and an enlarged part
-        with the sky's colours as seen from the ground.
+        Matching functions; below, the chromaticity diagram with the sRGB triangle, and an enlarged
+        part with the colours of the sky.
     """
     name = solution.planet.name if solution.planet is not None else "planet"
     figure = new_figure(
@@ -163,7 +162,7 @@ def _diagram(axes: Any) -> None:
 def _sky(
     axes: Any, points: FloatArray, rgb: FloatArray, suns: Sequence[float], *, labelled: bool
 ) -> None:
-    """Draw one line per direction, from high to low sun, with markers in the sky's own colours."""
+    """Draw a line per direction, from high to low sun, with markers in the colours of the sky."""
     for k, (position, marker) in enumerate(DIRECTIONS):
         axes.plot(*points[:, k].T, color=GREY, linewidth=1.0)
         peak = np.maximum(rgb[:, k].max(axis=-1, keepdims=True), 1e-300)

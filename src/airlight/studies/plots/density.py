@@ -1,4 +1,4 @@
-"""Density profiles of the constituents of a planet's air."""
+"""Density profiles of a planet's constituents."""
 
 from __future__ import annotations
 
@@ -20,15 +20,10 @@ _FAINTEST: Final = 1e-6
 def density(planet: Planet) -> Figure:
     """Relative density of each constituent over altitude, linear and logarithmic.
 
-    Parameters
-    ----------
-    planet : Planet
-
     Returns
     -------
     Figure
-        Two panels that share the altitude [km], with one curve per constituent; density 1 is where
-        its coefficients apply.
+        Two panels over altitude [km], with a curve per constituent.
 
     References
     ----------

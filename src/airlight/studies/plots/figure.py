@@ -1,7 +1,6 @@
-"""Frame, colours and file of every figure.
+"""Frame, colours and file of figures.
 
-Figures are made through matplotlib's object interface, never ``pyplot``: no window, no global
-state, safe in threads and in servers.
+Figures use matplotlib's object interface, not ``pyplot``, and thus no global state.
 """
 
 from __future__ import annotations
@@ -50,13 +49,7 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
 
 
 def require_matplotlib() -> None:
-    """Import matplotlib, which is an optional dependency.
-
-    Raises
-    ------
-    AirlightError
-        If it is not installed.
-    """
+    """Import matplotlib, which is an optional dependency."""
     try:
         import matplotlib.figure  # noqa: F401
     except ImportError as error:
@@ -64,21 +57,16 @@ def require_matplotlib() -> None:
 
 
 def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 5.0)) -> Figure:
-    """Create an empty figure with a title above and a caption below.
+    """Empty figure with title and caption.
 
     Parameters
     ----------
     title : str
         Subject of the figure, with the planet.
     caption : str
-        Settings, and how to read the figure.
+        Settings and explanation.
     size : (float, float)
-        Width and height; at eight inches wide its text is readable at 800 pixels. [inch]
-
-    Raises
-    ------
-    AirlightError
-        If matplotlib is not installed.
+        Width and height. [inch]
     """
     require_matplotlib()
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -93,7 +81,7 @@ def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 
 
 
 def words(text: str) -> str:
-    r"""Text escaped for matplotlib: no mathtext, no hidden legend entry.
+    r"""Text escaped for matplotlib, without mathtext or hidden legend entries.
 
     Parameters
     ----------
@@ -119,7 +107,7 @@ def grid(axes: Axes) -> None:
 
 
 def wavelength_ink(wavelengths: ArrayLike) -> list[tuple[float, float, float]]:
-    """Colours of wavelengths, dark enough for lines on paper; grey outside the visible.
+    """Colours of wavelengths, dark enough for lines; grey outside the visible.
 
     Parameters
     ----------
@@ -167,7 +155,7 @@ def wavelength_strip(wavelengths: ArrayLike) -> FloatArray:
 
 
 def chosen(wavelengths: ArrayLike, most: int) -> list[int]:
-    """Indices of at most ``most`` wavelengths, spread evenly over the list, both ends included.
+    """Indices of at most ``most`` equidistant items of a list, including both ends.
 
     Examples
     --------
@@ -202,14 +190,12 @@ def write_figure(
     format: str = "png",
     dpi: float = 150.0,
 ) -> None:
-    """Write a figure, byte for byte reproducible: without dates and random names.
+    """Write a figure reproducibly: without dates and random names.
 
     Parameters
     ----------
-    figure : Figure
     file : binary file
         File open for writing.
-    format : "png", "svg" or "pdf"
     dpi : float
         Resolution of PNG, and of pictures within the other formats. [pixel/inch]
     """

@@ -28,7 +28,6 @@ def limb(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figu
 
     Parameters
     ----------
-    solution : Solution
     sun_zeniths : sequence of float
         Zenith angles of the sun at the tangent point. [deg]
 

@@ -1,4 +1,4 @@
-"""The scattering table on two mappings, side by side, in its layout in memory."""
+"""Scattering table on two mappings, in its memory layout."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def table_lines(
     shape: tuple[int, int, int] = SHAPE,
     azimuth: float = 0.0,
 ) -> LinesOfSight:
-    """Lines of sight at the texels of a 3-D table over (h, cos φ, cos δ), through the air alone.
+    """Lines of sight at the texels of a 3-D table over (h, cos φ, cos δ), without the ground.
 
     Parameters
     ----------
@@ -60,8 +60,8 @@ def table_lines(
     Returns
     -------
     LinesOfSight
-        Flat arrays, the sun direction running slowest and the height fastest. No line is marked
-        as ending on the ground, so that only the air's light is returned.
+        Flat arrays, the sun direction slowest and the height fastest; no line ends on the ground,
+        for path radiance only.
     """
     width, height, depth = shape
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
@@ -125,7 +125,7 @@ def table_rgb(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> FloatArray:
-    """Linear sRGB of the light of the air, shape (depth, height, width, 3). [W m⁻² sr⁻¹]"""
+    """Linear sRGB of path radiance, shape (depth, height, width, 3). [W m⁻² sr⁻¹]"""
     light = solution.lights[0]
     irradiance = light.irradiance
     weights = rgb_weights(solution.wavelengths, light.spectrum)
@@ -142,7 +142,7 @@ def table_rgb(
 
 
 def atlas(tiles: NDArray, columns: int = COLUMNS) -> NDArray:
-    """Arrange tiles in rows, the first at the upper left.
+    """Atlas of tiles in rows, the first at the upper left.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ def atlas(tiles: NDArray, columns: int = COLUMNS) -> NDArray:
     Returns
     -------
     array, shape (rows·height, columns·width, 3)
-        Picture with the first row on top; 0 where there is no tile.
+        Picture with the first row on top; 0 for missing tiles.
     """
     count, height, width, channels = tiles.shape
     rows = -(-count // columns)
@@ -165,7 +165,7 @@ def atlas(tiles: NDArray, columns: int = COLUMNS) -> NDArray:
 
 
 def _exposure(rgb: FloatArray) -> float:
-    """Exposure at which nine texels of ten are darker than light grey. [EV]"""
+    """Exposure at which 90 % of the texels are darker than light grey. [EV]"""
     bright = float(np.percentile(luminance(rgb), 90.0))
     if not bright > 0.0:
         return 0.0
@@ -181,18 +181,12 @@ def mapping_comparison(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Figure:
-    """The table of scattered light on the linear and on the weighted power mapping.
+    """Scattering table on the linear and on the weighted power mapping.
 
     Parameters
     ----------
     solution : Solution
-        Solution that gives the air's radiance at the texels' coordinates.
-    shape : (int, int, int)
-        Number of heights, view directions and sun directions.
-    azimuth : float
-        Azimuth between view and sun. [deg]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
+        Solution of the planet.
 
     Returns
     -------

@@ -37,7 +37,7 @@ class Regions:
     horizon : float
         Cosine of the horizon's zenith angle. [1]
     upper, lower, surface : float
-        Shares w_U, w_L, w_S of the axis; together 1. [1]
+        Fractions w_U, w_L, w_S of the axis. [1]
     texel_zeniths : array, shape (TEXELS,)
         Zenith angles of texels, from straight down to straight up. [deg]
     """
@@ -55,14 +55,8 @@ def regions(planet: Planet, altitude: float) -> Regions:
 
     Parameters
     ----------
-    planet : Planet
     altitude : float
         Altitude of the observer, 0 to the top of the shell. [m]
-
-    Raises
-    ------
-    ParameterError
-        If the altitude is not within the shell.
 
     Examples
     --------
@@ -101,15 +95,14 @@ def mapping_regions(planet: Planet, altitude: float | None = None) -> Figure:
 
     Parameters
     ----------
-    planet : Planet
     altitude : float, optional
-        Altitude of the second panel; the top of the shell if left out. [m]
+        Altitude of the second panel; default: the top of the shell. [m]
 
     Returns
     -------
     Figure
-        Two half discs: zenith up, nadir down, a line for each of 33 texels, and below them bars
-        with the share of each region on the axis v.
+        Two half discs, zenith up, with a line for each of 33 texels, and bars with the fraction of
+        each region.
 
     References
     ----------

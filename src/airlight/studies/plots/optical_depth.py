@@ -30,9 +30,8 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
 
     Parameters
     ----------
-    planet : Planet
     wavelengths : tuple of float, optional
-        Wavelengths to mark; the planet's own if left out. [nm]
+        Wavelengths to mark; default: the planet's. [nm]
 
     Returns
     -------

@@ -54,7 +54,7 @@ class Convergence:
 
 
 def convergence(radiance: FloatArray) -> Convergence:
-    """Estimate the orders of scattering that were not computed.
+    """Convergence, with an estimate of the orders that were not computed.
 
     Parameters
     ----------
@@ -90,22 +90,15 @@ def order_convergence(
     Parameters
     ----------
     solution : Solution
-        Solution by a solver that keeps its orders apart: ``direct`` or ``montecarlo``.
+        Solution by a solver with separate orders: ``direct`` or ``montecarlo``.
     sun_zenith : float
         Solar zenith angle at the observer. [deg]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; asked between orders.
 
     Returns
     -------
     Figure
         The radiance by order above and the relative remainder below, for at most three wavelengths;
         dashed, the geometric series for the orders beyond the last.
-
-    Raises
-    ------
-    ParameterError
-        If the solution has not kept at least two orders.
     """
     if solution.highest_order < 2:
         raise ParameterError(

@@ -1,4 +1,4 @@
-"""Phase functions of the constituents of a planet's air."""
+"""Phase functions of a planet's constituents."""
 
 from __future__ import annotations
 
@@ -36,21 +36,15 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
 
     Parameters
     ----------
-    planet : Planet
     wavelengths : tuple of float, optional
-        Wavelengths to draw, at most four; the planet's own if left out. One curve represents all
-        of them where the phase function does not depend on wavelength. [nm]
+        Wavelengths, at most four; default: the planet's. Phase functions that do not depend on
+        wavelength have a single curve. [nm]
 
     Returns
     -------
     Figure
         Two logarithmic panels: polar, with the light arriving from the left, and over the
         scattering angle. Legends give the mean cosine g.
-
-    Raises
-    ------
-    ParameterError
-        If nothing scatters.
 
     References
     ----------
@@ -126,7 +120,7 @@ def _mean_cosine(constituent: Constituent, nm: tuple[float, ...]) -> FloatArray:
 
 
 def _different(name: str, values: FloatArray, nm: tuple[float, ...]) -> list[tuple[int, str]]:
-    """Indices of the wavelengths that get a curve of their own, and the curves' labels."""
+    """Indices of the wavelengths with separate curves, and labels."""
     spread = np.ptp(values, axis=1) / values.mean(axis=1)
     if float(spread.max()) < _SAME:
         return [(0, name)]

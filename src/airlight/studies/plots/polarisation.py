@@ -46,13 +46,8 @@ def polarisation_plane(
     Returns
     -------
     Figure
-        One curve per wavelength of at most six, positive where light swings across the plane; the
-        neutral points are marked, and named with their distances from the sun or its opposite.
-
-    Raises
-    ------
-    ParameterError
-        If the solution is of scalar transfer, or a value is out of its range.
+        A curve per wavelength, at most six, positive for polarisation normal to the plane, with the
+        neutral points and their distances from the sun or the antisolar point.
     """
     view, degree = principal_plane(solution, sun_zenith=sun_zenith, altitude=altitude)
     points = neutral_points(solution, sun_zenith=sun_zenith, altitude=altitude)
@@ -91,7 +86,7 @@ def polarisation_plane(
 
 
 def _name(axes: Axes, point: str, places: FloatArray, sun_zenith: float) -> None:
-    """Name of a neutral point under its marks, with the range of its distances."""
+    """Label of a neutral point with the range of its distances."""
     origin = sun_zenith if point in ("Babinet", "Brewster") else sun_zenith - 180.0
     away = np.sort(np.abs(places - origin))
     span = f"{away[0]:.0f}°" if f"{away[0]:.0f}" == f"{away[-1]:.0f}" else (
@@ -112,26 +107,11 @@ def polarisation_dome(
 ) -> Figure:
     """Degree and angle of polarisation over the sky, with bars along the plane of polarisation.
 
-    Parameters
-    ----------
-    solution : Solution
-        Solution of polarised light.
-    sun_zenith : float
-        Zenith angle of the sun, 0 to 180. [deg]
-    altitude : float
-        Altitude of the observer. [m]
-
     Returns
     -------
     Figure
-        Two domes as a fisheye sees them, the zenith in the middle and the sun's side below, at the
-        wavelength next to 550 nm: degree with bars as long as it is large; angle from the plane of
-        line and zenith.
-
-    Raises
-    ------
-    ParameterError
-        If the solution is of scalar transfer, or a value is out of its range.
+        Two fisheye domes with the sun's side at the bottom, at the wavelength nearest to 550 nm:
+        degree with bars of proportional length, and angle from the meridian plane.
     """
     k = int(np.argmin(np.abs(solution.wavelengths - GREEN)))
     dome = _Dome(solution, k, sun_zenith, altitude)
@@ -173,7 +153,7 @@ _LABELS: Final = {
 
 
 class _Dome:
-    """Polarisation over the sky, interpolated from half a dome; the other half mirrors it."""
+    """Polarisation over the sky, interpolated in half a dome and mirrored."""
 
     def __init__(self, solution: Solution, k: int, sun_zenith: float, altitude: float) -> None:
         from scipy.interpolate import RectBivariateSpline
@@ -202,7 +182,7 @@ class _Dome:
 
 
 def _position(zenith: FloatArray, azimuth: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Place in a dome seen from below: the sun's side at the bottom, azimuth 90 on the right."""
+    """Position in a dome seen from below: the sun's side at the bottom, azimuth 90 on the right."""
     turn = np.radians(azimuth)
     return zenith * np.sin(turn), -zenith * np.cos(turn)
 
@@ -222,7 +202,7 @@ def _dome_lines(axes: Axes, sun_zenith: float) -> None:
 
 
 def _bars(axes: Axes, dome: _Dome) -> None:
-    """Bars along which light swings, as long as its degree is large."""
+    """Bars along the plane of polarisation, of length proportional to the degree."""
     from matplotlib.collections import LineCollection
 
     places = [(z, a) for z in _BARS for a in np.linspace(0.0, 360.0, round(0.4 * z), False)]

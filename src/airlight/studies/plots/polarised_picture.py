@@ -67,12 +67,12 @@ COLOR_BARS: Final = {
 
 
 def angle_colors(angle: ArrayLike) -> FloatArray:
-    """Colours of angles, of one lightness and chroma, the hue around once in half a turn.
+    """Colours of angles: constant lightness and chroma, a full circle of hue in 180 deg.
 
     Parameters
     ----------
     angle : array, shape (...)
-        Angles of polarisation, of which those half a turn apart are one. [deg]
+        Angles of polarisation, modulo 180. [deg]
 
     Returns
     -------
@@ -106,20 +106,12 @@ def polarised_picture(frame: Frame, show: Literal["dolp", "aolp"]) -> NDArray[np
     frame : Frame
         Frame with Q and U, ``render(..., stokes=True)``.
     show : "dolp" or "aolp"
-        Degree of linear polarisation, or its angle in each line's own meridian plane.
+        Degree of linear polarisation, or its angle from the meridian plane.
 
     Returns
     -------
     array, shape (h + strip, w, 3), uint8
-        sRGB. Pixels that are dark, see ``is_lit``, are black; angles fade to black below a degree
-        of 2 %.
-
-    Raises
-    ------
-    ParameterError
-        If the frame has no Q and U, the name is unknown, or the picture is too narrow for labels.
-    AirlightError
-        If matplotlib is not installed.
+        sRGB; dark pixels (``is_lit``) are black, and angles fade to black below a degree of 2 %.
     """
     if show not in COLOR_BARS:
         raise ParameterError("show", show, ", ".join(COLOR_BARS))
@@ -137,16 +129,12 @@ def polarised_picture(frame: Frame, show: Literal["dolp", "aolp"]) -> NDArray[np
 
 
 def is_lit(stokes: ArrayLike) -> NDArray[np.bool_]:
-    """Whether the pixels of a picture are bright enough to have a degree and an angle.
+    """Whether pixels are bright enough for degree and angle.
 
     Parameters
     ----------
     stokes : array, shape (3, ...)
         I, Q and U of the luminance. [W m⁻² sr⁻¹]
-
-    Returns
-    -------
-    array of bool, shape (...)
 
     Examples
     --------
@@ -160,7 +148,7 @@ def is_lit(stokes: ArrayLike) -> NDArray[np.bool_]:
 
 
 def check_width(width: int) -> None:
-    """Refuse a picture that is too narrow for the labels of a legend. [pixel]"""
+    """Raise an error for a picture too narrow for the labels of a legend. [pixel]"""
     if width < _LEAST_WIDTH:
         raise ParameterError("width", width, f"{_LEAST_WIDTH} pixels or more, for the legend")
 

@@ -23,7 +23,6 @@ def sky_profile(solution: Solution, *, sun_zenith: float = 60.0, altitude: float
 
     Parameters
     ----------
-    solution : Solution
     sun_zenith : float
         Zenith angle of the sun, 0 to 180. [deg]
     altitude : float
@@ -34,7 +33,7 @@ def sky_profile(solution: Solution, *, sun_zenith: float = 60.0, altitude: float
     Figure
         Two logarithmic panels, one curve per wavelength: over the view zenith angle, negative on
         the side away from the sun; and over the azimuth from the sun at the sun's zenith angle, or
-        at 85° if the sun is lower. The sun's disc is left out.
+        at 85° if the sun is lower. Without the sun's disc.
     """
     view = np.linspace(-90.0, 90.0, 361)
     circle = min(sun_zenith, LOWEST_CIRCLE)

@@ -31,7 +31,7 @@ def solar_spectrum(planet: Planet, wavelengths: tuple[float, ...] | None = None)
     planet : Planet
         Planet whose star is shown, at the planet's distance.
     wavelengths : tuple of float, optional
-        Wavelengths marked on the curve; the planet's own if left out. [nm]
+        Wavelengths marked on the curve; default: the planet's. [nm]
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Screen colours of single wavelengths, by the three normalisations."""
+"""Display colours of monochromatic light, by three normalisations."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _CHANNELS: Final = (
 
 
 def spectral_to_rgb(wavelengths: tuple[float, ...] = (680.0, 550.0, 440.0)) -> Figure:
-    """Linear sRGB of single wavelengths, and their colours on a screen.
+    """Linear sRGB of monochromatic light, and display colours.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ def spectral_to_rgb(wavelengths: tuple[float, ...] = (680.0, 550.0, 440.0)) -> F
     Returns
     -------
     Figure
-        Three panels, one for each normalisation: three curves at 360, 361, … 830 nm, and below
-        them the colours, clamped to what a screen can show.
+        A panel for each normalisation: curves of the three channels from 360 to 830 nm, and colours
+        clamped to the gamut.
 
     References
     ----------

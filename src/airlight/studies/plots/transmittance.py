@@ -1,4 +1,4 @@
-"""Transmittance to the top of the air over altitude and direction: a surface and a map."""
+"""Transmittance to the top of the shell over altitude and direction: surface and map."""
 
 from __future__ import annotations
 
@@ -38,7 +38,6 @@ def mean_transmittance(medium: Medium, altitude: ArrayLike, view_zenith: ArrayLi
 
     Parameters
     ----------
-    medium : Medium
     altitude, view_zenith : array, shapes that broadcast to (...)
         Altitude within the shell [m]; zenith angle, 0 to 180 [deg].
 
@@ -69,7 +68,6 @@ def horizon_zenith(medium: Medium, altitude: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    medium : Medium
     altitude : array, shape (...)
         Altitude of the observer. [m]
     """
@@ -95,9 +93,8 @@ def transmittance_map(planet: Planet, wavelengths: tuple[float, ...] | None = No
 
     Parameters
     ----------
-    planet : Planet
     wavelengths : tuple of float, optional
-        Wavelengths of the mean; the planet's own if left out. [nm]
+        Wavelengths of the mean; default: the planet's. [nm]
 
     Returns
     -------
@@ -141,12 +138,6 @@ def transmittance_map(planet: Planet, wavelengths: tuple[float, ...] | None = No
 
 def transmittance_surface(planet: Planet, wavelengths: tuple[float, ...] | None = None) -> Figure:
     """Mean transmittance over view zenith angle and altitude, as a surface in three dimensions.
-
-    Parameters
-    ----------
-    planet : Planet
-    wavelengths : tuple of float, optional
-        Wavelengths of the mean; the planet's own if left out. [nm]
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Report pages as HTML that is complete in itself: no network, no other files."""
+"""Report pages as self-contained HTML."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ dt { color: var(--quiet); } dd { margin: 0; }
 
 
 def page_html(title: str, body: Sequence[str]) -> str:
-    """Whole page of HTML that is also well-formed XML.
+    """HTML page that is also well-formed XML.
 
     Parameters
     ----------

@@ -11,13 +11,7 @@ from airlight.studies.reports.parts import Cell, Part, ReportPicture, ReportTabl
 
 
 def files_of(parts: Sequence[Part]) -> dict[str, bytes]:
-    """Contents of the pictures among parts, by file name.
-
-    Raises
-    ------
-    ValueError
-        If two pictures have the same name.
-    """
+    """Contents of the pictures among parts, by file name."""
     pictures = [part for part in parts if isinstance(part, ReportPicture)]
     files = {picture.file_name: picture.png for picture in pictures}
     if len(files) < len(pictures):
@@ -30,7 +24,6 @@ def part_lines(part: Part, pictures: str) -> list[str]:
 
     Parameters
     ----------
-    part : Part
     pictures : str
         Folder of the pictures relative to the page, such as ``"pictures"``.
     """
@@ -75,7 +68,7 @@ def strong(text: str, wanted: bool) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Text in which nothing is taken for HTML, code, a link or an escape.
+    r"""Text with HTML and Markdown syntax escaped.
 
     Examples
     --------

@@ -45,7 +45,7 @@ class ReportTable:
     note : str
         Explanation below the table.
     folded : bool
-        Whether a long table is closed until the reader opens it.
+        Whether the table is initially collapsed.
     """
 
     title: str
@@ -56,7 +56,7 @@ class ReportTable:
     folded: bool = False
 
     def __post_init__(self) -> None:
-        """Refuse rows that do not fit the headings."""
+        """Raise an error for rows that do not match the headings."""
         wrong = [row for row in self.rows if len(row) != len(self.columns)]
         if wrong:
             raise ValueError(f"{self.title}: a row of {len(wrong[0])} for {len(self.columns)}")
@@ -75,7 +75,7 @@ class ReportPicture:
     png : bytes
         Contents of the file.
     caption : str
-        Description of the picture and of what to look for.
+        Description of the picture.
     """
 
     title: str
@@ -86,7 +86,7 @@ class ReportPicture:
     def from_figure(
         cls, figure: Figure, *, title: str, caption: str = "", dpi: int = 80
     ) -> ReportPicture:
-        """Draw a matplotlib figure as a small PNG of at most 256 colours."""
+        """Picture from a matplotlib figure, as a PNG of at most 256 colours."""
         from PIL import Image
 
         drawn = io.BytesIO()

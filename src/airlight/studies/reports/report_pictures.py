@@ -24,21 +24,16 @@ _FILES: Final = ("*.png",)
 
 
 def check_pictures(folder: Path, page: Path | None = None, *, overwrite: bool = False) -> None:
-    """Check that pictures can be written, before long work.
+    """Raise an error if pictures cannot be written.
 
     Parameters
     ----------
     folder : Path
-        Folder to create, an empty one, or one of such pictures.
+        New or empty folder, or one of such pictures.
     page : Path, optional
-        Page that is written with them although the user has not named it.
+        Page that is written with them.
     overwrite : bool
-        Whether files may be replaced that airlight has not written, or that were changed since.
-
-    Raises
-    ------
-    FileError
-        If they cannot, or a file is not airlight's to replace.
+        Whether to replace files that airlight did not write or that were modified.
     """
     target = folder
     if folder.parent.exists():  # else it is made, and nothing is there
@@ -70,12 +65,7 @@ def write_pictures(
     pictures : mapping of str to bytes
         Contents of PNG files by name.
     text : str
-        Text of the page, by which it is recognised when it is replaced.
-
-    Raises
-    ------
-    FileError
-        As for ``check_pictures``.
+        Text of the page, whose checksum identifies it later.
     """
     check_pictures(folder, page, overwrite=overwrite)
     try:

@@ -1,4 +1,4 @@
-"""Sweeps: radiances on grids of planets, suns and views, as Zarr, computed by many processes."""
+"""Sweeps: radiances on grids of planets, suns and views, computed in parallel, as Zarr."""
 
 from __future__ import annotations
 

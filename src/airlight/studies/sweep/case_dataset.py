@@ -1,4 +1,4 @@
-"""Answers to a table of observers as a labelled dataset, which is written as netCDF."""
+"""Radiances of a table of observers as a labelled dataset, written as netCDF."""
 
 from __future__ import annotations
 
@@ -31,21 +31,20 @@ def case_dataset(
     stokes: bool = False,
     attributes: Mapping[str, str] | None = None,
 ) -> xarray.Dataset:
-    """Label the answers to a table of observers.
+    """Labelled dataset of the radiances of a table of observers.
 
     Parameters
     ----------
     cases, wavelengths, radiance, standard_error, stokes :
         Arguments of ``write_cases``.
     attributes : mapping of str to str, optional
-        Attributes of the dataset, as ``airlight.files.provenance`` gives them.
+        Attributes from ``airlight.files.provenance``.
 
     Returns
     -------
     xarray.Dataset
-        ``radiance``, and ``Q``, ``U``, ``dolp``, ``aolp``, over ``case`` and ``wavelength``; the
-        observers and the other columns of the table over ``case``, one that is named as a result
-        as ``input_…``.
+        ``radiance``, and ``Q``, ``U``, ``dolp``, ``aolp``, over ``case`` and ``wavelength``;
+        columns of the table over ``case``, renamed ``input_…`` in case of conflict.
     """
     import xarray
 
@@ -86,13 +85,7 @@ def _cells(texts: list[str]) -> NDArray[Any]:
 
 
 def write_dataset(path: str, data: xarray.Dataset) -> None:
-    """Write a dataset as netCDF.
-
-    Raises
-    ------
-    FileError
-        If it cannot be written, or netCDF does not allow a name in it.
-    """
+    """Write a dataset as netCDF."""
     with atomic_file(path) as part:
         try:
             data.to_netcdf(part, engine="scipy")

@@ -1,4 +1,4 @@
-"""CSV files of observers: read with every cell checked, written with the results appended."""
+"""CSV files of observers: validated input, and output with the results appended."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Cases:
     Parameters
     ----------
     comments : list of str
-        Lines that begin with ``#`` above the header.
+        Comment lines above the header.
     header : list of str
         Names of all columns of the file.
     rows : list of list of str
@@ -61,12 +61,12 @@ class Cases:
 
 
 def check_table(path: str, suffixes: Sequence[str] = SUFFIXES) -> None:
-    """Refuse, before long work, a table that cannot be written, or not in its suffix's format.
+    """Raise an error, before the computation, if an output table cannot be written.
 
     Parameters
     ----------
     path : str
-        Path of the future file; ``-`` is the standard output.
+        Path of the output; ``-`` is the standard output.
     suffixes : sequence of str
         Suffixes of the formats that can be written.
 
@@ -93,14 +93,7 @@ def read_cases(path: str) -> Cases:
     Returns
     -------
     Cases
-        Table in the file's order; empty lines are left out.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, or lacks a header or a column.
-    ParameterError
-        For the first cell that is not a number in its range, with line and column.
+        Table in the file's order, without empty lines.
     """
     with case_blocks(path, None) as (head, blocks):
         some = list(blocks)
@@ -118,17 +111,12 @@ def case_blocks(path: str, size: int | None) -> Iterator[tuple[Cases, Iterator[C
     path : str
         Path as for ``read_cases``.
     size : int, optional
-        Number of rows in a block; all if left out.
+        Number of rows in a block; default: all.
 
     Yields
     ------
     (Cases, iterator of Cases)
-        Comments and header, without rows; and the blocks, as they are read.
-
-    Raises
-    ------
-    FileError, ParameterError
-        As for ``read_cases``, from the blocks too.
+        Comments and header, and an iterator of blocks.
     """
     name = "standard input" if path == "-" else path
     with contextlib.ExitStack() as stack:
@@ -139,7 +127,7 @@ def case_blocks(path: str, size: int | None) -> Iterator[tuple[Cases, Iterator[C
 
 
 def _guarded(blocks: Iterator[Cases], name: str) -> Iterator[Cases]:
-    """Blocks, with explained reading errors."""
+    """Blocks, with reading errors as ``FileError``."""
     while True:
         with _explained(name):
             block = next(blocks, None)
@@ -248,7 +236,7 @@ def radiance_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> l
     wavelengths : sequence of float
         Wavelengths. [nm]
     stokes : bool
-        Whether light is given by I, Q and U, the degree and the angle of its polarisation.
+        Whether the columns are I, Q and U, degree and angle of polarisation.
 
     Examples
     --------
@@ -262,7 +250,7 @@ def radiance_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> l
 
 
 def error_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> list[str]:
-    """Names of the columns of standard errors, of I, Q and U where light is given by them.
+    """Names of the columns of standard errors, of radiance or of I, Q and U.
 
     Examples
     --------
@@ -276,7 +264,7 @@ def error_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> list
 
 
 def polarised_answers(found: xarray.DataArray) -> NDArray[np.float64]:
-    """Cells under the columns of I, Q and U, degree and angle, shape (n, 5·wavelengths).
+    """I, Q and U, degree and angle of polarisation as columns, shape (n, 5·wavelengths).
 
     Parameters
     ----------
@@ -302,9 +290,9 @@ def write_cases(
     Parameters
     ----------
     path : str
-        Path of the .csv, which appears whole or not at all; ``-`` is the standard output.
+        Path of the .csv, written atomically; ``-`` is the standard output.
     cases : Cases
-        Table, written as it was read.
+        Table of observers.
     wavelengths : sequence of float
         Wavelengths of the radiances. [nm]
     radiance : array, shape (n, wavelengths)
@@ -312,8 +300,7 @@ def write_cases(
     standard_error : array, shape (n, wavelengths), optional
         Standard errors, written with two digits in columns after the radiances. [W m⁻² sr⁻¹ nm⁻¹]
     stokes : bool
-        Whether the numbers are those of polarised light, as ``radiance_columns`` and
-        ``error_columns`` name them.
+        Whether the values are those of ``polarised_answers``.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""``Grid``: the axes of a sweep, and the blocks in which it is computed."""
+"""``Grid``: axes and blocks of a sweep."""
 
 from __future__ import annotations
 
@@ -47,22 +47,17 @@ class Grid:
     Parameters
     ----------
     planets : sequence of str, Path, Planet or Solution
-        Presets, planet files or planets, of different names; or one of them.
+        Presets, planet files or planets with different names; or a single one.
     vary : mapping
-        Values of keys of the planet files, by their path: each path is an axis. A text is a list or
-        a range, see ``varied``. Planets without a file do not vary.
+        Values of keys of the planet files by path, each of which is an axis; see ``varied``.
+        Planets without a file do not vary.
     altitude : array
         Altitudes of the observer: numbers, text with a unit (also a range, ``"0:10:2 km"``) or
         quantities. [m]
     sun_zenith, view_zenith, azimuth : array
         Zenith angles of sun and view, and the azimuth between them. [deg]
     wavelengths : array, optional
-        Wavelengths; the first planet's own by default. [nm]
-
-    Raises
-    ------
-    ParameterError
-        With the field, the value and the allowed range.
+        Wavelengths; default: those of the first planet. [nm]
 
     Examples
     --------
@@ -137,7 +132,7 @@ class Grid:
 
     @property
     def variants(self) -> tuple[int, ...]:
-        """Number of planets, and of the values of each path."""
+        """Numbers of planets and of values of each path."""
         return (len(self.planets), *(len(values) for values in self.vary.values()))
 
     def changes(self, variant: tuple[int, ...]) -> dict[str, Any]:
@@ -155,7 +150,7 @@ class Grid:
 
     @property
     def steps(self) -> tuple[int, int]:
-        """Numbers of suns and of views in a block: about half a million radiances."""
+        """Numbers of suns and of views in a block of about half a million radiances."""
         line = len(self.azimuth) * len(self.nm)
         views = max(1, min(len(self.view_zenith), _BLOCK // line))
         return max(1, min(len(self.sun_zenith), _BLOCK // (line * views))), views
@@ -170,7 +165,7 @@ class Grid:
         )  # fmt: skip
 
     def region(self, block: tuple[int, ...]) -> tuple[Any, ...]:
-        """Part of the array of radiances that a block fills: an index or a slice for each axis."""
+        """Indices and slices of a block in the array of radiances."""
         *fixed, sun, view = block
         suns, views = self.steps
         return (
@@ -181,7 +176,7 @@ class Grid:
 
 
 def varied(values: Any, path: str) -> list[Any]:
-    """Values of a key that varies: of a text a list with commas or a range, with their unit.
+    """Values of a varied key, from a sequence or from the text of a list or range.
 
     Parameters
     ----------
@@ -189,11 +184,6 @@ def varied(values: Any, path: str) -> list[Any]:
         Text, or values as a planet file takes them, quantities included.
     path : str
         Path of the key, for errors.
-
-    Raises
-    ------
-    ParameterError
-        If there is no value, or the range cannot be read.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Radiances of a long table of observers, block by block: bounded memory, resumed after a kill."""
+"""Radiances of a long table of observers, block by block, in bounded memory, resumable."""
 
 from __future__ import annotations
 
@@ -57,9 +57,9 @@ class Lines:
     quality : str
         Quality of its solution.
     polarisation, stokes : bool
-        Whether light is polarised, and whether I, Q and U, degree and angle are wanted.
+        Whether transfer is polarised, and whether to return I, Q and U, degree and angle.
     cache : bool
-        Whether the solution is kept on disk.
+        Whether to cache the solution on disk.
     values : array, shape (n, 4)
         Altitude, zenith angles of sun and view, azimuth. [m, deg, deg, deg]
     """
@@ -89,46 +89,33 @@ def answer_rows(
 ) -> int:
     """Write a table of observers with their radiances appended.
 
-    Computed rows are in hidden files in the target's folder, and a second start with the same
-    table, planet, wavelengths and quality goes on from there, from the first block that is not as
-    it was written; the target appears when it is whole. One process writes it at a time.
+    Computed rows are in hidden files in the target's folder, from which a run with the same inputs
+    resumes at the first missing or damaged block. The target appears when complete and is locked
+    meanwhile.
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
     source : str
-        Path of a CSV as ``case_blocks`` reads it. It is read twice: first every cell is checked.
+        Path of a CSV for ``case_blocks``, read twice: first for validation.
     target : str
-        Path of the new CSV; ``-`` is the standard output, which keeps nothing.
+        Path of the new CSV; ``-`` is the standard output, without resumption.
     wavelengths : sequence of float
         Wavelengths. [nm]
     quality : str
         Quality as for ``airlight.solve``.
     polarisation : bool
-        Whether light is polarised, as for ``airlight.solve``.
+        Whether transfer is polarised.
     stokes : bool
-        Whether I, Q and U, degree and angle of polarisation are appended.
+        Whether to append I, Q and U, degree and angle of polarisation.
     cache : bool
-        Whether the solution is looked for on disk, and kept there.
+        Whether to cache the solution on disk.
     scheduler, workers : optional
-        See ``distribution.opened_runner``; one process, with all its threads, by default.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
+        See ``airlight.studies.distribution.opened_runner``; default: one process.
 
     Returns
     -------
     int
-        Number of rows that an earlier start had computed.
-
-    Raises
-    ------
-    FileError
-        If a file cannot be read or written.
-    ParameterError
-        For the first cell that is not a number in its range.
-    WorkerError
-        If workers or their scheduler are lost.
+        Number of rows from an earlier run.
     """
     check_table(target, (".csv",))
     with case_blocks(source, BLOCK) as (head, blocks):
@@ -175,7 +162,7 @@ def radiances_of_lines(lines: Lines, code: str) -> FloatArray:
     lines : Lines
         Lines of sight.
     code : str
-        Hash of the source of the process that sent them.
+        Hash of the sender's source code.
     """
     check_code(code, _SOURCE)
     solution = shared_solution(
@@ -190,14 +177,14 @@ def radiances_of_lines(lines: Lines, code: str) -> FloatArray:
 
 
 class _Table:
-    """Table that grows block by block: its stream, and how many blocks it has.
+    """Output table with its stream and number of blocks.
 
     Attributes
     ----------
     stream : text stream
         Stream that rows are written to.
     kept, blocks : int
-        Number of blocks that were there, and that are there now.
+        Number of blocks of earlier runs, and of all blocks.
     """
 
     def __init__(
@@ -207,7 +194,7 @@ class _Table:
         self._part, self._end = part, 0 if part is None else part.stat().st_size
 
     def end_block(self) -> None:
-        """Note that a block is whole, and its checksum, after it has left this process."""
+        """Record a complete block and its checksum after flushing it."""
         self.blocks += 1
         self.stream.flush()
         if self._index is None or self._part is None:
@@ -256,7 +243,7 @@ class _Table:
 
 
 class _Note(NamedTuple):
-    """Line of the index: number of a block, 1 the first, its end in the file, its checksum."""
+    """Line of the index: number of a block from 1, its end in the file, its checksum."""
 
     number: int
     end: int
@@ -267,12 +254,12 @@ class _Note(NamedTuple):
 
 
 def _literal(name: str) -> str:
-    """Name without a meaning of its letters for ``glob``."""
+    """Name escaped for ``glob``."""
     return "".join(f"[{letter}]" if letter in "*?[" else letter for letter in name)
 
 
 def _noted(index: Path, part: Path) -> list[_Note]:
-    """Notes of the blocks that are as they were written, up to the first that is not."""
+    """Index lines of the intact blocks up to the first damaged one."""
     found: list[_Note] = []
     try:
         with part.open("rb") as stream, index.open(encoding="ascii") as lines:

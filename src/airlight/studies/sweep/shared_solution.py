@@ -1,4 +1,4 @@
-"""Solution shared by the tasks of a process: solved, or read from disk, once."""
+"""Solution shared by the tasks of a process."""
 
 from __future__ import annotations
 
@@ -30,18 +30,14 @@ def shared_solution(
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
     wavelengths : sequence of float
         Wavelengths. [nm]
     quality : str
         Quality as for ``airlight.solve``.
     polarisation : bool
-        Whether light is polarised, as for ``airlight.solve``.
+        Whether transfer is polarised.
     cache : bool
-        Whether it is looked for on disk, and kept there.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
+        Whether to cache the solution on disk.
     """
     key = digest((planet, tuple(wavelengths), quality, polarisation))
     if key not in _CACHED:

@@ -1,7 +1,7 @@
-"""A sweep on disk: a Zarr group that xarray opens, with the checksum of each block.
+"""Store of a sweep: a Zarr group with a checksum of each block.
 
-No file of a group from elsewhere is decoded. Its metadata have to be those of this grid, and blocks
-are compared with their checksums as bytes: what is damaged is computed again.
+Existing metadata have to be those of this grid; blocks are verified by their checksums, and damaged
+ones are computed again.
 """
 
 from __future__ import annotations
@@ -51,15 +51,7 @@ _REMEDY: Final = (
 
 
 def check_store(path: Path, field: str) -> None:
-    """Refuse, before anything is solved, a place where a sweep cannot be written.
-
-    Raises
-    ------
-    ParameterError
-        If zarr is not installed.
-    FileError
-        If there is something else.
-    """
+    """Raise an error, before the computation, if a sweep cannot be written to a path."""
     if util.find_spec("zarr") is None:
         raise ConflictError(field, "requires zarr: pip install airlight[sweep]")
     check_folder_name(path, ".zarr")
@@ -89,7 +81,7 @@ def size_on_disk(grid: Grid, *, stokes: bool) -> int:
 
 
 def check_room(path: Path, needed: int) -> None:
-    """Refuse a store that exceeds its present size plus the free disk space.
+    """Raise an error if a store exceeds its present size plus the free disk space.
 
     Parameters
     ----------
@@ -97,11 +89,6 @@ def check_room(path: Path, needed: int) -> None:
         Folder of the group.
     needed : int
         Size of the whole store. [byte]
-
-    Raises
-    ------
-    FileError
-        If the disk has less.
     """
     free = shutil.disk_usage(path.parent).free
     if needed <= free:
@@ -132,7 +119,7 @@ def in_words(size: float) -> str:
 
 
 class State(enum.Enum):
-    """State of a block: absent, computed from something else, damaged, or whole."""
+    """State of a block: absent, computed from other inputs, damaged, or intact."""
 
     MISSING = "missing"
     CHANGED = "changed"
@@ -147,18 +134,10 @@ class SweepStore:
     ----------
     path : Path
         Folder of the Zarr group.
-    grid : Grid
-        Grid.
     about : mapping of str to str
-        Attributes beside planets and version: what was computed, and its settings.
+        Further attributes: quantity and settings.
     stokes : bool
-        Whether it holds ``POLARISED`` too.
-
-    Raises
-    ------
-    FileError
-        If the folder holds a sweep of another grid, metadata that airlight does not write, or
-        links.
+        Whether it contains ``POLARISED``.
     """
 
     def __init__(
@@ -180,14 +159,12 @@ class SweepStore:
             self._read_marks()
 
     def state(self, block: tuple[int, ...], fingerprint: int) -> State:
-        """State of a block that should have this fingerprint; all its bytes are read.
+        """State of a block, for its expected fingerprint; all bytes are read.
 
         Parameters
         ----------
-        block : tuple of int
-            Indices of the block.
         fingerprint : int
-            Hash of all that defines the block, 1 to 2^63.
+            Hash of all inputs of the block, 1 to 2^63.
         """
         written, checksum = map(int, self._marks[block])
         if not written and not checksum:
@@ -202,17 +179,12 @@ class SweepStore:
         return State.WHOLE
 
     def renew(self) -> list[str]:
-        """Write attributes and coordinates of a group that is there, where they differ.
+        """Rewrite differing attributes and coordinates of an existing group.
 
         Returns
         -------
         list of str
-            Names of the coordinates that were damaged.
-
-        Raises
-        ------
-        FileError
-            If they cannot be written.
+            Names of damaged coordinates.
         """
         damaged = []
         texts = {name: text.encode() for name, text in self._texts.items()}
@@ -229,16 +201,12 @@ class SweepStore:
         return damaged
 
     def write(self, block: tuple[int, ...], values: NDArray[np.float32], fingerprint: int) -> None:
-        """Write the arrays of a block, and then its fingerprint and its checksum.
+        """Write the arrays of a block, then its fingerprint and checksum.
 
         Parameters
         ----------
-        block : tuple of int
-            Indices of the block.
         values : array, shape (n, suns, views, azimuths, wavelengths)
             Radiance first. [W m⁻² sr⁻¹ nm⁻¹]
-        fingerprint : int
-            Hash of all that defines the block, 1 to 2^63.
 
         Raises
         ------
@@ -266,7 +234,7 @@ class SweepStore:
         self._whole += 1
 
     def _chunk(self, values: NDArray[np.float32]) -> bytes:
-        """Compressed chunk of a block, which is shorter at the ends of the axes."""
+        """Compressed chunk of a block, which may be smaller at the ends of the axes."""
         from numcodecs.registry import get_codec
 
         chunk = np.full(chunk_shape(self._grid)[-4:], np.nan, "<f4")
@@ -299,7 +267,7 @@ class SweepStore:
     # --- a group that is there ----------------------------------------------------------------
 
     def _check_metadata(self) -> None:
-        """Compare the metadata with those of this grid, before any array is read."""
+        """Raise an error if the metadata are not those of this grid."""
         self._check_files("")
         attributes = self._read(".zattrs")
         if attributes.get(AXES_ATTRIBUTE) != self._attributes[AXES_ATTRIBUTE]:
@@ -318,7 +286,7 @@ class SweepStore:
                 raise self._damaged(f"{name} has the field {min(set(found) - set(expected))!r}")
 
     def _check_files(self, name: str) -> None:
-        """Refuse links, devices, and metadata of a later version of Zarr, which readers prefer."""
+        """Raise an error for links, devices, and metadata of a later version of Zarr."""
         try:
             entries = list(os.scandir(self._folder / name))
         except OSError as error:
@@ -354,7 +322,7 @@ class SweepStore:
         return FileError(self.path, f"{reason}; {_REMEDY}")
 
     def _read_marks(self) -> None:
-        """Read fingerprints and checksums; those of a damaged file count as absent."""
+        """Read fingerprints and checksums; damaged files count as absent."""
         for variant in np.ndindex(*self._grid.variants):
             one = self._marks[variant]
             content = _content(self._folder / marks_file(variant), one.nbytes)
@@ -363,11 +331,7 @@ class SweepStore:
 
 
 def _checksum(fingerprint: int, files: list[bytes]) -> int:
-    """Sixty-four bits of the SHA-256 of a block's fingerprint and files, never 0.
-
-    SHA-256 is in the standard library, and processors have instructions for it: it costs less than
-    the compression does.
-    """
+    """Sixty-four bits of the SHA-256 of a block's fingerprint and files, never 0."""
     state = hashlib.sha256(fingerprint.to_bytes(8, "little"))
     for content in files:
         state.update(len(content).to_bytes(8, "little"))
@@ -376,7 +340,7 @@ def _checksum(fingerprint: int, files: list[bytes]) -> int:
 
 
 def _content(file: Path, largest: int) -> bytes | None:
-    """Content of a file of the group; None if it is absent, unreadable, or larger than this."""
+    """Content of a file of the group; None if absent, unreadable or too large."""
     try:
         return file.read_bytes() if file.stat().st_size <= largest else None
     except OSError:
@@ -384,7 +348,7 @@ def _content(file: Path, largest: int) -> bytes | None:
 
 
 def _put(file: Path, content: bytes) -> None:
-    """Replace a file of the group, whole or not at all; a lock keeps other writers out."""
+    """Replace a file of the group atomically, under a lock."""
     part = hidden_file(file, "part")
     with partial_output(part):
         part.write_bytes(content)

@@ -1,4 +1,4 @@
-"""Files of a sweep's Zarr group: metadata, coordinates, and where the chunk of each block is."""
+"""Files of a sweep's Zarr group: metadata, coordinates and chunks."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ COMPRESSOR: Final = {"id": "blosc", "cname": "lz4", "clevel": 5, "shuffle": 1, "
 
 
 def array_names(stokes: bool) -> tuple[str, ...]:
-    """Names of the arrays of light, radiance first."""
+    """Names of the data arrays, radiance first."""
     return ("radiance", *(POLARISED if stokes else ()))
 
 
@@ -80,7 +80,7 @@ def chunk_shape(grid: Grid) -> tuple[int, ...]:
 
 
 def chunk_file(array: str, block: tuple[int, ...]) -> str:
-    """Path of a block's chunk of an array of light, in the group."""
+    """Path of a block's chunk of a data array, in the group."""
     return f"{array}/{'.'.join(map(str, (*block, 0, 0)))}"
 
 
@@ -106,7 +106,7 @@ def _coordinates(grid: Grid) -> dict[str, tuple[NDArray[Any], dict[str, Any]]]:
 
 
 def _stored(values: NDArray[Any]) -> NDArray[Any]:
-    """Values of an axis as numbers of little endian, or as texts."""
+    """Values of an axis as little-endian numbers or as texts."""
     if values.ndim != 1 or values.dtype.kind not in "fiuU":
         values = np.array([str(one) for one in values])
     if values.dtype.kind == "f":

@@ -1,4 +1,4 @@
-"""``sweep``: the blocks of a grid that are missing, by many processes, into Zarr."""
+"""``sweep``: parallel computation of the missing blocks of a grid, into Zarr."""
 
 from __future__ import annotations
 
@@ -62,11 +62,11 @@ class Swept:
     path : Path
         Folder of the Zarr group.
     computed, kept : int
-        Number of blocks that were computed, and that were there already.
+        Numbers of computed and of existing blocks.
     damaged : int
-        Number of the computed blocks that were there, and damaged.
+        Number of computed blocks that replaced damaged ones.
     radiances : int
-        Number of radiances in all.
+        Total number of radiances.
     """
 
     path: Path
@@ -85,9 +85,9 @@ class CaseBlock:
     planet : Planet
         Planet.
     quality : str
-        Quality of its solution.
+        Quality of the solution.
     polarisation, stokes : bool
-        Whether light is polarised, and whether Q, U, degree and angle are wanted.
+        Whether transfer is polarised, and whether to return Q, U, degree and angle.
     altitude : float
         Altitude of the observer. [m]
     sun_zenith, view_zenith, azimuth : tuple of float
@@ -121,42 +121,41 @@ def sweep(
 ) -> Swept:
     """Compute the radiances of a grid that are missing, damaged or have changed.
 
-    All bytes of blocks that are there are read and compared with their checksums. The folder
-    appears with the first block; one process writes it at a time.
+    Existing blocks are verified by their checksums. The folder appears with the first block and is
+    locked meanwhile.
 
     Parameters
     ----------
     grid : Grid
-        Planets, what varies, observers, suns, views and wavelengths.
+        Planets, varied keys, observers, suns, views and wavelengths.
     path : str or Path
-        Folder of the Zarr group: new, or that of the same grid.
+        Folder of the Zarr group, new or of the same grid.
     quality : str
         Quality as for ``airlight.solve``.
     polarisation : bool
-        Whether light is polarised, as for ``airlight.solve``.
+        Whether transfer is polarised.
     stokes : bool
-        Whether the arrays ``Q``, ``U``, ``dolp`` and ``aolp`` are written beside the radiance.
+        Whether to write the arrays ``Q``, ``U``, ``dolp`` and ``aolp`` too.
     scheduler, workers : optional
         See ``airlight.studies.distribution.opened_runner``.
     on_message : callable, optional
-        Receives lines about the course.
+        Receives progress messages.
     progress : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     Swept
-        The store's ``radiance`` is in W m⁻² sr⁻¹ nm⁻¹, float32; ``xarray.open_zarr`` opens it.
+        Report; the store's ``radiance`` is float32, in W m⁻² sr⁻¹ nm⁻¹.
 
     Raises
     ------
     ParameterError
-        If a planet cannot be read, or is not known at a wavelength; or Stokes parameters are
+        If a planet cannot be read, a wavelength is outside its range, or Stokes parameters are
         requested of scalar transfer.
     FileError
-        If the folder is named as a file of another format, holds another grid, one with or without
-        Stokes parameters, or a damaged group; cannot be written to, or another process writes it;
-        or the disk has less room than the grid needs, or becomes full.
+        If the folder has the suffix of another format, contains another grid or a damaged group,
+        cannot be written to or is locked, or the disk space is insufficient.
     CostError
         If a block needs more memory than is free.
     WorkerError
@@ -208,7 +207,7 @@ def sweep(
 
 
 def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:
-    """Refuse a grid that exceeds disk or memory; announce the size of a large one."""
+    """Raise an error for a grid that exceeds disk or memory; announce the size of a large one."""
     count = math.prod(grid.blocks)
     size = size_on_disk(grid, stokes=stokes)
     work = f"a sweep of {math.prod(grid.shape):.3g} radiances in {count} blocks"
@@ -246,7 +245,7 @@ def _announce(
     grid: Grid, variants: Collection[tuple[int, ...]], missing: list[tuple[int, ...]],
     how: tuple[str, bool, bool],
 ) -> None:  # fmt: skip
-    """Announce the work, and emit the warnings that would be lost in a worker."""
+    """Announce the work, and emit warnings here, as those of workers are lost."""
     quality, _, stokes = how
     for one in sorted({variant[0] for variant in variants}):
         warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
@@ -261,7 +260,7 @@ def _announce(
 def _first_of_variants(
     grid: Grid, blocks: list[tuple[int, ...]]
 ) -> dict[tuple[int, ...], tuple[int, ...]]:
-    """First of the blocks of each planet of the grid that has one."""
+    """First missing block of each planet of the grid."""
     first: dict[tuple[int, ...], tuple[int, ...]] = {}
     for block in blocks:
         first.setdefault(block[: len(grid.variants)], block)
@@ -301,7 +300,7 @@ def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> C
 
 
 def solved(block: CaseBlock, code: str) -> None:
-    """Solve a block's planet, and keep the solution on the disk of this machine."""
+    """Solve a block's planet, and cache the solution on this machine."""
     check_code(code, _SOURCE)
     _solution(block)
 
@@ -316,7 +315,7 @@ def radiances(block: CaseBlock, code: str) -> NDArray[np.float32]:
     block : CaseBlock
         Lines of sight.
     code : str
-        Hash of the source of the process that sent it.
+        Hash of the sender's source code.
     """
     check_code(code, _SOURCE)
     found = _solution(block).radiance(

@@ -1,1 +1,1 @@
-"""Fifteen measured skies: scans, planets, rows and pictures."""
+"""Measured skies by Kider et al. (2014): scans, planets, rows and pictures."""

@@ -1,4 +1,4 @@
-"""Measured day: models without or with fitted aerosol load, cross-validated scan by scan."""
+"""Measured day: models with given or fitted aerosol, cross-validated by scan."""
 
 from __future__ import annotations
 
@@ -31,18 +31,18 @@ FILES: Final = "kider*.npz"
 
 @dataclass(frozen=True, eq=False)
 class DayRow:
-    """Model of a day, by parameters that are known before its score.
+    """Model of a day.
 
     Attributes
     ----------
     name : str
         Description.
     inputs : Inputs
-        Ingredients of the planet; a fitted load replaces theirs.
+        Inputs of the planet, with the fitted aerosol if fitted.
     predicted : array, shape (ns, nd, nl)
         [W m⁻² sr⁻¹ nm⁻¹]
     fit : AerosolFit or None
-        Fit to all scans, if the load is fitted.
+        Fit to all scans; None without a fit.
     left_out : bool
         Whether each scan was predicted by the fit to the others.
     """
@@ -64,7 +64,7 @@ class Day:
     scans : Scans
     rows : list of DayRow
     counted : int
-        Number of the row that counts: the load fitted, one scan left out.
+        Index of the scored row: fitted aerosol, leave-one-out.
     """
 
     file: Path
@@ -74,18 +74,12 @@ class Day:
 
     @property
     def row(self) -> DayRow:
-        """Row that counts."""
+        """Scored row."""
         return self.rows[self.counted]
 
 
 def day_files(folder: Path) -> list[Path]:
-    """Files of all days in a folder, by name.
-
-    Raises
-    ------
-    FileError
-        If there is none.
-    """
+    """Files of all days in a folder, by name."""
     found = sorted(folder.glob(FILES))
     if not found:
         raise FileError(folder, f"contains no {FILES}")
@@ -96,23 +90,14 @@ def compute_day(
     file: Path, *, quality: str = "default", progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Day:  # fmt: skip
-    """Compute the rows of a day.
+    """Rows of a day.
 
     Parameters
     ----------
     file : Path
-        Scans of the day; a phase function of that day is looked for beside it.
+        Scans of the day; a phase function of that day is read from the same folder.
     quality : str
         Quality of the solver.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If a file cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
     """
     scans, data = read_scan_file(file), file.parent
     best = best_inputs(data, scans.date)

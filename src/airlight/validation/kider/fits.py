@@ -1,4 +1,4 @@
-"""Two fits to measured skies: the aerosol's load, and the true pointing of each scan."""
+"""Fits to measured skies: aerosol optical depth, and pointing of each scan."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _LARGEST_TURN: Final = 1.5
 
 @dataclass(frozen=True, eq=False)
 class AerosolFit:
-    """Aerosol's load that is nearest to measured scans.
+    """Ångström law of the aerosol, fitted to measured scans.
 
     Attributes
     ----------
@@ -50,22 +50,19 @@ class AerosolFit:
 class AerosolModel:
     """Model of scans by the aerosol's optical depth at 550 nm and its Ångström exponent.
 
-    The score of a model is its absolute error, so the fit takes all radiances as equally uncertain;
-    how much, it estimates from the residuals.
+    All radiances have the same uncertainty, estimated from the residuals, as the score is the
+    absolute error.
 
     Parameters
     ----------
     planet_of : callable
-        Planet for a load.
-    scans : Scans
+        Function from an Ångström law to a planet.
     start : AngstromLaw
         Starting values.
     with_scale : bool
         Whether the instrument's scale is fitted too.
     quality : str
         Quality of the solver.
-    cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
 
     def __init__(
@@ -113,9 +110,9 @@ class AerosolModel:
         Parameters
         ----------
         kept : array of bool, shape (ns,), optional
-            Scans that are fitted.
+            Mask of fitted scans; default: all.
         begin : AerosolFit, optional
-            Fit to begin with, if one is near.
+            Initial fit.
         """
         shape = self.scans.radiance.shape
         chosen = np.ones(shape[0], bool) if kept is None else kept
@@ -144,12 +141,12 @@ class AerosolModel:
     def left_out(
         self, whole: AerosolFit, progress: Callable[[int], None] | None = None
     ) -> FloatArray:
-        """Radiance of each scan by the fit to all others, shape (ns, nd, nl).
+        """Leave-one-out radiance of each scan by the fit to the others, shape (ns, nd, nl).
 
         Parameters
         ----------
         whole : AerosolFit
-            Fit to all scans, where each of these fits begins.
+            Fit to all scans, the initial value.
         progress : callable, optional
             Called with the number of each scan.
         """
@@ -164,7 +161,7 @@ class AerosolModel:
 
 @dataclass(frozen=True)
 class _Part:
-    """Some of the values of a model."""
+    """Subset of the values of a model."""
 
     model: SkyModel
     values: NDArray[np.bool_]
@@ -186,16 +183,15 @@ def fit_pointing(
 ) -> tuple[FloatArray, FloatArray]:
     """Small rotations of the instrument, one per scan, that minimise a model's error.
 
-    This is a diagnosis, not a score: three angles per scan are fitted to find how much of a model's
-    error could be the instrument's pointing.
+    A diagnosis of the part of a model's error that could be due to pointing: three angles per scan
+    are fitted.
 
     Parameters
     ----------
     model : callable
         Radiance for view zenith and azimuth [deg], each of shape (ns, nd); shape (ns, nd, nl).
-    scans : Scans
     iterations : int
-        Number of iterations; each costs four calls of the model.
+        Number of iterations, of four calls of the model each.
 
     Returns
     -------

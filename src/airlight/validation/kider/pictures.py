@@ -1,4 +1,4 @@
-"""Pictures of measured and computed skies: domes, and errors scan by scan, by colour, by angle."""
+"""Pictures of measured and computed skies: domes, and errors by scan, wavelength and angle."""
 
 from __future__ import annotations
 
@@ -32,7 +32,6 @@ def error_curves(scans: Scans, rows: Mapping[str, FloatArray]) -> ReportPicture:
 
     Parameters
     ----------
-    scans : Scans
     rows : mapping of str to array, shape (ns, nd, nl)
         Radiance by name. [W m⁻² sr⁻¹ nm⁻¹]
     """
@@ -79,7 +78,6 @@ def domes(scans: Scans, got: FloatArray, chosen: Sequence[int], name: str) -> Re
 
     Parameters
     ----------
-    scans : Scans
     got : array, shape (ns, nd, nl)
         Radiance of a model. [W m⁻² sr⁻¹ nm⁻¹]
     chosen : sequence of int
@@ -118,7 +116,7 @@ def _dome(
     axes: Axes, scans: Scans, scan: int, values: FloatArray, levels: FloatArray, colors: str,
     beyond: str,
 ) -> TriContourSet:  # fmt: skip
-    """Filled contours of values (nd,) on the dome, the sun's side below."""
+    """Filled contours of values (nd,) on the dome, with the sun's side at the bottom."""
     around = np.radians(scans.azimuth[scan])
     x, y = scans.view_zenith[scan] * np.sin(around), -scans.view_zenith[scan] * np.cos(around)
     filled = axes.tricontourf(x, y, values, levels=levels, cmap=colors, extend=beyond)

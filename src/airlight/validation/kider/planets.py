@@ -1,4 +1,4 @@
-"""Atmosphere above Ithaca on a measured day: inputs of all published models, and better inputs."""
+"""Atmosphere above Ithaca on a measured day: published and improved inputs."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ CLEAN_ALBEDO: Final = 0.972
 
 @dataclass(frozen=True, kw_only=True)
 class Inputs:
-    """Inputs of a planet; by default those of all published models.
+    """Inputs of a planet; default: those of all published models.
 
     Attributes
     ----------
@@ -135,7 +135,7 @@ BEST: Final = Inputs(
 
 
 def steps() -> list[tuple[str, Inputs]]:
-    """Inputs from the published to the best known, changed one at a time, with their names."""
+    """Named inputs, changed one at a time from the published to the best."""
     named_steps: tuple[tuple[str, dict[str, Any]], ...] = (
         ("same inputs as everybody", {}),
         ("sun: 3 nm bands at 1.0133 au for 11.75 nm means at 1 au", {"measured_sun": True}),
@@ -153,7 +153,7 @@ def steps() -> list[tuple[str, Inputs]]:
 
 
 def air_refractivity_edlen1953(wavelengths: ArrayLike) -> FloatArray:
-    r"""Refractivity of standard air at 15 °C and 101 325 Pa, as Penndorf's tables have it.
+    r"""Refractivity of standard air at 15 °C and 101 325 Pa, as in Penndorf's tables.
 
     .. math:: n - 1 = 10^{-8} \left(6432.8 + \frac{2949810}{146 - \sigma^2}
               + \frac{25540}{41 - \sigma^2}\right), \quad \sigma = 1/\lambda
@@ -221,7 +221,7 @@ def sun_distance(date: str) -> float:
     Parameters
     ----------
     date : str
-        ``YYYY-MM-DD``; if it is none, 27 May 2013.
+        ``YYYY-MM-DD``; 27 May 2013 if invalid.
 
     References
     ----------
@@ -271,10 +271,9 @@ def aeronet_file(folder: Path, date: str) -> Path | None:
 
 
 def best_inputs(folder: Path, date: str) -> Inputs:
-    """Best known inputs of a day.
+    """Best inputs of a day.
 
-    A day without a measured load, or phase function, has that of all published models; the rest is
-    the site's and the season's.
+    Without a measured optical depth or phase function, that of the published models is used.
 
     Parameters
     ----------
@@ -297,8 +296,6 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) ->
 
     Parameters
     ----------
-    folder : Path
-        Folder of reference data.
     wavelengths : array, shape (n,)
         Ascending. [nm]
     date : str
@@ -349,20 +346,14 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) ->
 
 
 def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
-    """Planet of the given inputs, at the wavelengths of the scans.
+    """Planet with some inputs, at the wavelengths of the scans.
 
     Parameters
     ----------
-    inputs : Inputs
     scans : Scans
         Source of the ground's albedo, and of the sun's irradiance of all published models.
     data : Path
-        Folder of the AERONET file, read if the inputs ask for it.
-
-    Raises
-    ------
-    FileError
-        If that file cannot be read.
+        Folder of the AERONET file.
     """
     nm = scans.wavelengths
     if inputs.measured_air:

@@ -1,4 +1,4 @@
-"""Rows computed for the measured skies: each ingredient, the fits, the floor."""
+"""Rows for the measured skies: each input, the fits, and the lower limit of the error."""
 
 from __future__ import annotations
 
@@ -41,21 +41,22 @@ class Rows:
     ----------
     scans : Scans
     floor : float
-        Score of the measured skies made symmetric, the floor of any model. [mW m⁻² sr⁻¹ nm⁻¹]
+        Score of the symmetric part of the measurements, a lower limit of any model's. [mW m⁻² sr⁻¹
+        nm⁻¹]
     ladder : list of (str, array)
-        Radiance after each ingredient, from everybody's inputs to the best. [W m⁻² sr⁻¹ nm⁻¹]
+        Radiance after each change of inputs, from published to best. [W m⁻² sr⁻¹ nm⁻¹]
     fitted : array, shape (ns, nd, nl)
-        Best physics with the fitted load.
+        Radiance by the best inputs with fitted aerosol.
     load : AngstromLaw
-        Fitted load.
+        Fitted Ångström law.
     clean : array
-        Best physics with the single-scattering albedo of clean continental air.
+        Radiance by the best inputs with the single-scattering albedo of clean continental aerosol.
     turns : array, shape (ns, 3)
         Best rotation of each scan. [deg]
     turned : array
-        Best physics in the turned directions.
+        Radiance by the best inputs in the rotated directions.
     solution : MomentsSolution
-        Solution of the best physics.
+        Solution with the best inputs.
     """
 
     scans: Scans
@@ -70,12 +71,12 @@ class Rows:
 
     @property
     def same(self) -> FloatArray:
-        """Radiance by everybody's inputs."""
+        """Radiance by the published inputs."""
         return self.ladder[0][1]
 
     @property
     def known(self) -> FloatArray:
-        """Radiance by the best physics, nothing fitted."""
+        """Radiance by the best inputs, without a fit."""
         return self.ladder[-1][1]
 
     def score(self, got: FloatArray, only: NDArray[np.bool_] | None = None) -> float:
@@ -90,23 +91,14 @@ def compute(
     data: Path, *, quality: str = "default", progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Rows:  # fmt: skip
-    """Solve for every ingredient and every fit.
+    """Rows of all inputs and fits.
 
     Parameters
     ----------
     data : Path
-        Folder that holds the skies and the aerosol's phase function.
+        Folder of the scans and of the aerosol's phase function.
     quality : str
         Quality of the moments solver.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If either file cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
     """
     scans = read_scans(data)
     named_steps = steps()

@@ -1,4 +1,4 @@
-"""Measured skies: their files, the score of a model against them, and its floor."""
+"""Measured skies: files, score of a model, and its lower limit."""
 
 from __future__ import annotations
 
@@ -19,18 +19,7 @@ MILLI: Final = 1e3
 
 
 def read_scans(folder: Path) -> Scans:
-    """Read the scans of 27 May 2013 from a folder of reference data.
-
-    Parameters
-    ----------
-    folder : Path
-        Folder of reference data.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, lacks an array, or has impossible shapes or values.
-    """
+    """Read the scans of 27 May 2013 from a folder of reference data."""
     return read_scan_file(folder / FILE)
 
 
@@ -59,11 +48,6 @@ def rmse_per_scan(got: FloatArray, measured: FloatArray) -> FloatArray:
 def total_rmse(got: FloatArray, measured: FloatArray) -> float:
     """Score of a model: root of the mean over scans of their squared RMSE.
 
-    Parameters
-    ----------
-    got, measured : array, shape (ns, nd, nl)
-        [W m⁻² sr⁻¹ nm⁻¹]
-
     Returns
     -------
     float
@@ -85,7 +69,7 @@ def total_rmse(got: FloatArray, measured: FloatArray) -> float:
 
 
 def best_factor(got: FloatArray, measured: FloatArray) -> float:
-    """Common factor for all of a model's radiances that minimises its error. [1]
+    """Factor of a model's radiances that minimises its error. [1]
 
     Parameters
     ----------
@@ -96,15 +80,10 @@ def best_factor(got: FloatArray, measured: FloatArray) -> float:
 
 
 def symmetric_part(scans: Scans) -> FloatArray:
-    """The measured skies made symmetric about the sun's vertical.
+    """Measured skies, symmetrised about the sun's vertical plane.
 
-    Each radiance becomes the mean of itself and of that in the mirrored direction, which is
-    interpolated along its ring (the directions at one zenith angle, evenly spaced in azimuth) by
-    Catmull and Rom's cubic. No model without clouds can be nearer to the measurement.
-
-    Parameters
-    ----------
-    scans : Scans
+    Each radiance is averaged with that in the mirrored direction, interpolated in azimuth by
+    Catmull-Rom cubics. The error of a horizontally homogeneous model is at least the difference.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Flat Rayleigh air against the corrected Coulson tables."""
+"""Plane-parallel Rayleigh atmosphere against the corrected Coulson tables."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Values(NamedTuple):
     Attributes
     ----------
     mu : array, shape (n,)
-        Cosine of the angle between the light's direction and the zenith. [1]
+        Cosine of the zenith angle of the propagation direction. [1]
     azimuth : array, shape (n,)
         Azimuth between line of sight and star. [deg]
     stokes : array, shape (n, 3)
@@ -52,7 +52,7 @@ class Values(NamedTuple):
 
 @cache
 def coulson_values() -> dict[float, Values]:
-    """Values of the tables by albedo, with the signs and the star of this package."""
+    """Values of the tables by albedo, with the conventions of this package."""
     text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if not line.startswith("#")][1:]
     table = np.array([[float(cell) for cell in line.split(",")] for line in lines])
@@ -65,7 +65,7 @@ def coulson_values() -> dict[float, Values]:
 
 
 def flat_rayleigh(albedo: float, times: int = RADII[-1]) -> Planet:
-    """Flat air of the tables under a point star of irradiance 1, on so many radii of the Earth."""
+    """Atmosphere of the tables, a point star of irradiance 1, radius in radii of the Earth."""
     radius = times * _EARTH
     column = _SCALE_HEIGHT * -np.expm1(-_HEIGHT / _SCALE_HEIGHT)
     return Planet(

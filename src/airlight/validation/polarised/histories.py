@@ -1,4 +1,4 @@
-"""Moments against vector Monte Carlo on the grid of cases, in air with particles."""
+"""Moments solver against vector Monte Carlo on the cases, for atmospheres with particles."""
 
 from __future__ import annotations
 
@@ -40,17 +40,17 @@ class PolarisedPlanet:
     Attributes
     ----------
     planet : str
-        Name of a preset. Its star is taken as a point, and its light as straight.
+        Name of a preset, with a point star and without refraction.
     histories : MonteCarloSettings
         Stopping rule of the histories.
     level : float
-        Altitude that stands for the ground in the cases. [m]
+        Altitude that replaces the ground in the cases. [m]
     latest : float
-        Largest zenith angle of the star at the target point; cases beyond are left out. [deg]
+        Largest solar zenith angle at the target point; other cases are omitted. [deg]
     noise : float
-        Largest standard error of I at which a value is judged. [1]
+        Largest relative standard error of I of compared values. [1]
     why : str
-        Reason for what is left out.
+        Reason for omitted cases.
     """
 
     planet: str
@@ -80,7 +80,7 @@ PLANETS: Final = (
 
 @dataclass(frozen=True)
 class Beside:
-    """Light of the moments and of histories for the same lines of sight.
+    """Stokes parameters of both solvers for the same lines of sight.
 
     Attributes
     ----------
@@ -91,7 +91,7 @@ class Beside:
     nu : array, shape (n,)
         Cosine between line and star. [1]
     noise : float
-        Largest relative standard error of I at which a value is judged. [1]
+        Largest relative standard error of I of compared values. [1]
     """
 
     ours: FloatArray
@@ -109,12 +109,12 @@ class Beside:
 
     @property
     def dark(self) -> NDArray[np.bool_]:
-        """Values outside the aureole without light worth judging, shape (n, nl)."""
+        """Values outside the aureole that are too dark to compare, shape (n, nl)."""
         return np.asarray(~self.aureole & (self.known[:, 0] <= LEAST_RADIANCE))
 
     @property
     def judged(self) -> NDArray[np.bool_]:
-        """Values outside the aureole, bright enough, and known well enough, shape (n, nl)."""
+        """Compared values: outside the aureole, bright and accurate enough, shape (n, nl)."""
         sure = self.error[:, 0] < self.noise * self.known[:, 0]
         return np.asarray(sure & ~self.aureole & ~self.dark)
 
@@ -147,7 +147,7 @@ class Beside:
 
     @property
     def disagree(self) -> NDArray[np.bool_]:
-        """Judged values that neither tolerance nor noise explains, shape (n, nl)."""
+        """Compared values outside both tolerance and noise, shape (n, nl)."""
         light = beyond_noise(self.ours[:, 0], self.known[:, 0], self.error[:, 0], NOISE)
         far = np.abs(self.degrees) > DEGREE + NOISE * self.degree_noise
         return self.judged & ((np.abs(light) > TOLERANCE) | far.any(axis=1))
@@ -158,11 +158,10 @@ def beside(
     histories: MonteCarloSettings = HISTORIES, *, cases: Sequence[Case] = CASES, level: float = 0.0,
     noise: float = 0.01, progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> Beside:  # fmt: skip
-    """Solve a planet three times: polarised, scalar, and by histories.
+    """Stokes parameters of a planet by the moments solver and by Monte Carlo.
 
     Parameters
     ----------
-    planet : Planet
     wavelengths : tuple of float
         Wavelengths. [nm]
     quality : str or MonteCarloSettings
@@ -173,8 +172,6 @@ def beside(
         Lines of sight.
     level, noise :
         See ``PolarisedPlanet``. [m], [1]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     where = geometry(planet, cases, level)
     vector, scalar = (
@@ -201,21 +198,7 @@ def histories(
     *, airs: Sequence[PolarisedPlanet] = PLANETS, cases: Sequence[Case] = CASES,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> tuple[list[Threshold], list[Part]]:  # fmt: skip
-    """Thresholds and tables of the comparison.
-
-    Parameters
-    ----------
-    airs : sequence of PolarisedPlanet
-    cases : sequence of Case
-        Lines of sight.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
-    """
+    """Thresholds and tables of the comparison."""
     thresholds, rows = [], []
     lines: list[Part] = []
     for air in airs:
@@ -292,15 +275,14 @@ def summary(found: Beside) -> tuple[str, ...]:
 def line_table(
     air: PolarisedPlanet, cases: Sequence[Case], whole: int, found: Beside
 ) -> ReportTable:
-    """Every line of sight of a planet: difference ± noise at each wavelength.
+    """Table of the lines of sight of a planet: difference ± noise at each wavelength.
 
     Parameters
     ----------
-    air : PolarisedPlanet
     cases : sequence of Case, length n
-        Lines of sight that were taken.
+        Compared lines of sight.
     whole : int
-        Number of lines before some were left out.
+        Number of lines with the omitted ones.
     found : Beside
         Values of the lines, n of each.
     """

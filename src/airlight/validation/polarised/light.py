@@ -1,4 +1,4 @@
-"""The suite ``polarisation``: Stokes parameters against tables, another program and histories."""
+"""Suite ``polarisation``: Stokes parameters against tables, another program and Monte Carlo."""
 
 from __future__ import annotations
 
@@ -12,18 +12,7 @@ from airlight.validation.suite import Cancel, Part, Progress, Suite, Threshold
 
 
 def polarisation(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
-    """Compare polarised light with published values and with vector Monte Carlo.
-
-    Parameters
-    ----------
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
-    """
+    """Comparison of Stokes parameters with published values and with vector Monte Carlo."""
     solve = solver(progress, cancel)
     thresholds: list[Threshold] = []
     parts: list[Part] = []

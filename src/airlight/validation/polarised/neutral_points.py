@@ -1,4 +1,4 @@
-"""Neutral points of the clear sky: where light is not polarised, above and below the star."""
+"""Neutral points of the clear sky, where polarisation vanishes."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ _SOURCE: Final = (
 
 
 def neutral_distances(solution: Solution, sun_zenith: float) -> dict[str, float]:
-    """Distances of the points above the horizon, from the star or the point opposite. [deg]
+    """Distances of neutral points from the star or the antisolar point. [deg]
 
     Parameters
     ----------
     solution : Solution
-        Solution of polarised light; its first wavelength counts.
+        Polarised solution; the first wavelength is used.
     sun_zenith : float
         Zenith angle of the star. [deg]
 
     Returns
     -------
     dict
-        ``"Babinet"`` (above the star), ``"Brewster"`` (below it), ``"Arago"`` (above the point
-        opposite); NaN where that is below the horizon.
+        ``"Babinet"`` (above the star), ``"Brewster"`` (below it), ``"Arago"`` (above the antisolar
+        point); NaN if below the horizon.
     """
     found = zeros(solution, sun_zenith=sun_zenith)
     babinet, brewster, arago = (float(found[name][0]) for name in NEUTRAL_POINTS[:3])
@@ -49,7 +49,7 @@ def neutral_distances(solution: Solution, sun_zenith: float) -> dict[str, float]
 
 
 def neutral_points(solve: Solve) -> tuple[list[Threshold], list[Part]]:
-    """Thresholds and table of the points of a clear sky.
+    """Thresholds and table of the neutral points.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Round Rayleigh air against SASKTRAN; ``builders/polarised_sky.py`` made its values."""
+"""Spherical Rayleigh atmosphere against SASKTRAN, values by ``builders/polarised_sky.py``."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Sky(NamedTuple):
     depth, sun, zenith, azimuth : array, shape (n,)
         Optical depth; zenith angle of the star, and of the line, and azimuth between them. [deg]
     stokes, error : array, shape (n, 3)
-        I, Q and U; their change with coarser settings. [sr⁻¹]
+        I, Q and U, and their change with coarser settings. [sr⁻¹]
     """
 
     depth: FloatArray
@@ -77,12 +77,12 @@ def densities() -> FloatArray:
 
 
 def round_rayleigh(depth: float) -> Planet:
-    """Round air of the values under a point star of irradiance 1.
+    """Spherical Rayleigh atmosphere under a point star of irradiance 1.
 
     Parameters
     ----------
     depth : float
-        Optical depth from the ground straight up. [1]
+        Vertical optical depth. [1]
     """
     density = densities()
     slopes = np.diff(density) / np.diff(LEVELS)

@@ -1,1 +1,1 @@
-"""Published radiances, fluxes and albedos against ours, with their sources."""
+"""Published radiances, fluxes and albedos against those of airlight, with sources."""

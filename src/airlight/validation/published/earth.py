@@ -1,4 +1,4 @@
-"""Earth: illuminance of the ground, the zenith of twilight, colour temperatures, the Belt of Venus.
+"""Earth: illuminance, twilight zenith, colour temperatures, Belt of Venus.
 
 * Seidelmann (1992) and Patat et al. (2006): see ``twilight``.
 * American Meteorological Society, Glossary of Meteorology, "civil twilight", "astronomical
@@ -58,12 +58,12 @@ _AMS: Final = "AMS, Glossary of Meteorology"
 
 
 def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> PublishedSection:
-    """Illuminance of level ground under a clear sky, noon to the end of nautical twilight.
+    """Horizontal illuminance under a clear sky, from noon to the end of nautical twilight.
 
     Parameters
     ----------
     solution : Solution
-        Earth with the aerosol of average days.
+        Earth with average aerosol.
     altitudes : sequence of float
         True altitudes of the sun. [deg]
     """
@@ -114,7 +114,7 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
 
 
 def zeniths(solution: Solution) -> PublishedSection:
-    """Magnitude of Paranal's zenith in twilight; ``solution`` is of preset ``earth``."""
+    """V magnitude of the zenith at Paranal in twilight; ``solution`` is of preset ``earth``."""
     rows = [
         PublishedRow(
             what=f"V of the zenith 2635 m up, sun {-one:g}°", unit="mag arcsec⁻²",
@@ -141,7 +141,7 @@ def colors(average: Solution) -> PublishedSection:
     Parameters
     ----------
     average : Solution
-        Earth with the aerosol of average days.
+        Earth with average aerosol.
     """
     day = correlated_color_temperature(_xyz(average, ground_light(average, DAY)))
     warmest = min(min(sky_temperatures(average, altitude)) for altitude in SKIES)
@@ -165,9 +165,9 @@ def colors(average: Solution) -> PublishedSection:
 
 
 def sky_temperatures(solution: Solution, altitude: float) -> list[float]:
-    """Colour temperatures of directions over the dome with the sun at an altitude [deg]. [K]
+    """Colour temperatures of sky directions, for a sun altitude [deg]. [K]
 
-    Four meridians from the sun's at zenith angles of 0 to 85°, farther than 5° from the sun.
+    Directions on four meridians at zenith angles of 0 to 85°, more than 5° from the sun.
     """
     view, around = np.meshgrid(np.arange(0.0, 86.0, 17.0), [0.0, 45.0, 90.0, 180.0])
     view, around = view.ravel(), around.ravel()
@@ -182,7 +182,7 @@ def sky_temperatures(solution: Solution, altitude: float) -> list[float]:
 
 
 def belts(solution: Solution) -> PublishedSection:
-    """Dark segment and Belt of Venus opposite the set sun, against the sun's depression."""
+    """Dark segment and Belt of Venus as functions of solar depression."""
     found = [antitwilight(solution, one) for one in BELT]
     rows = [
         PublishedRow(
@@ -209,7 +209,6 @@ def antitwilight(solution: Solution, depression: float) -> tuple[float, float]:
 
     Parameters
     ----------
-    solution : Solution
     depression : float
         Depression of the sun. [deg]
 
@@ -226,14 +225,14 @@ def antitwilight(solution: Solution, depression: float) -> tuple[float, float]:
 
 
 def rise_and_maximum(elevations: FloatArray, x: FloatArray) -> tuple[float, float]:
-    """Elevations of a curve's uppermost maximum, and of the steepest rise that leads to it.
+    """Elevations of a curve's uppermost maximum and of the steepest rise below it.
 
-    The rise is that from the least value below the maximum: nearer to the horizon the sky reddens.
+    The rise begins at the minimum below the maximum, as the sky reddens towards the horizon.
 
     Parameters
     ----------
     elevations, x : array, shape (n,)
-        Even elevations, ascending [deg], and chromaticities there [1].
+        Equidistant elevations, ascending [deg], and chromaticities [1].
 
     Returns
     -------
@@ -260,7 +259,7 @@ def rise_and_maximum(elevations: FloatArray, x: FloatArray) -> tuple[float, floa
 
 
 def _xyz(solution: Solution, relative: FloatArray) -> FloatArray:
-    """Tristimulus values of light over the star's irradiance, shape (..., 3)."""
+    """Tristimulus values of radiance over the star's irradiance, shape (..., 3)."""
     light = solution.lights[0]
     weights = rgb_weights(solution.wavelengths, light.spectrum)
     return np.asarray(rgb_to_xyz(relative * light.irradiance @ weights))

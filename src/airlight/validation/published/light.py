@@ -1,4 +1,4 @@
-"""Suite ``published``: published measurements and computations against ours."""
+"""Suite ``published``: published measurements and computations against airlight."""
 
 from __future__ import annotations
 
@@ -23,18 +23,7 @@ from airlight.validation.suite import Cancel, Progress, Suite
 
 
 def published(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
-    """Compare with published light.
-
-    Parameters
-    ----------
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
-    """
+    """Comparison with published values."""
     solve = solver(progress, cancel)
     others = [sunset(), daylight(solve), venus(solve), full_disc(solve), rayleigh_sphere(solve)]
     return suite_of([*earth(solve), *others])
@@ -56,12 +45,7 @@ def earth(solve: Solve, quality: object = "default") -> list[PublishedSection]:
 
 
 def suite_of(sections: list[PublishedSection]) -> Suite:
-    """Build the section of the report.
-
-    Parameters
-    ----------
-    sections : list of PublishedSection
-    """
+    """Build the section of the report."""
     thresholds = [threshold for section in sections for threshold in section.thresholds]
     met = sum(threshold.passed for threshold in thresholds)
     return Suite(

@@ -27,13 +27,12 @@ DUST: Final = (0.5, 1.0)
 
 
 def daylight(solve: Solve, quality: object = "default") -> PublishedSection:
-    """Chromaticity of sun and sky together on level ground.
+    """Chromaticity of global horizontal irradiance.
 
     Parameters
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or MomentsSettings
     """
     rows = []
     for dust in DUST:
@@ -57,7 +56,7 @@ def daylight(solve: Solve, quality: object = "default") -> PublishedSection:
 
 
 def daylight_chromaticity(solve: Solve, quality: object, dust: float) -> tuple[float, float]:
-    """Chromaticity x, y of the light on level ground under dust of an optical depth. [1]"""
+    """Chromaticity x, y of global horizontal irradiance for an optical depth of dust. [1]"""
     mars = load_planet("mars", {"dust.particles.optical_depth": dust})
     solution = solve(mars, default_wavelengths(12).tolist(), quality)
     light = solution.lights[0]

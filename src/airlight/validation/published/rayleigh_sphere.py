@@ -1,16 +1,16 @@
-r"""Geometric albedo of a sphere deep in gas that absorbs nothing: published, exact, and ours.
+r"""Geometric albedo of a semi-infinite conservative Rayleigh atmosphere.
 
-Chandrasekhar (1950), Radiative Transfer, sections 44 and 45: light that a plane of such gas without
-end reflects, by three H-functions of the characteristic functions
+Chandrasekhar (1950), Radiative Transfer, sections 44 and 45: diffuse reflection by a semi-infinite
+atmosphere, from three H-functions of the characteristic functions
 
 .. math:: \Psi_0 = \tfrac{3}{16}(3 - \mu^2), \quad \Psi_1 = \tfrac38 \mu^2 (1 - \mu^2), \quad
           \Psi_2 = \tfrac{3}{32} (1 - \mu^2)^2 .
 
 Dlugach & Yanovitskij (1974), Icarus 22, 66, have 0.751, as the tests of PICASO quote their table
-(Batalha et al. 2019, ApJ 878, 70). Its albedos of gas that scatters evenly are up to 0.0007 below
-the exact ones, so that its third digit is taken as good to a unit.
+(Batalha et al. 2019, ApJ 878, 70). Its albedos for isotropic scattering are up to 0.0007 below the
+exact ones; the error is taken as one unit of the third digit.
 
-Both leave polarisation out: with it the albedo is 0.798 (Prather 1974, ApJ 192, 787, not checked
+Both neglect polarisation: with it the albedo is 0.798 (Prather 1974, ApJ 192, 787, not checked
 against the paper), 6 % more; by Monte Carlo 0.796 (Schmid, Joos & Tschan 2006, A&A 452, 657, Table
 3).
 """
@@ -53,7 +53,7 @@ def h_function(mu: FloatArray, weights: FloatArray, psi: FloatArray) -> FloatArr
     Parameters
     ----------
     mu, weights, psi : array, shape (n,)
-        Points from 0 to 1, weights of their quadrature, and the characteristic function there. [1]
+        Quadrature points from 0 to 1, weights, and the characteristic function. [1]
 
     Returns
     -------
@@ -77,9 +77,9 @@ def h_function(mu: FloatArray, weights: FloatArray, psi: FloatArray) -> FloatArr
 
 
 def rayleigh_constant(mu: FloatArray, weights: FloatArray, h: FloatArray) -> FloatArray:
-    r"""Constant c of the reflected light, from the conservation of energy, shape (n,). [1]
+    r"""Constant c of the reflection function, from conservation of energy, shape (n,). [1]
 
-    What falls in at each :math:`\mu_0` comes out again; the n results are the same.
+    Energy is conserved for each :math:`\mu_0`, so that the n results are equal.
     """
     taken = weights * h * mu * mu[:, None] * h[:, None] / (mu + mu[:, None])
     constant = 0.375 * (taken * (3.0 + mu * mu[:, None])).sum(axis=1)
@@ -88,13 +88,13 @@ def rayleigh_constant(mu: FloatArray, weights: FloatArray, h: FloatArray) -> Flo
 
 
 def exact_albedo() -> float:
-    r"""Geometric albedo of a sphere of gas without end, by Rayleigh's phase function. [1]
+    r"""Geometric albedo of a semi-infinite conservative Rayleigh atmosphere. [1]
 
     .. math:: p = \tfrac{3}{32} \int_0^1 \mu \left[ H_0^2 (3 - 2 c \mu + \mu^2)
               + 4 \mu^2 (1 - \mu^2) H_1^2 + (1 - \mu^2)^2 H_2^2 \right] d\mu
 
-    from Chandrasekhar's scattering function (section 44, eq. 51) at :math:`\mu = \mu_0`, back
-    towards the sun.
+    from Chandrasekhar's scattering function (section 44, eq. 51) at :math:`\mu = \mu_0`,
+    backscattering.
 
     Examples
     --------
@@ -114,13 +114,13 @@ def exact_albedo() -> float:
 
 
 def geometric_albedo(solution: Solution) -> FloatArray:
-    """Brightness at full phase over that of a white Lambert disc as large as the ground, (nl,)."""
+    """Geometric albedo for the ground radius, shape (nl,). [1]"""
     values, _ = disc_reflectance(solution, np.zeros(1), solution.medium.bottom_radius)
     return np.asarray(values[0])
 
 
 def rayleigh_planet() -> Planet:
-    """Vast sphere under gas of optical depth 8 on white ground, a point star of irradiance 1."""
+    """Large sphere with a Rayleigh atmosphere of optical depth 8 over white ground, point star."""
     bottom = VAST * 6360e3
     return Planet(
         name="gas without end",
@@ -140,13 +140,12 @@ def rayleigh_planet() -> Planet:
 
 
 def rayleigh_sphere(solve: Solve, quality: object = "default") -> PublishedSection:
-    """Albedo of the sphere against published and exact values.
+    """Comparison of the geometric albedo with published and exact values.
 
     Parameters
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or MomentsSettings
     """
     ours, polarised = (
         float(

@@ -1,4 +1,4 @@
-"""Published numbers against ours: tables and thresholds."""
+"""Published numbers against those of airlight: tables and thresholds."""
 
 from __future__ import annotations
 
@@ -33,22 +33,22 @@ COLUMNS: Final = ("what", "published", "ours", "ours over it", "stated error", "
 
 @dataclass(frozen=True, kw_only=True)
 class PublishedRow:
-    """Published number and ours.
+    """Published number and that of airlight.
 
     Attributes
     ----------
     what : str
-        Quantity and circumstances.
+        Quantity and conditions.
     published, ours : float
-        Published number and ours, in the same unit.
+        Published number and that of airlight, in the same unit.
     source : str
-        Work that the number stands in.
+        Source of the number.
     unit : str
         Unit; empty for a pure number.
     error : float or None
-        Error or half range that the source states: threshold of the row; None if it states none.
+        Error or half range stated by the source, the threshold of the row; None without one.
     stated : str
-        The number as the source has it, with its unit, where that is not a single number.
+        Number as stated by the source, with unit, if not a single number.
     compare : str
         ``"ratio"``, or ``"difference"`` for magnitudes and coordinates.
     """
@@ -74,7 +74,7 @@ class PublishedRow:
 
     @property
     def threshold(self) -> Threshold | None:
-        """Threshold, where the source states an error."""
+        """Threshold, if the source states an error."""
         if self.error is None:
             return None
         return Threshold(
@@ -107,9 +107,9 @@ class PublishedSection:
         Title of the table.
     rows : sequence of PublishedRow
     note : str
-        Definition of our value, and its dependences.
+        Definition of airlight's value, and its dependences.
     aims : sequence of Threshold
-        Thresholds over several rows, or of rows whose source states no error.
+        Thresholds over several rows, or of rows without a stated error.
     """
 
     title: str
@@ -146,9 +146,9 @@ def _mark(row: PublishedRow) -> Mark:
 
 
 def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:
-    """Function that solves, tells its progress and can be cancelled.
+    """Solve function with progress and cancellation.
 
-    Solutions are neither read from the disk nor kept there: a report says what this version does.
+    The cache on disk is not used.
     """
     from airlight.solver import solve
 

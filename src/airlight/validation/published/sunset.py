@@ -1,9 +1,9 @@
 """Setting sun: refraction on the horizon, and the flattening of the disc.
 
-Meeus (1998), Astronomical Algorithms, second edition: light is bent by 34' on the horizon (chapter
-15), by 28.75' half a degree above it (chapter 16, example a), at 10 °C and 1010 hPa. By equations
-16.3 (Bennett) and 16.4 (Sæmundsson) a sun of 32' on the horizon is 26.9' high, 0.84 of its width.
-The book's numbers are those of programs after it and of their tests, not checked against the book.
+Meeus (1998), Astronomical Algorithms, second edition: refraction is 34' on the horizon (chapter 15)
+and 28.75' half a degree above it (chapter 16, example a), at 10 °C and 1010 hPa. By equations 16.3
+(Bennett) and 16.4 (Sæmundsson) a sun of 32' on the horizon is 26.9' high, 0.84 of its width.
+Numbers are taken from programs after the book, not checked against it.
 """
 
 from __future__ import annotations
@@ -25,11 +25,10 @@ _NM: Final = 550.0
 
 
 def refraction(geometry: RefractedGeometry, seen: float) -> float:
-    """Lift of a star seen from the ground. [deg]
+    """Refraction of a star seen from the ground. [deg]
 
     Parameters
     ----------
-    geometry : RefractedGeometry
     seen : float
         Apparent altitude of the star. [deg]
     """
@@ -44,7 +43,6 @@ def flattening(geometry: RefractedGeometry, diameter: float = DIAMETER) -> float
 
     Parameters
     ----------
-    geometry : RefractedGeometry
     diameter : float
         True angular diameter of the star. [deg]
     """
@@ -64,12 +62,12 @@ def flattening(geometry: RefractedGeometry, diameter: float = DIAMETER) -> float
 
 
 def geometry_of(planet: Planet) -> RefractedGeometry:
-    """Paths of light in a planet's air."""
+    """Refracted geometry of a planet."""
     return RefractedGeometry.of(Medium.from_planet(planet, (_NM,)))
 
 
 def sunset() -> PublishedSection:
-    """Refraction and flattening by preset ``earth``."""
+    """Refraction and flattening of preset ``earth``."""
     geometry = geometry_of(load_planet("earth"))
     source = "Meeus (1998), chapter 16"
     return PublishedSection(

@@ -1,4 +1,4 @@
-"""Titan: brightness of its full disc over wavelength.
+"""Titan: spectral albedo of its full disc.
 
 Karkoschka (1998), Methane, ammonia, and temperature measurements of the Jovian planets and Titan
 from CCD-spectrophotometry, Icarus 133, 134: albedo of the full disc in July 1995 at a phase of
@@ -40,7 +40,7 @@ _DENSITIES: Final = (
 
 
 def titan_with_methane() -> Planet:
-    """Preset ``titan`` with the bands of methane that it leaves out."""
+    """Preset ``titan`` with the methane bands that it omits."""
     titan = load_planet("titan")
     methane = Constituent(
         name="methane",
@@ -59,7 +59,6 @@ def full_disc(solve: Solve, quality: object = "preview") -> PublishedSection:
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or MomentsSettings
     """
     ours = geometric_albedo(solve(titan_with_methane(), tuple(ALBEDOS), quality))
     rows = [

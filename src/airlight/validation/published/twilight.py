@@ -1,4 +1,4 @@
-r"""Published light of a clear sky about sunset: illuminance of the ground, magnitude of the zenith.
+r"""Published light of clear twilight skies: illuminance, and magnitude of the zenith.
 
 Both are fits to measurements, by the sun's true altitude:
 
@@ -88,7 +88,7 @@ def illuminance_seidelmann1992(altitude: float) -> float:
 
 
 def zenith_v_patat2006(altitude: float) -> float:
-    """V of the zenith of Paranal in twilight. [mag arcsec⁻²]
+    """V surface brightness of the zenith of Paranal in twilight. [mag arcsec⁻²]
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def zenith_v_patat2006(altitude: float) -> float:
 
 
 def one_exponential(earth: Planet) -> Planet:
-    """Earth without layers, stratospheric aerosol and refraction, with the same column.
+    """Earth without layers, stratospheric aerosol and refraction, with equal columns.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def one_exponential(earth: Planet) -> Planet:
 
 
 def average_aerosol() -> dict[str, object]:
-    """Changes of preset ``earth`` that make its aerosol the continental average of Hess et al.
+    """Overrides of preset ``earth`` for the continental average aerosol of Hess et al.
 
     Optical depth 0.151 at 550 nm with Ångström exponents of 1.11 and 1.42 below and above 500 nm,
     0.075 /km at the ground, single-scattering albedo 0.925, mean cosine 0.703.
@@ -139,7 +139,7 @@ def average_aerosol() -> dict[str, object]:
 
 
 def with_night_sky(magnitude: float) -> float:
-    """V of scattered sunlight and the night's own light together. [mag arcsec⁻²]
+    """V surface brightness of scattered sunlight plus the night sky. [mag arcsec⁻²]
 
     Examples
     --------
@@ -151,7 +151,7 @@ def with_night_sky(magnitude: float) -> float:
 
 
 def between(wavelengths: ArrayLike, values: ArrayLike, at: FloatArray) -> FloatArray:
-    """Positive values at other wavelengths, linear in their logarithm, held beyond the ends.
+    """Log-linear interpolation of positive values in wavelength, constant beyond the ends.
 
     Parameters
     ----------
@@ -173,7 +173,6 @@ def zenith_light(solution: Solution, altitude: float, observer: float = 0.0) -> 
 
     Parameters
     ----------
-    solution : Solution
     altitude : float
         True altitude of the sun. [deg]
     observer : float
@@ -184,31 +183,24 @@ def zenith_light(solution: Solution, altitude: float, observer: float = 0.0) -> 
 
 
 def ground_light(solution: Solution, altitude: float) -> FloatArray:
-    """Irradiance of the level ground over the sun's, shape (nl,). [1]
-
-    Parameters
-    ----------
-    solution : Solution
-    altitude : float
-        True altitude of the sun. [deg]
-    """
+    """Global horizontal irradiance over that of the sun, shape (nl,). [1]"""
     found = solution.irradiance(altitude=0.0, sun_zenith=90.0 - altitude)
     return np.asarray(found["direct"] + found["diffuse"]) / solution.lights[0].irradiance
 
 
 def ground_illuminance(solution: Solution, altitude: float) -> float:
-    """Illuminance of the level ground with the sun at 1 au, at a true altitude [deg]. [lx]"""
+    """Horizontal illuminance for a true altitude [deg] of the sun at 1 au. [lx]"""
     return illuminance(solution.wavelengths, ground_light(solution, altitude))
 
 
 def paranal_zenith_v(solution: Solution, altitude: float) -> float:
-    """V of Paranal's zenith with the night's light, by the sun's altitude [deg]. [mag arcsec⁻²]"""
+    """V of the zenith at Paranal with night sky, for a sun altitude [deg]. [mag arcsec⁻²]"""
     light = zenith_light(solution, altitude, PARANAL)
     return with_night_sky(v_magnitude(solution.wavelengths, light))
 
 
 def illuminance(wavelengths: ArrayLike, transmitted: ArrayLike) -> float:
-    """Illuminance from an irradiance over that of the sun outside the air. [lx]
+    """Illuminance from irradiance over that of the sun outside the atmosphere. [lx]
 
     Parameters
     ----------
@@ -229,8 +221,6 @@ def v_magnitude(wavelengths: ArrayLike, relative_radiance: ArrayLike) -> float:
 
     Parameters
     ----------
-    wavelengths : array, shape (nl,)
-        Wavelengths, ascending. [nm]
     relative_radiance : array, shape (nl,)
         Radiance over the sun's irradiance at 1 au; positive. [sr⁻¹]
     """

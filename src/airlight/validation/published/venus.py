@@ -51,16 +51,15 @@ _SUNS: Final = 6
 
 
 def band_flux(solutions: Sequence[Solution], share: FloatArray) -> float:
-    """Flux between 400 and 1000 nm of light given over the sun's. [W m⁻²]
+    """Flux between 400 and 1000 nm from relative irradiance. [W m⁻²]
 
     Parameters
     ----------
     solutions : sequence of Solution
         Solutions under the sun's spectrum at any distance.
     share : array, shape (nl,)
-        Irradiance over that of the sun outside the air, at the wavelengths of the solutions in
-        their order, ascending; each stands for the interval of ``EDGES`` that it lies in, and that
-        of the next wavelength in one without any. [1]
+        Irradiance over that of the sun, at the ascending wavelengths of the solutions; each
+        represents its interval of ``EDGES``, or an empty one below it. [1]
     """
     nm = np.concatenate([one.wavelengths for one in solutions])
     outside = np.concatenate([one.lights[0].irradiance for one in solutions])
@@ -74,13 +73,13 @@ def band_flux(solutions: Sequence[Solution], share: FloatArray) -> float:
 
 
 def ground_flux(solutions: Sequence[Solution], sun_zenith: float) -> float:
-    """Flux on level ground between 400 and 1000 nm, the sun at a zenith angle [deg]. [W m⁻²]"""
+    """Flux at the ground between 400 and 1000 nm, for a solar zenith angle [deg]. [W m⁻²]"""
     share = [ground_light(one, 90.0 - sun_zenith) for one in solutions]
     return band_flux(solutions, np.concatenate(share))
 
 
 def global_mean(solutions: Sequence[Solution]) -> float:
-    """Flux on the ground between 400 and 1000 nm, mean over the sphere. [W m⁻²]"""
+    """Global mean flux at the ground between 400 and 1000 nm. [W m⁻²]"""
     rule = gauss_legendre(_SUNS)
     zenith = np.degrees(np.arccos(rule.nodes))
     flux = np.array([ground_flux(solutions, float(one)) for one in zenith])
@@ -89,13 +88,12 @@ def global_mean(solutions: Sequence[Solution]) -> float:
 
 
 def venus(solve: Solve, quality: object = "preview") -> PublishedSection:
-    """Fluxes at the ground against those of the probes.
+    """Comparison of fluxes at the ground with those of the probes.
 
     Parameters
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or MomentsSettings
     """
     planet = load_planet("venus")
     # One by one: radii that follow the deepest air of many wavelengths suit the others badly.

@@ -31,7 +31,7 @@ class ReferenceScene:
     Attributes
     ----------
     name : str
-        Name of the air, as in the file.
+        Name of the atmosphere, as in the file.
     albedo : float
         Albedo of the ground. [1]
     geometry : CaseLines
@@ -48,7 +48,7 @@ class ReferenceScene:
 
     @property
     def planet(self) -> Planet:
-        """Planet that the radiances belong to."""
+        """Planet of the radiances."""
         match self.name:
             case "full-cornette-shanks":
                 return reference_earth(albedo=self.albedo, aerosol="cornette-shanks")
@@ -73,11 +73,6 @@ def read_scenes(folder: Path) -> list[ReferenceScene]:
     ----------
     folder : Path
         Folder of reference data.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, lacks a column, or holds a text that is not a number.
     """
     file = folder / MONTE_CARLO
     rows: dict[tuple[str, float], list[dict[str, str]]] = {}
@@ -116,22 +111,12 @@ def _scene(name: str, albedo: float, rows: list[dict[str, str]]) -> ReferenceSce
 def read_bruneton(folder: Path) -> tuple[FloatArray, FloatArray]:
     """Read the radiances of Bruneton's implementation, for lines of sight from the ground.
 
-    Parameters
-    ----------
-    folder : Path
-        Folder of reference data.
-
     Returns
     -------
     geometry : array, shape (n, 3)
         Sun zenith, view zenith, azimuth. [deg]
     radiance : array, shape (n, 3)
         Radiance at 680, 550 and 440 nm. [W m⁻² sr⁻¹ nm⁻¹]
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read or is not a table of six columns of numbers.
     """
     file = folder / BRUNETON
     try:

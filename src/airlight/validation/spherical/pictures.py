@@ -29,7 +29,6 @@ def error_scatter(
 
     Parameters
     ----------
-    quality : str
     suns, errors : array, shape (n,)
         Sun zenith angle at the observer [deg]; relative error, signed [1].
     channels : array of int, shape (n,)
@@ -75,7 +74,6 @@ def error_histograms(
 
     Parameters
     ----------
-    quality : str
     suns, heights, errors : array, shape (n,)
         Sun zenith angle [deg], altitude [m], relative error [1].
     thresholds : (float, float, float)

@@ -1,4 +1,4 @@
-"""The suite ``spherical``: radiances of independent spherical codes, noon to twilight."""
+"""Suite ``spherical``: radiances against independent spherical codes, noon to twilight."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ WORST = 10
 
 @dataclass(frozen=True)
 class Comparison:
-    """Comparison of one scene at one quality with the referee.
+    """Comparison of a scene at a quality with the reference.
 
     Attributes
     ----------
@@ -57,9 +57,9 @@ class Comparison:
     got : array, shape (n, 3)
         Radiance of our solver per irradiance. [sr⁻¹]
     error, beyond : array, shape (n, 3)
-        Relative errors, raw and set to 0 within three of the referee's standard errors. [1]
+        Relative errors, and the same set to 0 within three standard errors of the reference. [1]
     sure : array of bool, shape (n, 3)
-        Mask of the values that count.
+        Mask of the compared values.
     """
 
     scene: ReferenceScene
@@ -70,11 +70,11 @@ class Comparison:
 
     @property
     def summary(self) -> ErrorSummary:
-        """Metrics of the raw errors that count."""
+        """Metrics of the compared raw errors."""
         return summarise(self.error, self.sure)
 
     def largest_beyond(self, noise: float) -> float:
-        """Largest of the errors that exceed ``noise`` standard errors. [1]"""
+        """Largest error that exceeds ``noise`` standard errors. [1]"""
         known, deviation = self.scene.radiance, self.scene.standard_error
         return summarise(beyond_noise(self.got, known, deviation, noise), self.sure).largest
 
@@ -84,7 +84,6 @@ def compare(scene: ReferenceScene, got: FloatArray) -> Comparison:
 
     Parameters
     ----------
-    scene : ReferenceScene
     got : array, shape (n, 3)
         Radiance per irradiance of the sun. [sr⁻¹]
     """
@@ -104,18 +103,9 @@ def spherical(
     Parameters
     ----------
     data : Path
-        Folder that holds the files.
+        Folder of the files.
     qualities : tuple of str
-        Qualities of the moments solver, of those that have thresholds.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If neither file is there, or either cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
+        Qualities of the moments solver that have thresholds.
     """
     thresholds: list[Threshold] = []
     parts: list[Part] = []
@@ -244,7 +234,7 @@ def _parts(quality: str, comparisons: list[Comparison]) -> list[Part]:
 
 
 def _worst(quality: str, comparisons: list[Comparison]) -> ReportTable:
-    """List the cases with the largest errors beyond noise, all scenes together."""
+    """Table of the cases with the largest errors beyond noise, over all scenes."""
     found = []
     for one in comparisons:
         size = np.abs(one.beyond)

@@ -22,10 +22,6 @@ def one_line(error: Exception) -> str:
     error : Exception
         Exception that was raised.
 
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> one_line(AirlightError("the shell is empty"))
@@ -39,7 +35,7 @@ def one_line(error: Exception) -> str:
 
 
 class Faults:
-    """Parts of a frame that failed; the frame omits them, and the next frame tries them again.
+    """Failed parts of a frame, which are omitted and retried in the next frame.
 
     Examples
     --------

@@ -56,13 +56,7 @@ class Preparing:
         return len(one.finished | other.finished), len(one.names | other.names)
 
     def text(self, status: SolverStatus) -> str:
-        """Current task, progress and time left.
-
-        Parameters
-        ----------
-        status : SolverStatus
-            Status of the solver.
-        """
+        """Current task, progress and time left."""
         done, total = self._counts()
         if done < total:
             left = [one.seconds_left for one in self._both if one.done < one.total]

@@ -1,7 +1,6 @@
 """Solver thread: observes a session, and reads and solves each planet, preview first.
 
-The newest edit wins. The host never blocks: it reads ``latest`` and ``status`` at any time and is
-notified of changes.
+The newest edit supersedes older ones. The host never blocks: it reads ``latest`` and ``status``.
 """
 
 from __future__ import annotations
@@ -52,8 +51,6 @@ class SolverResult:
 
     Attributes
     ----------
-    solution : Solution
-        Solution.
     planet : Planet
         Solved planet; disabled constituents neither scatter nor absorb.
     version : int
@@ -78,7 +75,7 @@ class SolverStatus:
     Attributes
     ----------
     busy : bool
-        Whether the thread is working.
+        Whether the thread is solving.
     doing : str
         Short description of the current task; empty if idle.
     done, total : int
@@ -132,7 +129,7 @@ class SolverThread:
 
     Notes
     -----
-    ``close`` ends the thread, as does the end of a ``with`` block.
+    ``close`` or the end of a ``with`` block ends the thread.
     """
 
     def __init__(

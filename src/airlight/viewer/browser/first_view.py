@@ -33,10 +33,6 @@ def first_view(
     ----------
     solution : MomentsSolution
         Solution embedded in the page.
-    values : mapping
-        View values by path.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------

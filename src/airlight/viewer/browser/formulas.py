@@ -129,7 +129,7 @@ def emitted_formulas() -> Emitter:
 
 
 def _pixel_angle(projection: str) -> str:
-    """Name in JavaScript of a projection's function; its own may have hyphens."""
+    """JavaScript name of a projection's function; names of projections may have hyphens."""
     return f"pixel_angle_{projection.replace('-', '_')}"
 
 

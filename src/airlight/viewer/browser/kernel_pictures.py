@@ -30,7 +30,6 @@ class Order(NamedTuple):
     ----------
     number : int
         Number of the request, repeated in the answer.
-    solution : MomentsSolution
     view : mapping
         View values by path.
     size : (int, int)
@@ -79,7 +78,7 @@ class KernelPictures:
         return preparing is not None and not self._drew and preparing.share < 1.0
 
     def ask(self, order: Order) -> None:
-        """Queue a frame; returns immediately."""
+        """Queue a frame request; returns immediately."""
         if self._thread is None:
             self._thread = threading.Thread(
                 target=self._work, name="airlight-pictures", daemon=True

@@ -1,8 +1,7 @@
 """Bundler that joins the viewer's JavaScript into one module, for a page and for a notebook.
 
-The files in ``web/`` and its folders are plain ES modules that import each other by relative names.
-A page opened from disk cannot load neighbouring modules, and a notebook needs a single text, so
-they are joined in the order of their dependencies, each in its own function.
+The files in ``web/`` are ES modules with relative imports. A page opened from disk cannot load
+other modules, so they are joined in the order of their dependencies, each in a function.
 """
 
 from __future__ import annotations
@@ -68,11 +67,6 @@ def web_file(name: str) -> str:
     ----------
     name : str
         Path in the folder ``web``, with ``/``; or one of ``GENERATED``.
-
-    Raises
-    ------
-    FileError
-        If there is no such file.
     """
     if name in GENERATED:
         return GENERATED[name]()
@@ -96,11 +90,6 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
     -------
     str
         Text of the joined module.
-
-    Raises
-    ------
-    FileError
-        If a file has an unsupported form of import or export, or imports form a cycle.
 
     Examples
     --------

@@ -66,11 +66,6 @@ class Viewer(anywidget.AnyWidget):
     status, message : str
         Status of the solution; error in one line, or empty.
 
-    Raises
-    ------
-    FileError, ParameterError
-        If the planet does not exist or is invalid.
-
     Examples
     --------
     >>> from airlight.viewer.browser.notebook import Viewer  # doctest: +SKIP
@@ -153,7 +148,7 @@ class Viewer(anywidget.AnyWidget):
         return done
 
     def close(self) -> None:
-        """End the solver thread and close the widget; further calls do not affect the thread."""
+        """End the solver thread and close the widget."""
         ending, self._ending = self._ending, ()
         for end in ending:
             end()

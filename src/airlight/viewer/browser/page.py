@@ -173,17 +173,9 @@ def export_page(
         Number of wavelengths, ``three`` or ``four``.
     cache : bool
         Whether solutions are cached on disk.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Returns
-    -------
-    Page
 
     Raises
     ------
-    ParameterError
-        If the planet or a view value is invalid.
     FileError
         If the page cannot be written, or would be larger than 5 MB even at ``preview``.
     """

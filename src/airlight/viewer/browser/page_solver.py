@@ -1,4 +1,4 @@
-"""Data for a page that solves edits of the planet: passes, optical coefficients, amounts.
+"""Data for a page that solves edited planets: passes, optical coefficients, amounts.
 
 Only values that leave rays and densities unchanged can be edited: scattering and absorption of each
 constituent, and brightness of the ground. ``web/solving/edited_air.js`` computes the coefficients,
@@ -54,7 +54,7 @@ _HEADROOM: Final = 2.0
 
 
 def page_settings() -> MomentsSettings:
-    """Solver settings of a page: like ``preview``, with the degree that thick dust needs."""
+    """Solver settings of a page: ``preview``, with the degree of optically thick media."""
     preview = QUALITIES["preview"]
     return replace(preview, degree=preview.thick_degree, tolerance=_TOLERANCE)
 
@@ -69,11 +69,7 @@ def solver_data(
     solution : MomentsSolution
         Solution of the unedited planet at three or four wavelengths.
     settings : MomentsSettings, optional
-        MomentsSettings for solving edits; by default ``page_settings()``.
-
-    Returns
-    -------
-    dict
+        Settings of the solver; by default ``page_settings()``.
     """
     chosen = page_settings() if settings is None else settings
     medium = solution.medium
@@ -119,7 +115,7 @@ def solver_data(
 
 
 def _synthetic(plan: SolverPlan) -> dict[str, Any]:
-    """Parameters of synthetic acceleration, which pages use for thick air, as the CPU does."""
+    """Parameters of synthetic acceleration for optically thick media, as on the CPU."""
     setup, degree = plan.setup, int(plan.sizes["degree"])
     cubics = finer_weights(setup.gathering.radii.size, setup.refinement).astype(np.float32)
     return {

@@ -27,8 +27,6 @@ def page_text(title: str, data: Mapping[str, Any], first: Mapping[str, str] | No
 
     Parameters
     ----------
-    title : str
-        Title of the page.
     data : mapping
         Data for ``web/main.js``, as JSON values.
     first : mapping, optional

@@ -18,9 +18,8 @@ DIGITS: Final = 12
 def as_text(values: Float32Array, stride: int = 1) -> str:
     """Encode numbers as base64 of deflated differences, for ``web/drawing/package.js``.
 
-    The differences are those of the numbers' bit patterns, zigzag-encoded so that small ones of
-    either sign are near 0, with their bytes grouped by significance: neighbours in a smooth table
-    differ only in their last bytes.
+    Differences of the bit patterns are zigzag-encoded, and their bytes grouped by significance, as
+    neighbours in a smooth table differ only in their last bytes.
 
     Parameters
     ----------
@@ -68,11 +67,7 @@ def rounded(values: Float32Array, digits: int) -> Float32Array:
     values : array
         Finite numbers.
     digits : int
-        Mantissa bits, 1 to 22; the relative error is at most 2 to the power of -digits - 1.
-
-    Returns
-    -------
-    array, same shape
+        Mantissa bits, 1 to 22; the relative error is at most 2^(-digits - 1).
     """
     last = np.uint32(1) << np.uint32(23 - digits)
     bits = np.ascontiguousarray(values, np.float32).view(np.uint32)

@@ -56,8 +56,6 @@ class Look:
         ----------
         planet : Planet
             Planet whose radii the altitude is relative to.
-        width, height : int
-            Size of the picture. [pixel]
         """
         altitude = self.altitude * (planet.top_radius - planet.bottom_radius)
         if self.altitude < 0.0:
@@ -100,11 +98,11 @@ class Preset:
     label : str
         Short caption below the picture.
     family : str
-        Planet that it is.
+        Planet of the preset.
     kind : str
         See ``Kind``.
     look : Look
-        View of its small picture.
+        View of the thumbnail.
     """
 
     name: str
@@ -149,13 +147,7 @@ PRESETS: Final = (
 
 
 def preset(name: str) -> Preset | None:
-    """Preset of the gallery by its name; None for another planet.
-
-    Parameters
-    ----------
-    name : str
-        Name of a preset, or anything else.
-    """
+    """Preset of the gallery by name; None for other planets."""
     return next((one for one in PRESETS if one.name == name), None)
 
 

@@ -12,13 +12,7 @@ from numpy.typing import NDArray
 
 
 def thumbnail_file(name: str) -> bytes | None:
-    """WebP file of a preset's thumbnail; None without one.
-
-    Parameters
-    ----------
-    name : str
-        Name of a preset.
-    """
+    """WebP file of a preset's thumbnail; None without one."""
     if not name.replace("-", "").isalnum():  # the path of a planet file
         return None
     file = resources.files("airlight.viewer.gallery") / "thumbnails" / f"{name}.webp"
@@ -41,13 +35,7 @@ def thumbnail_address(name: str) -> str:
 
 @cache
 def thumbnail(name: str) -> NDArray[np.uint8] | None:
-    """Thumbnail pixels, encoded sRGB, shape (height, width, 3); None without one.
-
-    Parameters
-    ----------
-    name : str
-        Name of a preset.
-    """
+    """Thumbnail pixels, encoded sRGB, shape (height, width, 3); None without one."""
     from PIL import Image
 
     content = thumbnail_file(name)

@@ -1,7 +1,7 @@
 """Free flight over a planet, from the ground to deep space, under a fixed sun.
 
-The planet does not rotate: the sun's direction is fixed to it until the time is set. The formulas
-are those of ``scene.flight``, which the page shares; the keys are those of ``navigation.keys``.
+The planet does not rotate: the sun's direction is fixed to it until the time is set. Formulas:
+``scene.flight``; keys: ``navigation.keys``.
 """
 
 from __future__ import annotations
@@ -77,14 +77,10 @@ def _numbers(view: View, *names: str) -> tuple[float, ...]:
 class Flight:
     """Controller that turns keys, mouse and wheel of a host into a session's view.
 
-    Parameters
-    ----------
-    session : Session
-
     Notes
     -----
-    The host reports key presses and releases and calls ``step`` before each frame; while ``moving``
-    is False it need not draw. All movement between two rests is one undo step.
+    The host reports key presses and releases and calls ``step`` before each frame. All movement
+    between two calls of ``rest`` is one undo step.
     """
 
     def __init__(self, session: Session) -> None:

@@ -1,8 +1,7 @@
 """Key and mouse bindings, shared by window, page and notebook.
 
-Each row is a line of the help with its bindings. Some rows have only some hosts: a browser reserves
-Ctrl with a letter (Ctrl+W closes the page), writes no planet files and has one view; a window has
-no touch screen.
+Each row is a line of the help with its bindings and the hosts that offer it: a browser reserves
+Ctrl with a letter, writes no planet files and has one view; a window has no touch screen.
 """
 
 from __future__ import annotations

@@ -78,14 +78,8 @@ def view_of(viewpoint: Viewpoint, *, bottom_radius: float, top_radius: float) ->
 
     Parameters
     ----------
-    viewpoint : Viewpoint
     bottom_radius, top_radius : float
         Radii of the planet's shell. [m]
-
-    Returns
-    -------
-    dict
-        Values by path.
 
     Examples
     --------
@@ -110,11 +104,6 @@ def view_of(viewpoint: Viewpoint, *, bottom_radius: float, top_radius: float) ->
 
 def as_json(bottom_radius: float, top_radius: float) -> list[dict[str, Any]]:
     """Viewpoints of a planet for a page.
-
-    Parameters
-    ----------
-    bottom_radius, top_radius : float
-        Radii of the planet's shell. [m]
 
     Returns
     -------

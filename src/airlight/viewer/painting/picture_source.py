@@ -91,8 +91,6 @@ class Picture:
         Request that the picture answers.
     exposure : float
         Exposure applied, including the automatic one. [EV]
-    finished : bool
-        Whether it is final.
     seconds : float
         Time to compute it. [s]
     by : str
@@ -110,26 +108,19 @@ class Picture:
 
 
 class PictureSource(Protocol):
-    """Progressive renderer of requests; used on one thread other than the window's."""
+    """Progressive renderer of requests, used on a single thread."""
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """Yield pictures of a request, each finer than the last.
 
         Parameters
         ----------
-        request : Request
-            Request to render.
         stale : callable
             ``stale()`` is True once the request is superseded; rendering may then stop.
 
         Yields
         ------
         Picture
-
-        Raises
-        ------
-        AirlightError
-            If the request cannot be rendered.
         """
 
     def close(self) -> None:

@@ -1,7 +1,7 @@
 """Probe of one direction: spectrum, luminance, chromaticity, optical depths, contributions.
 
-Computed on the CPU from the moments of the displayed solution, in some milliseconds per direction.
-Each contribution is integrated separately, not computed by difference.
+Computed on the CPU from the moments of the displayed solution, each contribution separately, in a
+few milliseconds per direction.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Contribution:
     Attributes
     ----------
     name : str
-        ``single scattering by …`` for each constituent, or a name above.
+        ``single scattering by …`` for each constituent, or a constant of this module.
     radiance : tuple of float, length nl
         Spectral radiance. [W m⁻² sr⁻¹ nm⁻¹]
     luminance : float
@@ -120,19 +120,8 @@ def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None
 
     Parameters
     ----------
-    solution : MomentsSolution
-    scene : Scene
     x, y : float
         Position from the left and top edges; the first pixel's centre is at 0.5. [pixel]
-
-    Returns
-    -------
-    Probe or None
-
-    Raises
-    ------
-    ParameterError
-        If the position is outside the frame, or the solution is not by moments.
     """
     direction = pixel_direction(scene.camera, x, y)
     return None if direction is None else probe(solution, scene, direction)
@@ -143,7 +132,6 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
 
     Parameters
     ----------
-    camera : Camera
     x, y : float
         Position as for ``probe_pixel``. [pixel]
 
@@ -151,11 +139,6 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
     -------
     array, shape (3,), or None
         Unit vector in the observer's local frame. [1]
-
-    Raises
-    ------
-    ParameterError
-        If the position is outside the frame.
     """
     for field, value, most in (("x", x, camera.width), ("y", y, camera.height)):
         if not 0.0 <= value <= most:
@@ -178,19 +161,9 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     direction : array, shape (3,)
         Unit vector in the observer's local frame.
 
-    Returns
-    -------
-    Probe
-
-    Raises
-    ------
-    ParameterError
-        If the solution is not by moments.
-
     Notes
     -----
-    The point on the ground neglects refraction; its error is up to the angle of refraction, half a
-    degree on Earth.
+    The position of the ground point neglects refraction, up to half a degree on Earth.
     """
     if not isinstance(solution, MomentsSolution):
         raise ParameterError("solution", type(solution).__name__, "one of the moments solver")

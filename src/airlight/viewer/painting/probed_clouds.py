@@ -35,8 +35,6 @@ def probed_clouds(
         Direction in the observer's frame. [1]
     distance : float
         Distance to the ground; infinite if there is none. [m]
-    position : LightPosition
-        Position of the light.
 
     Returns
     -------

@@ -166,7 +166,7 @@ def _measure(one: Constituent, thickness: float) -> Measure:
 
 
 def _depth(one: Constituent, thickness: float) -> float:
-    """Vertical extinction optical depth at 550 nm; negative if it requires Mie theory. [1]"""
+    """Vertical optical depth at 550 nm; negative if it requires Mie theory. [1]"""
     if isinstance(one.matter, Particles):
         own = one.matter.optical_depth
         alone = one.absorption == 0.0

@@ -79,11 +79,6 @@ class Parameter:
     def checked(self, value: Any) -> Value:
         """Validate a value, wrapping it into the range if the parameter is periodic.
 
-        Raises
-        ------
-        ParameterError
-            If the value is of another kind or out of range.
-
         Examples
         --------
         >>> heading = Parameter(path="view.heading", label="heading", group="camera", help="-",

@@ -52,11 +52,6 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
     tuple of Parameter
         Parameters of all keys, including omitted ones that have a default.
 
-    Raises
-    ------
-    ParameterError
-        If the file has an undeclared key, or a value of the wrong kind.
-
     Examples
     --------
     >>> from airlight.planets.reading.declared_keys import spelled_out

@@ -1,4 +1,4 @@
-"""Second light of a view: the Moon by date and time or by hand, or a second star."""
+"""Second light of a view: the Moon, by date and time or set manually, or a second star."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def with_moon(
     Parameters
     ----------
     body : object
-        Key ``body`` of the planet; only Earth's moon goes by a date.
+        Key ``body`` of the planet; only Earth's moon follows a date.
     view : mapping
         Values before, by path.
     changes : mapping
@@ -47,8 +47,9 @@ def with_moon(
     Returns
     -------
     dict
-        Changes. While the sun goes by date and time, the Moon does, until the second light is set
-        by hand. To move one that is off turns the Moon on, to set a temperature a second star.
+        Changes. The Moon follows date and time with the sun, until the second light is set
+        manually. Moving a second light that is off turns the Moon on; a temperature turns a second
+        star on.
 
     Examples
     --------
@@ -87,11 +88,6 @@ def with_moon(
 
 def second_lights(view: Mapping[str, Value]) -> tuple[LightPosition, ...]:
     """Secondary lights of a view.
-
-    Parameters
-    ----------
-    view : mapping
-        View values by path.
 
     Examples
     --------

@@ -24,13 +24,7 @@ SUN: Final = ("view.sun_zenith", "view.sun_azimuth")
 def with_sky(
     body: object, view: Mapping[str, Value], changes: Mapping[str, Value]
 ) -> dict[str, Value]:
-    """Changes of a view, completed by sun and Moon.
-
-    Parameters
-    ----------
-    body, view, changes :
-        Arguments of ``with_sun`` and ``with_moon``.
-    """
+    """Changes of a view, completed by sun and Moon."""
     return with_moon(body, view, with_sun(body, view, changes))
 
 
@@ -42,7 +36,7 @@ def with_sun(
     Parameters
     ----------
     body : object
-        Key ``body`` of the planet, None without one: its sun has no date.
+        Key ``body`` of the planet; None if its sun cannot follow a date.
     view : mapping
         Values before, by path.
     changes : mapping
@@ -51,8 +45,8 @@ def with_sun(
     Returns
     -------
     dict
-        Changes. A date turns the switch on, a sun that is moved by hand turns it off, and while it
-        is on the sun follows date and place.
+        Changes. A date turns the switch on, a sun moved manually turns it off; while it is on, the
+        sun follows date and place.
 
     Examples
     --------

@@ -1,13 +1,13 @@
-"""Turbidity of air, as a number and as the haze that has it.
+"""Turbidity of an atmosphere, and the haze of a given turbidity.
 
-In the subset of Python that becomes JavaScript too, for the page.
+In the Python subset that is emitted as JavaScript for the page.
 """
 
 from __future__ import annotations
 
 
 def turbidity_of(gas: float, haze: float) -> float:
-    """Turbidity of air: T = (τ_gas + τ_haze) / τ_gas. [1]
+    """Turbidity of an atmosphere: T = (τ_gas + τ_haze) / τ_gas. [1]
 
     Parameters
     ----------

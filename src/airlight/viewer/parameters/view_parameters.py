@@ -277,10 +277,6 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
         Size of the window; a panorama or a cube strip takes the largest size of its aspect ratio
         that fits into it. [pixel]
 
-    Returns
-    -------
-    Scene
-
     Examples
     --------
     >>> scene = scene_of(dict(DEFAULTS), 320, 180)

@@ -32,10 +32,6 @@ class ParameterDifference:
 def differing(first: PlanetState, second: PlanetState) -> Iterator[ParameterDifference]:
     """Parameters that differ between two planets; constituents are matched by name.
 
-    Parameters
-    ----------
-    first, second : PlanetState
-
     Yields
     ------
     ParameterDifference

@@ -13,8 +13,6 @@ def switched(planet: Planet, off: tuple[int, ...]) -> Planet:
     ----------
     planet : Planet
         Planet with all constituents; not modified.
-    off : tuple of int
-        Indices of the constituents that are switched off.
 
     Returns
     -------

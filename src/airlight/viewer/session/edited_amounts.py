@@ -68,10 +68,6 @@ def amount_edited(tables: Tables, amount: Amount, value: float) -> Tables:
         Amount from ``amounts_in`` of these or earlier tables of the planet.
     value : float
         New value; turbidity scales all haze equally. [amount.unit]
-
-    Returns
-    -------
-    dict
     """
     known = amounts_in(tables)
     if amount.path != TURBIDITY:

@@ -37,11 +37,6 @@ class Editing:
         Name of a preset, or path of a planet file.
     clock : callable
         Monotonic clock, used to merge edits in quick succession into one undo step. [s]
-
-    Raises
-    ------
-    FileError, ParameterError
-        If the planet does not exist or its file is invalid.
     """
 
     def __init__(
@@ -120,10 +115,7 @@ class Editing:
 
     @property
     def holds_exposure(self) -> bool:
-        """Whether the automatic exposure is locked, by the user or during a drag of the planet.
-
-        A darker atmosphere then also looks darker until the drag ends.
-        """
+        """Whether the automatic exposure is locked, by the user or during a drag of the planet."""
         dragged = self._side.dragged
         edits = bool(dragged) and dragged not in VIEW_VALUE
         return edits or bool(self._side.view["display.locked"])
@@ -178,12 +170,10 @@ class Editing:
     # --- edits --------------------------------------------------------------------------------
 
     def set(self, path: str, value: Value) -> None:
-        """Set a parameter, as an undo step merged with others of the same drag.
+        """Set a parameter; edits of one drag are one undo step.
 
         Parameters
         ----------
-        path : str
-            Path of the parameter.
         value : float, str or bool
             New value. [parameter.unit]
 
@@ -242,33 +232,11 @@ class Editing:
         self._side.history = History()
 
     def reset(self, what: str = "") -> None:
-        """Restore values of the planet's file and defaults of the view, as one undo step.
-
-        Parameters
-        ----------
-        what : str
-            Path of a parameter, name of a group, or empty for everything.
-
-        Raises
-        ------
-        ParameterError
-            If there is no such parameter or group.
-        """
+        """Restore values of the planet's file and defaults of the view, as one undo step."""
         self._changed(self._side.reset(what))
 
     def open(self, planet: str | Path) -> None:
-        """Replace the current planet, as an undo step.
-
-        Parameters
-        ----------
-        planet : str or Path
-            Name of a preset, or path of a planet file.
-
-        Raises
-        ------
-        FileError, ParameterError
-            If the planet does not exist or is invalid; nothing is changed then.
-        """
+        """Replace the current planet, as an undo step."""
         opened = PlanetState.opened(planet)
         self._changed(self._side.change("planet", Change(planet=opened)))
 
@@ -278,20 +246,7 @@ class Editing:
         self._changed(self._side.change(path, Change(planet=planet)))
 
     def change_view(self, name: str, view: Mapping[str, Value]) -> None:
-        """Set several parameters of the view, as one undo step of this name.
-
-        Parameters
-        ----------
-        name : str
-            Name of the step.
-        view : mapping
-            Values by path.
-
-        Raises
-        ------
-        ParameterError
-            If a path is not one of the view or a value is out of range; nothing is changed then.
-        """
+        """Set several parameters of the view, as one undo step of this name."""
         self._changed(self._side.change(name, Change(view=_checked(view, view_parameters()))))
 
     def move(self, view: Mapping[str, float], *, gesture: str = "", held: bool = False) -> None:
@@ -302,8 +257,8 @@ class Editing:
         view : mapping
             Values by path, ``view.…`` only.
         gesture : str
-            Name of the undo step, such as ``look``; steps of one gesture are merged as edits of
-            one parameter are. Without it there is no undo step.
+            Name of the undo step, such as ``look``, merged with others of this name; empty for no
+            undo step.
         held : bool
             Whether the gesture lasts until ``end_drag``.
 

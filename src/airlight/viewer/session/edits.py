@@ -25,9 +25,9 @@ _SUN_TEMPERATURE: Final = "5772 K"
 def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
     """Copy of the tables with a parameter's new value.
 
-    Choosing another kind (of a profile, a phase function, a size distribution) fills in that kind's
-    keys; mole fractions keep their sum; the top of the shell moves with the ground; a tabulated
-    phase function stays normalised.
+    Another kind (of a profile, a phase function, a size distribution) gets typical values; mole
+    fractions keep their sum, the shell its thickness, and a tabulated phase function its
+    normalisation.
 
     Parameters
     ----------
@@ -37,10 +37,6 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
         Parameter from ``parameters_of(tables)``.
     value : float or str
         New value, as returned by ``parameter.checked``. [parameter.unit]
-
-    Returns
-    -------
-    dict
 
     Examples
     --------
@@ -153,10 +149,6 @@ def restored(tables: Tables, base: Tables, path: str) -> Tables:
         Current and original tables; not modified.
     path : str
         Path of the value to restore.
-
-    Returns
-    -------
-    dict
     """
     table, _, last = path.rpartition(".")
     if path == "star.spectrum":

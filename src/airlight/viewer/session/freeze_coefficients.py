@@ -47,17 +47,6 @@ def freeze_coefficients(tables: Tables, planet: Planet, index: int) -> Tables:
         Tables of the planet's file; not modified.
     planet : Planet
         Planet read from the tables.
-    index : int
-        Index of the constituent.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    ParameterError
-        If the constituent already has coefficients.
     """
     old = tables["constituents"][index]
     one = planet.constituents[index]

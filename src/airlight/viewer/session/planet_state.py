@@ -45,13 +45,7 @@ class PlanetState:
 
     @classmethod
     def opened(cls, name_or_path: str | Path) -> PlanetState:
-        """Open a preset by name, or a planet file by path.
-
-        Raises
-        ------
-        FileError, ParameterError
-            If the planet does not exist, or has an undeclared key.
-        """
+        """Open a preset by name, or a planet file by path."""
         text, file, folder = planet_text(name_or_path)
         tables = nested_tables(text, file)
         try:

@@ -1,4 +1,4 @@
-"""Session state as JSON, short enough for a page's URL: only differences are kept."""
+"""Session state as JSON for a page's URL: differences from the defaults."""
 
 from __future__ import annotations
 
@@ -26,12 +26,6 @@ _AMOUNT: Final = re.compile(r"air\.amounts\[(\d+)\]")
 def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
     """State of planet and view as JSON values.
 
-    Parameters
-    ----------
-    planet : PlanetState
-    view : mapping
-        View values by path.
-
     Returns
     -------
     dict
@@ -52,7 +46,7 @@ def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
 
 
 def _short(value: Value) -> Value:
-    """Round to nine digits, which is invisible in a picture."""
+    """Round to nine significant digits."""
     if isinstance(value, bool) or not isinstance(value, float):
         return value
     short = float(f"{value:.9g}")
@@ -73,16 +67,8 @@ def read_state(
 
     Returns
     -------
-    planet : PlanetState
     view : dict
         View values by path, complete.
-
-    Raises
-    ------
-    ParameterError
-        If an entry is invalid; the message names it.
-    FileError
-        If the planet does not exist.
     """
     if not isinstance(state, Mapping) or not isinstance(state.get("planet"), str):
         raise ParameterError("state", state, "a table with the name of a planet")
@@ -112,7 +98,7 @@ def _table(state: Mapping[str, Any], name: str) -> Mapping[str, Any]:
 
 
 def _of_page(air: Mapping[str, Any]) -> dict[str, Any]:
-    """Convert a page's amounts to keys of the planet file."""
+    """Planet-file keys of a page's amounts."""
     found = {}
     for path, value in air.items():
         amount = _AMOUNT.fullmatch(path)
@@ -164,11 +150,6 @@ def to_fragment(state: Mapping[str, Any]) -> str:
 
 def from_fragment(fragment: str) -> dict[str, Any]:
     """Decode the state of a URL fragment, with or without the ``#``.
-
-    Raises
-    ------
-    ParameterError
-        If the fragment is not a state.
 
     Examples
     --------

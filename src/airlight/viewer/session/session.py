@@ -36,7 +36,7 @@ class Session(Editing):
     planet : str or Path
         Name of a preset, or path of a planet file.
     clock : callable
-        Monotonic clock, used to merge edits in quick succession into one undo step. [s]
+        Monotonic clock, see ``Editing``. [s]
 
     Attributes
     ----------
@@ -76,8 +76,6 @@ class Session(Editing):
 
         Parameters
         ----------
-        group : str
-            Group of the constituent.
         planet : Planet, optional
             Current planet without disabled constituents; by default it is read, which takes
             seconds for particles that are not cached.
@@ -129,7 +127,7 @@ class Session(Editing):
         self._other = Side(self._side.planet, self._side.view, self._clock)
 
     def swap(self) -> None:
-        """Show the other side, which is first copied from this one if there is none."""
+        """Show the other side; without one, the current side is copied first."""
         if self._other is None:
             self.store_b()
         assert self._other is not None
@@ -158,13 +156,7 @@ class Session(Editing):
     # --- saving -------------------------------------------------------------------------------
 
     def save_planet(self, path: str | Path) -> None:
-        """Write the planet to a planet file, completely or not at all.
-
-        Raises
-        ------
-        FileError
-            If the file cannot be written.
-        """
+        """Write the planet to a planet file, completely or not at all."""
         state = self.planet
         comments = [f"Made with airlight from {Path(state.source).name}."]
         changes = state.changes
@@ -178,13 +170,7 @@ class Session(Editing):
         return saved_state.state_of(self.planet, self._side.view)
 
     def from_state(self, state: Mapping[str, Any]) -> None:
-        """Show a state made by ``to_state``, as one undo step.
-
-        Raises
-        ------
-        ParameterError, FileError
-            If the state is invalid; nothing is changed then.
-        """
+        """Show a state made by ``to_state``, as one undo step."""
         planet, view = saved_state.read_state(state, self.planet)
         self._changed(self._side.change("state", Change(planet=planet, view=view)))
 

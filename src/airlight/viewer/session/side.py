@@ -41,9 +41,6 @@ class Side:
 
     Parameters
     ----------
-    planet : PlanetState
-    view : mapping
-        View values by path.
     clock : callable
         Monotonic clock, used to merge edits in quick succession into one undo step. [s]
 
@@ -79,13 +76,7 @@ class Side:
         return self._listed[2]
 
     def parameter(self, path: str) -> Parameter:
-        """Parameter by its path, with constituents by index or by name.
-
-        Raises
-        ------
-        ParameterError
-            If there is none; the message suggests the nearest path.
-        """
+        """Parameter by its path, with constituents by index or by name."""
         whole = self.parameters
         assert self._listed is not None
         if path in self._listed[3]:
@@ -148,8 +139,6 @@ class Side:
         ----------
         name : str
             Name of the step; changes of one name are merged while held or in quick succession.
-        after : Change
-            Change to apply.
         held : bool
             Whether the step lasts until ``end_drag``, regardless of time.
         """
@@ -202,18 +191,7 @@ class Side:
     # --- reset --------------------------------------------------------------------------------
 
     def reset(self, what: str) -> AbstractSet[str]:
-        """Restore values of the planet's file and defaults of the view, as one undo step.
-
-        Parameters
-        ----------
-        what : str
-            Path of a parameter, name of a group, or empty for everything.
-
-        Raises
-        ------
-        ParameterError
-            If there is no such parameter or group.
-        """
+        """Restore values of the planet's file and defaults of the view, as one undo step."""
         if not what or what in {one.group for one in self.parameters}:
             return self.change(what, self._group_reset(what))
         parameter = self.parameter(what)

@@ -20,11 +20,8 @@ class Actions:
 
     Parameters
     ----------
-    session : Session
     panel : SidePanel
         Panel with the switches of time, probe and comparison.
-    dialog : SaveDialog
-    messages : Messages
     shown : callable
         Function that returns the picture of the edited side, or None.
     canvas : Canvas

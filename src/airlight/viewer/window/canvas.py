@@ -1,7 +1,6 @@
 """Canvases of the window: a desktop window that sleeps while idle, or an offscreen canvas.
 
-A canvas that is drawn on demand still polls for events many times a second. Here the loop blocks
-inside the window system instead, until an event arrives or ``wake`` is called, so that an idle
+The loop blocks in the window system until an event arrives or ``wake`` is called, so that an idle
 window uses no CPU time.
 """
 
@@ -46,7 +45,7 @@ EVENTS: Final = (
 
 
 class WindowError(AirlightError):
-    """Error in one line: a window cannot be opened here."""
+    """Failure to open a window; the message is one line."""
 
 
 class Canvas(Protocol):
@@ -61,7 +60,7 @@ class Canvas(Protocol):
         """Request a draw, from any thread."""
 
     def copy(self, text: str) -> None:
-        """Put a text into the clipboard."""
+        """Copy a text to the clipboard."""
 
     @property
     def fullscreen(self) -> bool:
@@ -81,13 +80,6 @@ class DesktopCanvas:
     ----------
     size : (int, int)
         Width and height. [logical pixel]
-    title : str
-        Title of the window.
-
-    Raises
-    ------
-    WindowError
-        If the packages are missing, or there is no display.
     """
 
     def __init__(self, size: tuple[int, int], title: str) -> None:
@@ -119,7 +111,7 @@ class DesktopCanvas:
         self.render_canvas.request_draw()
 
     def run(self, draw: Callable[[], None]) -> None:
-        """Call ``draw`` on request until the window is closed."""
+        """See ``Canvas.run``."""
         self.render_canvas.request_draw(draw)
         self._loop.add_task(self._rest)
         self._loop.run()
@@ -142,19 +134,19 @@ class DesktopCanvas:
                 self._busy_until = time.perf_counter() + _AWAKE
 
     def wake(self) -> None:
-        """Request a draw, from any thread."""
+        """See ``Canvas.wake``."""
         self._wanted = True
         if not self._closed:
             with suppress(Exception):  # the window system may just have ended
                 self._glfw.post_empty_event()
 
     def copy(self, text: str) -> None:
-        """Put a text into the clipboard."""
+        """See ``Canvas.copy``."""
         self._glfw.set_clipboard_string(self._window, text)
 
     @property
     def fullscreen(self) -> bool:
-        """Whether the window fills its screen."""
+        """See ``Canvas.fullscreen``."""
         return self._before is not None
 
     def toggle_fullscreen(self) -> None:
@@ -205,11 +197,6 @@ class OffscreenCanvas:
         Width and height. [logical pixel]
     ratio : float
         Physical pixels per logical pixel; 2 on a high-density display. [1]
-
-    Raises
-    ------
-    WindowError
-        If the packages are missing.
     """
 
     def __init__(self, size: tuple[int, int], ratio: float = 1.0) -> None:
@@ -230,11 +217,11 @@ class OffscreenCanvas:
         self.picture = np.array(self.render_canvas.draw(), dtype=np.uint8)[..., :3]
 
     def wake(self) -> None:
-        """Request a draw, from any thread."""
+        """See ``Canvas.wake``."""
         self.wanted = True
 
     def copy(self, text: str) -> None:
-        """Store a text, as a clipboard does."""
+        """Store a text in place of a clipboard."""
         self.copied = text
 
     @property

@@ -36,11 +36,6 @@ _QUALITY: Final = 92
 def film_format(path: str | Path) -> str:
     """Format of a film by the name of its file.
 
-    Raises
-    ------
-    FileError
-        If the suffix is unknown.
-
     Examples
     --------
     >>> film_format("sunset.webp")
@@ -113,8 +108,6 @@ def write_film(
         there and adapts smoothly.
     scenes : tuple of Scene
         Scenes, one for each frame.
-    progress, cancel : callable
-        See ``airlight.kernel.threads``.
 
     Returns
     -------
@@ -125,8 +118,6 @@ def write_film(
     ------
     FileError
         If the file cannot be written, or its frames would need more than 1.5 GB.
-    Cancelled
-        If ``cancel`` requested it.
     """
     form = film_format(path)
     camera = scenes[0].camera

@@ -22,8 +22,6 @@ def draw_first_picture(texture: Any, into: Rectangle, text: str, share: float) -
     ----------
     texture : imgui.ImTextureRef or None
         Texture of the thumbnail; None without a thumbnail.
-    into : Rectangle
-        Rectangle to cover.
     text : str
         Current task.
     share : float

@@ -75,8 +75,6 @@ class PictureArea:
         ----------
         left : Picture or None
             Picture left of the divider, or the whole picture if there is no other.
-        right : Picture or None
-            Picture right of the divider.
         into : Rectangle
             Rectangle to fill.
         """
@@ -141,8 +139,6 @@ class PictureArea:
         ----------
         words : str
             Current task; nothing is drawn if empty.
-        into : Rectangle
-            Rectangle of the picture.
         first, last : float
             Left and right limit, as fractions of its width. [1]
         """
@@ -161,15 +157,7 @@ class PictureArea:
         drawing.add_text(at, white, words)
 
     def draw_working(self, words: str, into: Rectangle) -> None:
-        """Show the current task in a corner of an outdated picture.
-
-        Parameters
-        ----------
-        words : str
-            Current task; nothing is drawn if empty.
-        into : Rectangle
-            Rectangle of the picture.
-        """
+        """Show the current task in a corner of an outdated picture."""
         from imgui_bundle import imgui
 
         if not words:

@@ -24,7 +24,6 @@ class Sides:
 
     Parameters
     ----------
-    session : Session
     renderer : callable
         Factory of renderers, called once per side.
     solver : PlanetSolver, optional

@@ -52,8 +52,6 @@ class Start:
         Planet to compare it with.
     changes : tuple of str
         Overrides ``PATH=VALUE``.
-    view : mapping
-        View values by path.
     look : (float, float), optional
         Zenith angle, and azimuth from the sun, of the line of sight. [deg]
     look_at : str, optional
@@ -78,19 +76,7 @@ class Start:
 
 
 def show(start: Start) -> None:
-    """Open a window and run it until it is closed, or write a screenshot.
-
-    Parameters
-    ----------
-    start : Start
-
-    Raises
-    ------
-    WindowError
-        If the packages, a display or a GPU are missing.
-    ParameterError, FileError
-        If the planet, a value or the file is invalid.
-    """
+    """Open a window and run it until it is closed, or write a screenshot."""
     if start.screenshot is not None:
         if start.screenshot.suffix.lower() != ".png":
             raise FileError(start.screenshot, "the name of a screenshot ends in .png")
@@ -116,18 +102,10 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
 
     Parameters
     ----------
-    start : Start
     session : Session
         Session from ``opened``.
     canvas : DesktopCanvas or OffscreenCanvas
         Canvas, closed if there is an error.
-
-    Raises
-    ------
-    WindowError
-        If the packages or a GPU are missing.
-    ParameterError, FileError
-        If the planet to compare with is invalid.
     """
     # Two sides may compile a function at the same time; the second then warns that it is done.
     warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
@@ -210,7 +188,7 @@ def renderer_by(
 
 
 def _photograph(window: Window, canvas: OffscreenCanvas, path: Path) -> None:
-    """Draw until all requests are displayed, and write a screenshot."""
+    """Draw frames until all requests are displayed, and write a screenshot."""
     from airlight.image.png import write_png
 
     until = time.monotonic() + _PATIENCE

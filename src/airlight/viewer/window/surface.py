@@ -18,18 +18,7 @@ _STRICT: Final = (
 
 
 class WindowSurface:
-    """ImGui renderer on a canvas.
-
-    Parameters
-    ----------
-    device : wgpu.GPUDevice
-    canvas : rendercanvas canvas
-
-    Raises
-    ------
-    WindowError
-        If the packages are missing, or the device cannot draw on this canvas.
-    """
+    """ImGui renderer on a canvas."""
 
     def __init__(self, device: Any, canvas: Any) -> None:
         try:
@@ -90,7 +79,7 @@ class WindowSurface:
     def balanced(self) -> Iterator[None]:
         """End windows, tables and styles left open by an exception within.
 
-        Otherwise ImGui would reject the end of this frame and every later frame.
+        Otherwise ImGui would reject this and every later frame.
         """
         internal, style_now = self._imgui.internal, self._imgui.get_style()
         state, alpha = internal.ErrorRecoveryState(), style_now.alpha

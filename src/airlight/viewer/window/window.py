@@ -1,7 +1,7 @@
 """Main window: picture and parameters of a planet, in a loop that never blocks.
 
-Slow work runs on other threads: ``SolverThread``, ``PictureThread``, ``Probing`` and ``Saving``;
-each wakes the window when it has a result. A frame draws the available results.
+``SolverThread``, ``PictureThread``, ``Probing`` and ``Saving`` wake the window when they have a
+result.
 """
 
 from __future__ import annotations
@@ -64,11 +64,6 @@ class Window:
         Solver, called on ``SolverThread``; by default on the CPU.
     preparing : Preparing, optional
         Progress until the first picture; it is closed with the window.
-
-    Raises
-    ------
-    WindowError
-        If the packages are missing, or the device cannot draw on the canvas.
     """
 
     def __init__(

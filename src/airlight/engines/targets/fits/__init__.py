@@ -1,1 +1,1 @@
-"""Fits of a planet by the formulas that programs for real time know, each with its error."""
+"""Fits of a planet by the formulas of real-time programs, with their errors."""

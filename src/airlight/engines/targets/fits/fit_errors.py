@@ -1,7 +1,6 @@
-"""Errors of a fitted planet against the solution of the true one.
+"""Errors of a fitted planet against the solution of the original.
 
-The fitted planet is solved by the same solver: optical depths, transmittances and colours of the
-sky differ by the fit alone, not by what the program makes of it.
+Both are solved by the same solver, so that only the fit causes differences.
 """
 
 from __future__ import annotations
@@ -45,11 +44,9 @@ def fit_errors(
     Parameters
     ----------
     solution : Solution
-        Solution of the true planet.
+        Solution of the original planet.
     fitted : Planet
-        Fitted planet, which is solved at the same wavelengths with the same settings.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
+        Fitted planet, solved at the same wavelengths with the same settings.
     """
     settings = solution.settings if isinstance(solution, MomentsSolution) else "default"
     fit = solve(fitted, solution.wavelengths, settings, progress=progress)
@@ -68,20 +65,12 @@ def findings(
     notes: tuple[str, ...] = (),
     progress: Progress | None = None,
 ) -> ExportReport:
-    """Account of a fitted planet.
+    """Export report of a fitted planet.
 
     Parameters
     ----------
-    solution : Solution
-        Solution of the true planet.
-    fit : FormulaPlanet
-        Its fit.
     held : Planet
-        Planet as read back from what is written, whose errors are measured.
-    notes : tuple of str
-        Further notes.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
+        Planet as read back from the written file.
     """
     return ExportReport(
         fitted=fit.fitted,

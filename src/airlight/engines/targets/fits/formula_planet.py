@@ -1,9 +1,9 @@
-"""Planet of at most three constituents by formulas, as programs for real time know them.
+"""Planet of at most three constituents by the formulas of real-time programs.
 
-Molecules and particles thin out exponentially, absorbing gases are one exponential or one tent. All
-that scatters like molecules is merged into the first, all else that scatters into the second, with
-its absorption; what only absorbs, and what molecules absorb, into the third. Vertical optical
-depths stay what they are at each wavelength.
+Molecules and particles have exponential profiles, the absorber an exponential or a tent.
+Constituents with a Rayleigh phase function are merged into the first, other scatterers into the
+second, with their absorption; pure absorbers, and absorption by molecules, into the third. Spectral
+vertical optical depths are preserved.
 """
 
 from __future__ import annotations
@@ -45,18 +45,18 @@ _NOTHING: Final = 1e-12
 
 @dataclass(frozen=True, kw_only=True)
 class Formulas:
-    """Formulas that a program has.
+    """Formulas of a program.
 
     Attributes
     ----------
     lobe : LobeForm
         Phase function of its particles.
     absorber : str
-        ``tent``, ``exponential``, ``with particles`` (of their scale height), or ``none``.
+        ``tent``, ``exponential``, ``with particles`` (with their scale height), or ``none``.
     grey : bool
-        Whether particles scatter all wavelengths alike.
+        Whether scattering by particles is independent of wavelength.
     one_albedo : bool
-        Whether particles have one single scattering albedo for all wavelengths.
+        Whether the single-scattering albedo of particles is independent of wavelength.
     """
 
     lobe: LobeForm
@@ -72,7 +72,7 @@ class FormulaPlanet:
     Attributes
     ----------
     planet : Planet
-        Constituents ``molecules``, ``particles`` and ``absorber``, those that it has.
+        Planet with some of the constituents ``molecules``, ``particles`` and ``absorber``.
     fitted : tuple of FittedFormula
         Fits with their errors.
     notes : tuple of str
@@ -93,11 +93,7 @@ def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlan
     Parameters
     ----------
     medium : Medium
-        Air without refraction.
-    name : str
-        Name of the planet.
-    formulas : Formulas
-        Formulas of the program.
+        Medium without refraction.
     """
     gas, particles = groups(medium)
     others = [index for index in range(len(medium.names)) if index not in particles]
@@ -160,7 +156,7 @@ def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlan
 
 
 def name_of(planet: Planet | None) -> str:
-    """Name of a planet for a file: letters and digits, the first a letter.
+    """Identifier from a planet's name: letters and digits, the first a letter.
 
     Examples
     --------
@@ -192,16 +188,14 @@ def layer(
     absorbed: FloatArray,
     phase: PhaseFunction | None,
 ) -> Constituent:
-    """Constituent of given vertical optical depths.
+    """Constituent with given vertical optical depths.
 
     Parameters
     ----------
-    name : str
-        Name of the constituent.
     profile : Profile
         Density.
     medium : Medium
-        Air whose wavelengths and thickness it has.
+        Medium with the wavelengths and the thickness.
     scattered, absorbed : array, shape (nl,)
         Vertical optical depths of scattering and absorption. [1]
     phase : PhaseFunction or None
@@ -226,7 +220,7 @@ def _fitted_profile(
     form: Literal["exponential", "tent"],
     fitted: list[FittedFormula],
 ) -> Profile:
-    """Density of several constituents together, weighted by coefficients of all wavelengths."""
+    """Total density of several constituents, weighted by their coefficients."""
     weights = coefficients[list(members)].mean(axis=1)
     whole = VerticalProfile.sampled(
         lambda h: weights @ medium.density.at(h)[list(members)],
@@ -266,7 +260,7 @@ def _fitted_formula(lobe: Lobe) -> FittedFormula:
 
 
 def _rayleigh(medium: Medium, gas: Sequence[int]) -> FittedFormula:
-    """Rayleigh's function without depolarisation for that of the molecules."""
+    """Rayleigh phase function without depolarisation, in place of that of the molecules."""
     nu = np.linspace(-1.0, 1.0, 181)
     own = medium.phase_function(nu)[:, list(gas)]
     plain = Rayleigh().values(nu, medium.wavelengths)[:, None, :]
@@ -284,8 +278,8 @@ def _limited(
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Optical depths of particles as a program represents them, and the remaining scattering.
 
-    One albedo: the scattering is kept, which gives the better colours of Mars and Titan. Grey: the
-    least of the wavelengths, so that the rest can be molecules, and no optical depth changes.
+    With one albedo, scattering is preserved, which gives better colours of Mars and Titan. If grey,
+    scattering is the minimum over wavelengths, and the remainder is added to the molecules.
     """
     nothing = np.zeros_like(scattered)
     if formulas.grey and scattered.max() > scattered.min():

@@ -1,8 +1,7 @@
-"""Phase function by one lobe, Cornette-Shanks or Henyey-Greenstein, of the same mean cosine.
+"""Fit of a phase function by one lobe with the same mean cosine.
 
-A lobe has one number, g. It is chosen so that the mean cosine is kept, on which light scattered
-often depends. Least squares of the logarithm over the sphere give nearly the same: 0.717 in place
-of 0.705 for the dust of Mars at 550 nm, which changes colours far less than the fit errs.
+The mean cosine determines multiple scattering. Least squares of the logarithm over the sphere would
+give nearly the same g: 0.717 instead of 0.705 for the dust of Mars at 550 nm.
 """
 
 from __future__ import annotations
@@ -72,7 +71,7 @@ class LobeForm:
     g_of : callable
         Parameter g of a mean cosine.
     phase_function : callable
-        Phase function of a planet by its parameter g.
+        Phase function of a constituent by its parameter g.
     """
 
     name: str
@@ -98,16 +97,16 @@ class Lobe:
     form : LobeForm
         Formula.
     g : float
-        Its parameter, positive forward. [1]
+        Parameter, positive forward. [1]
     mean_cosine : float
-        Mean cosine that is kept, weighted over wavelengths. [1]
+        Mean cosine, weighted over wavelengths. [1]
     scatter : float
-        Root mean square of the logarithm of lobe over phase function, over solid angle beyond
-        ``AUREOLE`` and wavelengths: 0.1 is a tenth. [1]
+        Root mean square of ln(lobe/phase function) over solid angle beyond ``AUREOLE`` and
+        wavelengths. [1]
     largest : float
-        Largest factor between the two there. [1]
+        Largest ratio of the two, either way, in this range. [1]
     forward : float
-        Lobe over phase function straight forward. [1]
+        Lobe over phase function at scattering angle 0. [1]
     """
 
     form: LobeForm
@@ -138,7 +137,7 @@ def fit_lobe(
     form: LobeForm,
     weights: ArrayLike | None = None,
 ) -> Lobe:
-    """Lobe of the same mean cosine as a phase function, averaged over wavelengths.
+    """Lobe with the mean cosine of a phase function, averaged over wavelengths.
 
     Parameters
     ----------
@@ -149,12 +148,7 @@ def fit_lobe(
     form : LobeForm
         Formula, such as ``CORNETTE_SHANKS`` or ``HENYEY_GREENSTEIN``.
     weights : array, shape (nl,), optional
-        Weights of the wavelengths, such as scattering optical depths; even if left out.
-
-    Raises
-    ------
-    ParameterError
-        If the phase function has no mean cosine that a lobe can have.
+        Weights of the wavelengths, such as scattering optical depths; default: equal.
 
     Examples
     --------
@@ -185,16 +179,9 @@ def fit_lobe(
 
 
 def particles_lobe(medium: Medium, form: LobeForm) -> Lobe | None:
-    """Lobe of all particles of a medium together; None if only molecules scatter.
+    """Lobe of all particles of a medium; None if only molecules scatter.
 
     Constituents and wavelengths are weighted by their vertical scattering optical depth.
-
-    Parameters
-    ----------
-    medium : Medium
-        The air.
-    form : LobeForm
-        Formula of the lobe.
     """
     _, particles = groups(medium)
     if not particles:

@@ -1,8 +1,7 @@
 """Factors from radiance at three wavelengths to linear sRGB, for programs with one per channel.
 
-Such a program knows nothing of the spectrum between its wavelengths. Bruneton takes the sky's
-light as sunlight times the power -3 of the wavelength; here the three factors are those by which a
-planet's own skies come nearest to their colours.
+Bruneton assumes that sky radiance is sunlight times λ⁻³; here the factors are fitted to the colours
+of the planet's sky.
 """
 
 from __future__ import annotations
@@ -47,7 +46,7 @@ class SkyColour:
     sky, sun : array, shape (3,)
         Linear sRGB per spectral radiance of sky and star. [nm]
     fitted : tuple of FittedFormula
-        Account.
+        Report of the fit.
     """
 
     sky: FloatArray
@@ -56,7 +55,7 @@ class SkyColour:
 
 
 def channel_factors(wavelengths: FloatArray, spectrum: FloatArray, power: float) -> FloatArray:
-    r"""Factors of light with the star's spectrum times a power of the wavelength, shape (3,). [nm]
+    r"""Factors for the star's spectrum times a power of the wavelength, shape (3,). [nm]
 
     .. math:: k_c = \int \bar c(\lambda)\, \frac{E(\lambda)}{E(\lambda_c)}
               \left(\frac{\lambda}{\lambda_c}\right)^p d\lambda
@@ -88,9 +87,8 @@ def channel_factors(wavelengths: FloatArray, spectrum: FloatArray, power: float)
 def fit_sky_colour(solution: Solution) -> SkyColour:
     """Factors of a planet's sky and star.
 
-    The sky's minimise the mean difference of colour (CIE DE 2000) over skies by day, which four
-    wavelengths tell. Without a planet, or where no light comes
-    through its air, Bruneton's power of the wavelength is taken.
+    Those of the sky minimise the mean CIE DE 2000 over the daytime sky from a solution at four
+    wavelengths. Without a planet, or with an opaque atmosphere, Bruneton's power is used.
 
     Parameters
     ----------

@@ -1,11 +1,11 @@
-"""Tables linear between few angles to the sun, fitted to the light at many.
+"""Fit of tables that are linear in nu between few texels to radiance at many angles.
 
-Bruneton's look-up of the light at one place, view and sun is, along nu,
+Along nu, Bruneton's look-up of radiance is
 
     L(nu) ~ sum_j hat_j(nu) (S_j p_R(nu) + M_j p_CS(nu; g))
 
-With the light at the texels' own angles alone it errs between them: aureole and glory of dust are
-narrower than 44 deg. So S and M are the least squares of relative errors over many angles.
+Aureole and glory of dust are narrower than the distance of the texels, 44 deg. S and M therefore
+minimise the squared relative errors over many angles.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ class TexelFit:
     g : float
         Parameter of the lobe. [1]
     angles : int
-        Texels along nu, evenly from -1 to 1.
+        Number of equidistant texels in nu from -1 to 1.
     phases : callable
-        Phase functions of the kinds of particles, from nu (n,) to (kinds, n, nl). [sr⁻¹]
+        Phase functions of the types of particles, from nu (n,) to (kinds, n, nl). [sr⁻¹]
     """
 
     def __init__(self, g: float, angles: int, phases: Any) -> None:
@@ -73,11 +73,11 @@ class TexelFit:
         Parameters
         ----------
         smooth : array, shape (texels, fine angles, nl)
-            Light over Rayleigh's phase function, at the fine angles.
+            Radiance over the Rayleigh phase function, at the fine angles.
         once : list of array, of the same shape
-            Single scattering by each kind of particles, over its phase function.
+            Single scattering by each type of particles, over its phase function.
         start : array, shape (texels, 2·angles, nl)
-            S and M that are kept where the light does not tell.
+            S and M where radiance does not determine them.
         signed : array of bool, shape (texels,)
             Whether S and M may be negative.
         """
@@ -95,7 +95,7 @@ class TexelFit:
         return out
 
     def _solved(self, light: FloatArray, start: FloatArray, signed: Flags) -> FloatArray:
-        """Unknowns of texels, shape (n, 2·angles), in units in which their columns are of 1."""
+        """Unknowns of texels, shape (n, 2·angles), for normalised columns."""
         columns = self._functions / light[..., None]
         size = np.sqrt((columns * columns).mean(axis=1)) + np.finfo(float).tiny
         columns /= size[:, None, :]

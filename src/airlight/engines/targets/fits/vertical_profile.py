@@ -1,9 +1,8 @@
-"""Density over altitude by one exponential, or by a tent, of the same vertical column.
+"""Fit of a density profile by an exponential or a tent with the same vertical column.
 
-The column is kept exactly. What is left, a scale height or the place and width of a tent, is the
-least squares fit of the column above each altitude: of the optical depth through which light comes
-down. The mean altitude, or the column along the rays of a setting sun, would give colours of the
-sky of Earth and Mars that differ by a quarter of ΔE from these.
+Scale height, or centre and width, are the least squares fit of the column above each altitude,
+which attenuates sunlight. Fits of the mean altitude, or of slant columns at sunset, change colours
+of the sky of Earth and Mars by 0.25 ΔE.
 """
 
 from __future__ import annotations
@@ -32,14 +31,14 @@ _NODES: Final = 8001
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class VerticalProfile:
-    """Density over altitude, of any unit, at nodes.
+    """Density profile at nodes, in any unit.
 
     Parameters
     ----------
     altitudes : array, shape (n,)
         Altitudes, ascending from 0 to the shell's thickness. [m]
     densities : array, shape (n,)
-        Densities there, not all 0.
+        Densities, not all 0.
     bottom_radius : float
         Radius of the ground. [m]
     """
@@ -52,7 +51,7 @@ class VerticalProfile:
     def sampled(
         cls, density: Callable[[FloatArray], ArrayLike], thickness: float, bottom_radius: float
     ) -> VerticalProfile:
-        """Sample a density, more densely towards the ground.
+        """Profile sampled from a function, more densely towards the ground.
 
         Parameters
         ----------
@@ -64,7 +63,7 @@ class VerticalProfile:
         Raises
         ------
         ParameterError
-            If it is 0 everywhere.
+            If the density is 0 everywhere.
         """
         h = thickness * np.linspace(0.0, 1.0, _NODES) ** 2
         values = np.asarray(density(h), float)
@@ -79,11 +78,11 @@ class VerticalProfile:
 
     @cached_property
     def above(self) -> FloatArray:
-        """Share of the column that is above each altitude, shape (n,), 1 at the ground. [1]"""
+        """Fraction of the column above each altitude, shape (n,), 1 at the ground. [1]"""
         return _above(self.altitudes, self.densities)
 
     def air_mass(self, zenith_angle: float) -> float:
-        """Column along a straight line from the ground over the vertical one. [1]
+        """Air mass: slant column from the ground over the vertical column. [1]
 
         Parameters
         ----------
@@ -103,7 +102,7 @@ class VerticalProfile:
         return float(np.trapezoid(along, self.altitudes) / vertical)
 
     def of(self, profile: Profile) -> VerticalProfile:
-        """Another density at the same nodes."""
+        """Profile of another density at the same nodes."""
         from airlight.physics.optics.density_profile import DensitySegments
 
         row = profile.row(self.thickness)
@@ -133,12 +132,7 @@ def _above(altitudes: FloatArray, densities: FloatArray) -> FloatArray:
 
 
 def fit_exponential(profile: VerticalProfile) -> Exponential:
-    """Exponential whose columns above all altitudes are nearest, least squares.
-
-    Parameters
-    ----------
-    profile : VerticalProfile
-        Density.
+    """Least squares fit of the columns above all altitudes by an exponential.
 
     Examples
     --------
@@ -159,12 +153,7 @@ def fit_exponential(profile: VerticalProfile) -> Exponential:
 
 
 def fit_tent(profile: VerticalProfile) -> Tent:
-    """Tent whose columns above all altitudes are nearest, least squares.
-
-    Parameters
-    ----------
-    profile : VerticalProfile
-        Density.
+    """Least squares fit of the columns above all altitudes by a tent.
 
     Examples
     --------

@@ -1,14 +1,13 @@
-"""Phase functions by one Cornette-Shanks lobe times weights at a table's angles to the sun.
+"""Fit of phase functions by a Cornette-Shanks lobe times weights at the texels along nu.
 
-Bruneton's look-ups know one lobe for all particles and wavelengths, but multiply it by a table that
-is linear between its texels along nu. So each kind of particles has weights at these texels, one
-row for the lobe's table and one for the table that Rayleigh's function multiplies:
+Bruneton's look-up has one lobe for all particles and wavelengths, multiplied by a table that is
+linear in nu between its texels. Each type of particles has weights at these texels, for the lobe's
+table and for the table of the Rayleigh phase function:
 
     p(nu) ~ sum_j hat_j(nu) (w_j p_CS(nu; g) + v_j p_R(nu)),   w_j, v_j >= 0
 
-Only g is common to all. Particles of several kinds do not become one kind by this. Where the lobe's
-table holds red alone and its colours are restored by one factor for each wavelength, the weights w
-of a kind are one row times a factor of each wavelength.
+Only g is common to all types. If the lobe's table holds only red, w of a type is one row times a
+factor per wavelength.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ _FACTORS: Final = (0.05, 20.0)
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class WeightedLobe:
-    """Lobe of all particles, and weights of each kind at the texels along nu.
+    """Lobe of all particles, and weights of each type at the texels along nu.
 
     Attributes
     ----------
@@ -49,9 +48,9 @@ class WeightedLobe:
     lobe : array, shape (kinds, nl, angles)
         Weights w of the lobe's table. [1]
     smooth : array, shape (kinds, nl, angles)
-        Weights v of the table that Rayleigh's function multiplies. [1]
+        Weights v of the table of the Rayleigh phase function. [1]
     fitted : tuple of FittedFormula
-        Account of each kind.
+        Report of each type.
     """
 
     g: float
@@ -68,25 +67,25 @@ def fit_weighted_lobe(
     *,
     one_row: bool = False,
 ) -> WeightedLobe:
-    """Fit the least squares of relative errors, weighted by the particles' scattering.
+    """Least squares fit of relative errors, weighted by scattering.
 
     Parameters
     ----------
     names : tuple of str
-        Names of the kinds.
+        Names of the types of particles.
     phases : callable
-        ``phases(k, nu)``: phase function of kind k, from nu (n,) to (n, nl). [sr⁻¹]
+        ``phases(k, nu)``: phase function of type k, from nu (n,) to (n, nl). [sr⁻¹]
     shares : array, shape (kinds, nl)
-        Weights of kinds and wavelengths: their scattering optical depths.
+        Scattering optical depths of types and wavelengths, as weights.
     angles : int
-        Texels along nu, evenly from -1 to 1.
+        Number of equidistant texels in nu from -1 to 1.
     one_row : bool
-        Whether the weights of the lobe's table are one row times a factor of each wavelength.
+        Whether w is one row times a factor per wavelength.
 
     Returns
     -------
     WeightedLobe
-        Without kinds, g is 0.
+        Fit; g is 0 without particles.
     """
     if not names:
         nothing = np.zeros((0, shares.shape[-1], angles))
@@ -135,7 +134,7 @@ def fit_weighted_lobe(
 
 
 def hat_functions(nu: FloatArray, angles: int) -> FloatArray:
-    """Shares of the texels along nu in a linear interpolation, shape (n, angles). [1]
+    """Weights of the texels in linear interpolation along nu, shape (n, angles). [1]
 
     Examples
     --------
@@ -168,7 +167,7 @@ def _solve(
 def _in_one_row(
     g: float, nu: FloatArray, hats: FloatArray, goal: FloatArray, start: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Weights and errors as ``_solve``, those of the lobe one row times factors, from a start."""
+    """Weights and errors as in ``_solve``, with one row of w times factors, from a start."""
     kinds, count, n = goal.shape
     angles = hats.shape[1]
     narrow: Any = vectorized(cornette_shanks)
@@ -196,7 +195,7 @@ def _in_one_row(
 
 
 def _smallest(cost: Any) -> float:
-    """Parameter g of the smallest cost: the best of even steps, refined beside it."""
+    """Parameter g of minimal cost: the best of even steps, refined."""
     steps = np.linspace(*_G, _STEPS)
     best = int(np.argmin([cost(float(g)) for g in steps]))
     around = (steps[max(best - 1, 0)], steps[min(best + 1, _STEPS - 1)])

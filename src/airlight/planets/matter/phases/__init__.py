@@ -1,4 +1,4 @@
-"""Phase functions of a constituent: a further phase function is its own class, listed here."""
+"""Phase functions of a constituent, one class each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Analytic phase functions: molecules, and particles with one or two lobes."""
+"""Analytic phase functions: Rayleigh, and particles with one or two lobes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ INITIAL_ASYMMETRY: Final = 0.7
 
 
 def asymmetry_key(label: str, text: str, initial: float = INITIAL_ASYMMETRY, **more: Any) -> Field:
-    """Key of the mean cosine of a lobe, or of its equivalent."""
+    """Key of the asymmetry of a lobe."""
     return Field(label=label, help=text, range=(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY),
                slider=(-0.99, 0.99), spectral=True, per="wavelengths", initial=initial,
                **more)  # fmt: skip
@@ -33,7 +33,7 @@ def asymmetry_key(label: str, text: str, initial: float = INITIAL_ASYMMETRY, **m
 
 @parameters
 class Rayleigh(FormulaPhase):
-    """Molecules, or anything much smaller than the wavelength.
+    """Rayleigh phase function, of molecules and particles much smaller than the wavelength.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ class Rayleigh(FormulaPhase):
 
 @parameters
 class HenyeyGreenstein(FormulaPhase):
-    """Particles with one lobe.
+    """Henyey-Greenstein phase function.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ class HenyeyGreenstein(FormulaPhase):
 
 @parameters
 class CornetteShanks(FormulaPhase):
-    """Particles with one lobe that tends to Rayleigh's as g tends to 0.
+    """Cornette-Shanks phase function, which tends to Rayleigh's as g tends to 0.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ class CornetteShanks(FormulaPhase):
 
 @parameters
 class DoubleHenyeyGreenstein(FormulaPhase):
-    """Particles with two lobes: weight·HG(asymmetry_1) + (1 - weight)·HG(asymmetry_2).
+    """Sum of two lobes: weight·HG(asymmetry_1) + (1 - weight)·HG(asymmetry_2).
 
     Parameters
     ----------

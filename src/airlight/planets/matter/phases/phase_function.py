@@ -1,4 +1,4 @@
-"""Interface of all phase functions, and methods that need their values alone."""
+"""Interface of phase functions, and methods that only use their values."""
 
 from __future__ import annotations
 
@@ -36,19 +36,18 @@ _CACHE_SIZE: Final = 512
 
 
 class PhaseRow(NamedTuple):
-    """Values over the scattering angle, and the row's weight in the phase function.
+    """Tabulated phase function over the scattering angle, with its weight in a mixture.
 
     Attributes
     ----------
     share : float
-        Share of the row. [1]
+        Weight. [1]
     angles : array, shape (m,)
         Angles, ascending from 0 to 180; the logarithm is linear between them. [deg]
     values : array, shape (m,)
         Phase function. [sr⁻¹]
     ratios : array, shape (3, m), or None
-        F₁₂, F₃₃ and F₃₄ of the phase matrix over the phase function, linear between the angles;
-        None where only the phase function is known. [1]
+        F₁₂, F₃₃ and F₃₄ over the phase function, linear between the angles; None if unknown. [1]
     """
 
     share: float
@@ -58,12 +57,12 @@ class PhaseRow(NamedTuple):
 
 
 class PhaseFunction(TomlModel, ABC):
-    """Distribution of scattered light, as a parameter object; its integral over the sphere is 1.
+    """Phase function as a parameter object, normalised to 1 over the sphere.
 
     Attributes
     ----------
     molecular : bool
-        Whether it belongs to molecules: then given scattering coefficients follow λ⁻⁴.
+        Whether it is that of molecules, whose scattering follows λ⁻⁴ beyond given wavelengths.
     """
 
     molecular: ClassVar[bool] = False
@@ -71,7 +70,7 @@ class PhaseFunction(TomlModel, ABC):
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """Wavelengths at which it is known. [nm]"""
+        """Wavelength range. [nm]"""
 
     @abstractmethod
     def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -80,12 +79,12 @@ class PhaseFunction(TomlModel, ABC):
     def phase_f12(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]
 
-        Zero where only the phase function is known.
+        Zero if only the phase function is known.
         """
         return np.zeros((*np.shape(nu), np.size(wavelengths)))
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        r"""Elements of degree 2 that polarise, and a forward part, shape (nl, 4). [1]
+        r"""Expansion coefficients of the phase matrix, shape (nl, 4). [1]
 
         .. math:: 2\pi \int F_{12}\, d^2_{02}(\theta)\, d\nu, \quad
                   \pi \int \left[(F_{22} + F_{33})\, d^2_{22}
@@ -94,9 +93,8 @@ class PhaseFunction(TomlModel, ABC):
 
         Hovenier, van der Mee & Domke (2004), Transfer of Polarized Light in Planetary Atmospheres,
         section 2.8: their β₁, α₂ and α₃ of degree 2, over 5, and their α₂ + α₃ of degree 5, over
-        22. β₁ couples radiance and even polarised light, α₂ keeps the even, α₃ the odd.
-        The last is the part of polarised light that counts as not scattered, see
-        ``solver.moments.delta_m``.
+        22. β₁ couples I to even moments of Q and U; α₂ couples even and α₃ odd moments. The last
+        determines the truncated fraction of Q and U, see ``solver.moments.delta_m``.
         """
         return np.array(
             [polarising_moments_of(self.sampled(float(nm))) for nm in np.atleast_1d(wavelengths)]
@@ -112,21 +110,16 @@ class PhaseFunction(TomlModel, ABC):
         return legendre_moments(lambda nu: np.moveaxis(self.values(nu, nm), 0, -1), degree)
 
     def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:
-        """Table of a planet file that gives it at a few wavelengths by few numbers.
+        """Table for a planet file that represents it at a few wavelengths by few numbers.
 
-        Without such numbers, a Henyey-Greenstein function of the same mean cosine.
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
+        By default a Henyey-Greenstein function of the same mean cosine.
         """
         mean = self.moments(wavelengths, 1)
         return {"kind": "henyey-greenstein", "asymmetry": written(mean[:, 1] / mean[:, 0])}
 
 
 def polarising_moments_of(rows: tuple[PhaseRow, ...]) -> tuple[float, float, float, float]:
-    """``PhaseFunction.polarising_moments`` at one wavelength, of its tables. [1]"""
+    """``PhaseFunction.polarising_moments`` at one wavelength, from tables. [1]"""
     beta_1, alpha_2, alpha_3, forward = 0.0, 0.0, 0.0, 0.0
     share = (np.arange(_STEPS_A_CELL) + 0.5) / _STEPS_A_CELL
     for row in rows:
@@ -152,16 +145,15 @@ def polarising_moments_of(rows: tuple[PhaseRow, ...]) -> tuple[float, float, flo
 
 
 class FormulaPhase(PhaseFunction):
-    """Phase function by a formula of the cosine and of its fields, in their order.
+    """Phase function by a formula of the cosine and of the fields, in order.
 
-    A further phase function is a frozen class (``@parameters``) with a ``keyword``, its ``formula``
-    and fields declared by ``Field``; its name in ``PHASES`` registers it for reader, editors and
-    solvers.
+    Subclasses are frozen (``@parameters``), with a ``keyword``, a ``formula`` and fields declared
+    by ``Field``, and are registered in ``PHASES``.
 
     Attributes
     ----------
     formula : callable
-        Formula: the ``@kernel`` of nu and the fields, as a ``staticmethod``. [sr⁻¹]
+        ``@kernel`` of nu and the fields, as a ``staticmethod``. [sr⁻¹]
     """
 
     formula: ClassVar[Callable[..., float]]
@@ -175,7 +167,7 @@ class FormulaPhase(PhaseFunction):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known. [nm]"""
+        """Wavelength range. [nm]"""
         return spectral_limits(*self._given())
 
     def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -185,14 +177,14 @@ class FormulaPhase(PhaseFunction):
         return np.asarray(formula(cosines, *self.parameters_at(wavelengths)))
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """See ``PhaseFunction``: once for all wavelengths of the same parameters."""
+        """See ``PhaseFunction``; computed once for wavelengths of equal parameters."""
         nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         given = self.parameters_at(nm).reshape(-1, nm.size).T
         formula = type(self).formula
         return np.array([_formula_moments(formula, *row) for row in given.tolist()])
 
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
-        """Table, linear in the logarithm, that equals the formula to a part in 100 000."""
+        """Table of the formula, linear in the logarithm, with an error of 1e-5."""
         return _formula_rows(type(self).formula, *self.parameters_at([wavelength]).ravel())
 
     def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:
@@ -223,11 +215,11 @@ def _formula_rows(formula: Any, *given: float) -> tuple[PhaseRow, ...]:
 
 @lru_cache(maxsize=_CACHE_SIZE)
 def _formula_moments(formula: Any, *given: float) -> tuple[float, float, float, float]:
-    """``polarising_moments_of`` a formula with the given parameters. [1]"""
+    """``polarising_moments_of`` of a formula with the given parameters. [1]"""
     return polarising_moments_of(_formula_rows(formula, *given))
 
 
 def written(values: FloatArray) -> Any:
-    """Numbers as in a planet file: a single one if all are equal, otherwise one per wavelength."""
+    """Numbers for a planet file: a single one if all are equal, otherwise one per wavelength."""
     listed = [float(f"{value:.{_DIGITS}g}") for value in values]
     return listed[0] if len(set(listed)) == 1 else listed

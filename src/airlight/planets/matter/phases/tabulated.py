@@ -59,7 +59,7 @@ def _ratio_rows(name: str) -> BeforeValidator:
 
 
 def _ratio_key(element: str, help: str, note: str) -> Field:
-    """Key of a ratio of elements of the phase matrix."""
+    """Key of a phase matrix element over the phase function."""
     return Field(
         label=f"{element}/F₁₁",
         help=help,
@@ -76,14 +76,14 @@ def _ratio_key(element: str, help: str, note: str) -> Field:
 def _ratios(
     section: TomlTable, name: str, wavelengths: Wavelengths
 ) -> tuple[tuple[float, ...], ...]:
-    """Read one list of ratios, or one for each wavelength. [1]"""
+    """Read a list of ratios, or a list per wavelength. [1]"""
     return _listed(section, name, wavelengths, "1", "a list of numbers, or one list per wavelength")
 
 
 def _values(
     section: TomlTable, name: str, wavelengths: Wavelengths
 ) -> tuple[tuple[float, ...], ...]:
-    """Read one list, or one for each wavelength. [sr⁻¹]"""
+    """Read a list of values, or a list per wavelength. [sr⁻¹]"""
     allowed = "a list of numbers in /sr, or one list per wavelength"
     return _listed(section, name, wavelengths, "1/sr", allowed)
 
@@ -104,27 +104,24 @@ def _listed(
 
 @parameters
 class TabulatedPhase(PhaseFunction):
-    """A phase function from a table; between angles its logarithm is linear in the angle.
+    """Phase function from a table; between angles its logarithm is linear in the angle.
 
     Parameters
     ----------
     angles : tuple of float
         Scattering angles, ascending from 0 to 180. [deg]
     rows : tuple of tuple of float
-        One row of values per wavelength, each as long as ``angles``; a single row serves every
-        wavelength. [sr⁻¹]
+        Values at ``angles``, one row per wavelength or a single row. [sr⁻¹]
     wavelengths : tuple of float
-        Wavelengths, one per row; empty for a single row. Linear between them. [nm]
+        Wavelengths of the rows, with linear interpolation; empty for a single row. [nm]
     f12, f33, f34 : tuple of tuple of float, optional
-        Elements of the phase matrix over the phase function, rows like ``rows``; linear between
-        angles. Without F₃₃ it is that of Rayleigh's law, as far as F₁₂ leaves room; without F₃₄ it
-        is 0. [1]
+        Elements of the phase matrix over the phase function, like ``rows``; linear between angles.
+        Default: F₃₃ of Rayleigh scattering, as far as F₁₂ permits, and F₃₄ = 0. [1]
 
     Raises
     ------
     ParameterError
-        If a row does not integrate to 1 within 0.001: the error shows its integral; or if a matrix
-        would polarise light by more than all of it.
+        If a row does not integrate to 1 within 0.001, or a degree of polarisation exceeds 1.
     """
 
     keyword = "tabulated"
@@ -246,7 +243,7 @@ class TabulatedPhase(PhaseFunction):
 
     @classmethod
     def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
-        """Angles and rows; the wavelengths of the constituent if there is a row for each."""
+        """Values of the fields; the wavelengths of the constituent if there is a row for each."""
         values = super().read_values(section, wavelengths)
         given = section.raw("values")
         if isinstance(given, list) and given and isinstance(given[0], list):
@@ -259,7 +256,7 @@ class TabulatedPhase(PhaseFunction):
 
     @property
     def limits(self) -> Limits:
-        """Wavelengths at which it is known. [nm]"""
+        """Wavelength range. [nm]"""
         if not self.wavelengths:
             return EVERYWHERE
         return PerWavelength(wavelengths=self.wavelengths, values=self.wavelengths).limits
@@ -280,7 +277,7 @@ class TabulatedPhase(PhaseFunction):
     def moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments as ``physics.optics.legendre`` defines them, shape (nl, degree + 1). [1]
 
-        Integrated between the table's own angles, so that no ripple lies between the nodes.
+        Integrated between the table's angles, without aliasing.
         """
         return np.asarray(self._weights(wavelengths).T @ self._row_moments(degree))
 
@@ -295,7 +292,7 @@ class TabulatedPhase(PhaseFunction):
         return {}
 
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
-        """Rows between which a wavelength [nm] lies, one or two."""
+        """Rows for interpolation to a wavelength [nm], one or two."""
         shares = self._weights([wavelength])[:, 0]
         angles, rows = self._table
         ratios = [None] * len(rows) if self.ratios is None else self.ratios
@@ -304,7 +301,7 @@ class TabulatedPhase(PhaseFunction):
         )
 
     def _weights(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Share of each row in the values at each wavelength, shape (nr, nl). [1]"""
+        """Weight of each row at each wavelength, shape (nr, nl). [1]"""
         nm = values_in(wavelengths, "nm", "wavelengths")
         weights = np.ones((1, len(nm)))
         if self.wavelengths:

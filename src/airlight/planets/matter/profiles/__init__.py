@@ -1,4 +1,4 @@
-"""Density profiles of a constituent: a further profile is its own class, listed here."""
+"""Density profiles of a constituent, one class each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Density profiles by a formula: exponential, tent, uniform."""
+"""Analytic density profiles: exponential, tent, uniform."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class BulkGas(TomlModel):
 
 
 def _scale_height(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
-    """Read a length, or the scale height of a gas by its bulk parameters. [m]"""
+    """Read a scale height, explicit or by the bulk parameters of a gas. [m]"""
     if not isinstance(section.raw(name), dict):
         return section.number(name, "m", "8 km")
     gas = BulkGas.read(section.section(name, "a length such as '8 km'"))
@@ -85,14 +85,14 @@ def _scale_height(section: TomlTable, name: str, wavelengths: Wavelengths) -> fl
 
 
 def height_key(label: str, text: str, **more: Any) -> Field:
-    """Key of a height over which a density falls: layers thinner than a metre are surfaces."""
+    """Key of a scale height or width, at least 1 m."""
     return Field(label=label, help=text, unit="m", range=(1.0, 1e9), shown="km",
                slider=(0.1, 100.0), scale="log", **more)  # fmt: skip
 
 
 @parameters
 class Exponential(Profile):
-    """exp(-h/H).
+    """Exponential profile exp(-h/H).
 
     Parameters
     ----------
@@ -127,14 +127,14 @@ class Exponential(Profile):
 
 @parameters
 class Tent(Profile):
-    """``max(0, 1 - |h - center|/half_width)``.
+    """Tent profile ``max(0, 1 - |h - center|/half_width)``.
 
     Parameters
     ----------
     center : float
         Altitude of the peak. [m]
     half_width : float
-        Distance from the peak to where the density is 0. [m]
+        Distance from the peak to density 0. [m]
     """
 
     keyword = "tent"
@@ -169,7 +169,7 @@ class Tent(Profile):
 
 @parameters
 class Uniform(Profile):
-    """1 everywhere in the shell."""
+    """Uniform profile: 1 everywhere in the shell."""
 
     keyword = "uniform"
 

@@ -1,4 +1,4 @@
-"""Density in layers, each an exponential and a straight line: Bruneton's form."""
+"""Density in layers, each the sum of an exponential and a linear term (Bruneton)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _FRESH_SHARE = 0.08
 
 
 def _term(label: str, text: str, unit: str = "1") -> Field:
-    """Key of a term of a layer; shown per kilometre if it is per metre."""
+    """Key of a term of a layer, displayed per kilometre if it is per metre."""
     most, end = (1e6, 2.0) if unit == "1" else (1.0, 1.0)
     return Field(label=label, help=text, unit=unit, range=(-most, most), slider=(-end, end),
                shown="" if unit == "1" else "/km", offered=always)  # fmt: skip
@@ -30,14 +30,14 @@ def _term(label: str, text: str, unit: str = "1") -> Field:
 
 @parameters
 class Layer(TomlModel):
-    """One of Bruneton's layers: exp_term·e^(exp_scale·h) + linear_term·h + constant_term.
+    """Bruneton layer: exp_term·e^(exp_scale·h) + linear_term·h + constant_term.
 
     The sum is clamped to [0, 1].
 
     Parameters
     ----------
     width : float
-        Thickness; that of the topmost layer is not used. [m]
+        Thickness; ignored for the topmost layer. [m]
     exp_term, constant_term : float
         Factor of the exponential, and constant. [1]
     exp_scale, linear_term : float
@@ -72,7 +72,7 @@ def _layers(section: TomlTable, name: str, wavelengths: Wavelengths) -> tuple[La
 
 @parameters
 class Layered(Profile):
-    """Layers stacked from the ground; the last one reaches the top of the shell.
+    """Layers stacked from the ground; the last one extends to the top of the shell.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Density of a gas at rest in layers of constant lapse rate: a standard atmosphere."""
+"""Hydrostatic density of a gas in layers of constant lapse rate: a standard atmosphere."""
 
 from __future__ import annotations
 
@@ -31,25 +31,24 @@ MOST_LAYERS: Final = 100
 
 @parameters
 class Layers(Profile):
-    """Ideal gas under its own weight, in layers of constant lapse rate; density 1 at the ground.
+    """Hydrostatic ideal gas in layers of constant lapse rate; density 1 at the ground.
 
     Parameters
     ----------
     altitudes : tuple of float, optional
-        Altitudes of the layers' bases, ascending from 0; geopotential ones if ``gravity_radius`` is
-        given. [m]
+        Altitudes of the layers' bases, ascending from 0; geopotential with ``gravity_radius``. [m]
     pressures : tuple of float, optional
         Pressures of the bases instead, descending from that at the ground. [Pa]
     temperature : float
         Temperature at the ground. [K]
     lapse_rates : tuple of float
-        Fall of the temperature with altitude in each layer, negative where it rises. [K m⁻¹]
+        Lapse rate of each layer: decrease of temperature with altitude. [K m⁻¹]
     molar_mass : float
         Molar mass of the gas. [kg mol⁻¹]
     gravity : float
         Gravity at the ground. [m s⁻²]
     gravity_radius : float, optional
-        Distance of the ground from the centre, with whose square gravity falls. [m]
+        Radius of the ground in the inverse-square law of gravity. [m]
 
     Examples
     --------

@@ -12,8 +12,8 @@ from airlight.planets.schema.toml_model import TomlModel
 class Profile(TomlModel, ABC):
     """Relative density over altitude, as a parameter object.
 
-    A further profile is a frozen class (``@parameters``) with a ``keyword``, fields declared by
-    ``Field`` and a ``row``; its name in ``PROFILES`` registers it for reader, editors and solvers.
+    Subclasses are frozen (``@parameters``), with a ``keyword``, fields declared by ``Field`` and a
+    ``row``, and are registered in ``PROFILES``.
     """
 
     @abstractmethod
@@ -21,5 +21,5 @@ class Profile(TomlModel, ABC):
         """Segments over a shell of this thickness [m]; see ``physics.optics.density_profile``."""
 
     def column(self, thickness: float) -> float:
-        """Vertical column over a shell of this thickness [m]. [m]"""
+        """Vertical column ∫ density dh over a shell of this thickness [m]. [m]"""
         return density_profile.row_column(self.row(thickness))

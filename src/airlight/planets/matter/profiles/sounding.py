@@ -29,10 +29,10 @@ MOST_ROWS: Final = 1000
 
 @parameters
 class Sounding(Profile):
-    """Table of temperatures over altitude or pressure; density 1 at its first row.
+    """Sounding of temperature over altitude or pressure; density 1 at the first row.
 
-    With altitudes and pressures the density is p/T. With one of them the other follows from the
-    weight of the gas, its temperature being linear over altitude between the rows.
+    With altitudes and pressures the density is p/T. With one of them the other follows from
+    hydrostatic equilibrium, with temperature linear in altitude between rows.
 
     Parameters
     ----------
@@ -43,10 +43,10 @@ class Sounding(Profile):
     pressures : tuple of float, optional
         Pressures, descending. [Pa]
     molar_mass, gravity : float, optional
-        Molar mass of the gas [kg mol⁻¹] and gravity at the ground [m s⁻²]; needed where altitudes
-        or pressures are left out.
+        Molar mass of the gas [kg mol⁻¹] and gravity at the ground [m s⁻²]; required without
+        altitudes or pressures.
     gravity_radius : float, optional
-        Distance of the ground from the centre, with whose square gravity falls. [m]
+        Radius of the ground in the inverse-square law of gravity. [m]
 
     Notes
     -----
@@ -150,7 +150,7 @@ class Sounding(Profile):
 
     @property
     def air(self) -> HydrostaticLayers | None:
-        """Gas at rest with these temperatures; None if altitudes and pressures are both given."""
+        """Hydrostatic gas with these temperatures; None with both altitudes and pressures."""
         if self.altitudes is not None and self.pressures is not None:
             return None
         warmth = self.temperatures
@@ -204,7 +204,7 @@ class Sounding(Profile):
 
     @classmethod
     def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Three levels of the Earth's lower air; see ``TomlModel.default_table``."""
+        """Three levels of the Earth's troposphere; see ``TomlModel.default_table``."""
         return {
             "altitudes": ["0 km", "5 km", "11 km"],
             "pressures": ["1013.25 hPa", "540.48 hPa", "226.99 hPa"],

@@ -22,7 +22,7 @@ OZONE_TABLE: Final = "ozone-afgl1986-us-standard"
 
 @parameters
 class Tabulated(Profile):
-    """A table of altitudes and densities.
+    """Density tabulated over altitude.
 
     Parameters
     ----------

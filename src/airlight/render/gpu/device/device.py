@@ -126,10 +126,6 @@ def open_device(choice: str | None = None) -> Device:
         ``off``, or a part of an adapter's name, case ignored; by default the environment variable
         AIRLIGHT_GPU, and without it the fastest adapter: a GPU before software.
 
-    Returns
-    -------
-    Device
-
     Raises
     ------
     NoDevice
@@ -163,8 +159,8 @@ def _opened(choice: str) -> Device:
 def _runtime_folder() -> Iterator[None]:
     """Set the runtime folder of sockets if the environment does not.
 
-    Drivers search it for a Wayland display. Without a folder, as in containers and batch jobs,
-    Wayland's library writes to stderr at each search; an empty folder contains no display.
+    Without a folder, as in containers and batch jobs, Wayland's library writes to stderr each time
+    a driver searches for a display.
     """
     if os.environ.get(_RUNTIME, "").startswith("/") or not sys.platform.startswith("linux"):
         yield
@@ -202,7 +198,7 @@ def _wgpu() -> Any:
 
 
 def _leave_out_opengl() -> None:
-    """Search only Vulkan, Metal and Direct3D 12: OpenGL's search is slower and writes to stderr."""
+    """Exclude OpenGL, whose adapter search is slow and writes to stderr."""
     try:
         from wgpu.backends.wgpu_native.extras import set_instance_extras
 

@@ -33,13 +33,7 @@ _CHANNELS: Final = {
 
 
 def flat_rows(count: int) -> int:
-    """Number of rows of a flat texture that holds ``count`` texels; at least one.
-
-    Parameters
-    ----------
-    count : int
-        Number of texels.
-    """
+    """Number of rows of a flat texture that holds ``count`` texels; at least one."""
     return max(1, -(-count // FLAT_WIDTH))
 
 
@@ -50,12 +44,8 @@ def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
 
     Parameters
     ----------
-    device : Device
-        Device from ``open_device``.
     array : array, shape (n,) or (n, 4)
         Values, stored as float32: one channel, or four.
-    label : str
-        Label in messages of the device.
 
     Returns
     -------
@@ -78,12 +68,8 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
 
     Parameters
     ----------
-    device : Device
-        Device from ``open_device``.
     count, channels : int
         Number of texels, and of channels.
-    label : str
-        Label in messages of the device.
 
     Returns
     -------
@@ -115,19 +101,10 @@ def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> N
 
     Parameters
     ----------
-    device : Device
-        Device that made the texture.
-    texture : wgpu.GPUTexture
-        Texture from ``flat_texture``.
     start : int
         Index of the first texel; need not begin a row.
     array : array, shape (n,) or (n, 4)
         Values, with as many channels as the texture has.
-
-    Raises
-    ------
-    ParameterError
-        If the array does not fit.
     """
     values = _texels(array)
     width, height = texture.size[:2]
@@ -159,8 +136,6 @@ def read_texture(device: Device, texture: Any) -> Float32Array:
 
     Parameters
     ----------
-    device : Device
-        Device that made the texture.
     texture : wgpu.GPUTexture
         Texture made with ``COPY_SRC``; floats of 16 or 32 bits, or 8-bit values.
 
@@ -168,11 +143,6 @@ def read_texture(device: Device, texture: Any) -> Float32Array:
     -------
     array, shape (height, width, channels)
         Values; 8-bit values are divided by 255 and stay encoded; red always comes first.
-
-    Raises
-    ------
-    ParameterError
-        If the format is not supported.
     """
     if texture.format not in _CHANNELS:
         raise ParameterError("texture.format", texture.format, ", ".join(_CHANNELS))
@@ -194,17 +164,7 @@ def read_texture(device: Device, texture: Any) -> Float32Array:
 
 
 def read_flat(device: Device, texture: Any, count: int) -> Float32Array:
-    """Read back the first ``count`` texels of a flat texture, shape (count,) or (count, 4).
-
-    Parameters
-    ----------
-    device : Device
-        Device that made the texture.
-    texture : wgpu.GPUTexture
-        Texture from ``flat_texture``.
-    count : int
-        Number of texels.
-    """
+    """Read back the first ``count`` texels of a flat texture, shape (count,) or (count, 4)."""
     values = read_texture(device, texture)
     texels = values.reshape(-1, values.shape[2])[:count]
     return texels[:, 0] if texels.shape[1] == 1 else texels

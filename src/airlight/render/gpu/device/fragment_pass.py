@@ -63,15 +63,8 @@ def declared_bindings(source: str, label: str = "shader") -> tuple[Binding, ...]
 
     Parameters
     ----------
-    source : str
-        WGSL source.
     label : str
         Name in error messages.
-
-    Raises
-    ------
-    ShaderError
-        If a declaration is of another kind.
     """
     bare = _COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), source)
     found = list(_DECLARATION.finditer(bare))
@@ -99,26 +92,7 @@ def _layout(found: re.Match[str], filtered: bool, source: str, label: str) -> di
 
 
 def compiled(device: Device, source: str, label: str) -> Any:
-    """Compile a WGSL source to a module.
-
-    Parameters
-    ----------
-    device : Device
-        Device from ``open_device``.
-    source : str
-        WGSL source.
-    label : str
-        Name in error messages.
-
-    Returns
-    -------
-    wgpu.GPUShaderModule
-
-    Raises
-    ------
-    ShaderError
-        If it does not compile.
-    """
+    """Compile a WGSL source to a module."""
     import wgpu
 
     try:
@@ -160,11 +134,6 @@ class FragmentPass:
         32 bytes a texel.
     label : str
         Label in messages; by default the entry point's name.
-
-    Raises
-    ------
-    ShaderError
-        If the source does not compile or does not match its targets.
     """
 
     def __init__(
@@ -220,11 +189,6 @@ class FragmentPass:
             Resources by name in the source: a buffer for a uniform, a texture or a view of one, a
             sampler. Names that the source does not declare are ignored, so that one mapping can
             serve several passes.
-
-        Raises
-        ------
-        ParameterError
-            If a declared resource is missing.
         """
         gpu = self.device.device
         groups = []
@@ -263,11 +227,6 @@ class FragmentPass:
         timestamps : mapping, optional
             ``query_set`` and indices of ``beginning_of_pass_write_index`` and
             ``end_of_pass_write_index``, for a device that ``measures_time``.
-
-        Raises
-        ------
-        ParameterError
-            If the number of views differs from that of the targets.
         """
         if len(views) != len(self.targets):
             raise ParameterError("views", len(views), f"{len(self.targets)} targets")
@@ -293,20 +252,7 @@ class FragmentPass:
         begun.end()
 
     def draw(self, resources: Mapping[str, Any], views: Sequence[Any]) -> None:
-        """Bind, run and submit a pass that runs once.
-
-        Parameters
-        ----------
-        resources : mapping
-            Resources as in ``bind``.
-        views : sequence
-            Views as in ``run``.
-
-        Raises
-        ------
-        ParameterError
-            Errors of ``bind`` and ``run``.
-        """
+        """Bind, run and submit a pass once."""
         encoder = self.device.device.create_command_encoder(label=self.label)
         self.run(encoder, self.bind(resources), views)
         self.device.device.queue.submit([encoder.finish()])

@@ -1,8 +1,8 @@
 """Preloading of wgpu's types into cffi's cache of parsed type names.
 
-wgpu allocates structures by type name, such as ``"WGPUExtent3D *"``, which cffi parses with a C
-parser in Python: 26 ms for each of about fifty names, two thirds of the time until a window's first
-frame. One declaration with all types as arguments takes as long as two names.
+wgpu allocates structures by type name, which cffi parses in Python: 26 ms for each of about fifty
+names, two thirds of the time until a window's first frame. One declaration with all types as
+arguments takes as long as two names.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _KINDS: Final = ("StructType", "EnumType", "PointerType")
 def know_types() -> None:
     """Add pointers to wgpu's structures, and arrays, to cffi's cache.
 
-    The cache is not a public interface of cffi; if it is missing or different, this has no effect.
+    The cache is not a public interface of cffi; without it this has no effect.
     """
     try:
         from wgpu.backends.wgpu_native import ffi

@@ -27,11 +27,6 @@ def packed_rows(count: int) -> int:
     Software GPUs recompile a shader, which takes them seconds to minutes, when a texture's
     height becomes a power of two or ceases to be one.
 
-    Parameters
-    ----------
-    count : int
-        Number of texels.
-
     Examples
     --------
     >>> packed_rows(1), packed_rows(4096 * 4), packed_rows(4096 * 4 + 1)
@@ -46,12 +41,8 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
 
     Parameters
     ----------
-    device : Device
-        Device from ``open_device``.
     texels : array of uint8, shape (4·n,)
         Texels of ``airlight.image.texels``, one after another.
-    label : str
-        Label in messages of the device.
 
     Returns
     -------

@@ -43,11 +43,6 @@ _OWN: Final = frozenset(vars(single_precision))
 class Emitter:
     """Emitter of kernels to one shader or module of the target language.
 
-    Parameters
-    ----------
-    dialect : Dialect
-        Target language.
-
     Examples
     --------
     >>> from airlight.geometry.shell import radius_along
@@ -84,11 +79,6 @@ class Emitter:
         -------
         Emitted
             Emitted function, cached by argument types.
-
-        Raises
-        ------
-        SubsetError
-            If the function is outside the subset.
         """
         plain = getattr(function, "py_func", function)
         parameters = plain.__code__.co_varnames[: plain.__code__.co_argcount]
@@ -139,8 +129,6 @@ class Emitter:
         ----------
         name : str
             Name of the variable.
-        kind : LocalArray
-            Type of the array.
         """
         if not self.dialect.module_arrays:
             return kind

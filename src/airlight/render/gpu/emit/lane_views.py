@@ -1,4 +1,4 @@
-"""Lane views in a shader, where an element of an array is a texel of all lanes: the arrays."""
+"""Replacement of lane views by their arrays, whose elements are texels of all lanes in a shader."""
 
 from __future__ import annotations
 
@@ -16,11 +16,6 @@ class LaneViews(ast.NodeTransformer):
     ----------
     scope : dict
         Globals of the function.
-
-    Raises
-    ------
-    SubsetError
-        If a name stands for views of different arrays.
     """
 
     def __init__(self, scope: dict[str, Any]) -> None:
@@ -33,7 +28,7 @@ class LaneViews(ast.NodeTransformer):
         return node.args[0] if self._is_view(node) else node
 
     def visit_Assign(self, node: ast.Assign) -> ast.AST:
-        """Note the names of views, and remove their assignment."""
+        """Record the names of views, and remove their assignment."""
         targets, values = [node.targets[0]], [node.value]
         if isinstance(targets[0], ast.Tuple) and isinstance(values[0], ast.Tuple):
             targets, values = targets[0].elts, values[0].elts

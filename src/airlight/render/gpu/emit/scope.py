@@ -94,11 +94,6 @@ class Scope:
         Values and types of the parameters; variables are added on assignment.
     arrays : set of str
         Receives the arrays of struct values in use; see ``statements.Emitted``.
-
-    Raises
-    ------
-    SubsetError
-        From methods, for an expression outside the subset.
     """
 
     def __init__(

@@ -148,11 +148,6 @@ def run_time(value: Value) -> Scalar | LocalArray | TupleType:
     ----------
     value : Value
         Emission-time value.
-
-    Raises
-    ------
-    TypeError
-        If it is a table or a struct value.
     """
     if isinstance(value, UniformValue):
         return value.scalar

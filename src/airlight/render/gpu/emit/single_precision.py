@@ -93,7 +93,7 @@ def arc_sine(x):
 
 
 def third_power_root(x):
-    """Cube root, 0 for numbers that are not above 0."""
+    """Cube root; 0 for negative numbers."""
     return x ** (1.0 / 3.0) if x > 0.0 else 0.0
 
 

@@ -100,11 +100,6 @@ class FunctionBody:
         Function; ``write`` sets its result and text.
     tree : ast.FunctionDef
         Source of the function.
-
-    Raises
-    ------
-    SubsetError
-        From methods, for a statement outside the subset.
     """
 
     def __init__(self, emitter: Functions, made: Emitted, tree: ast.FunctionDef) -> None:
@@ -155,7 +150,7 @@ class FunctionBody:
         return self.expressions.refuse(node, why)
 
     def block(self, body: Sequence[ast.stmt], depth: int) -> bool:
-        """Emit statements up to the first unconditional return; whether there is one."""
+        """Emit statements up to the first unconditional return; returns whether there is one."""
         for statement in body:
             if isinstance(statement, ast.If):
                 known = self.expressions.known(statement.test)
@@ -265,9 +260,9 @@ class FunctionBody:
     def single_iteration(
         self, node: ast.For, target: ast.Name, ends: Sequence[ast.expr], depth: int
     ) -> bool:
-        """Emit a loop of exactly one iteration without the loop; whether it is one.
+        """Emit the body of a loop of exactly one iteration; returns whether it is such a loop.
 
-        Loops over lane groups, of which the GPU has one, disappear.
+        A GPU has a single lane group, so that loops over lane groups are not emitted.
         """
         turns = self.constant_range(ends)
         parts = [inside for statement in node.body for inside in ast.walk(statement)]

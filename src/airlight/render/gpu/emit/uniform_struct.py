@@ -44,8 +44,6 @@ class UniformStruct:
 
     Parameters
     ----------
-    name : str
-        Name of the uniform.
     bundles : tuple of type
         NamedTuples with the scalars and tables; they may share scalars.
     more : tuple of str
@@ -243,11 +241,6 @@ class UniformStruct:
             Values of the scalars; 0 by default.
         places : mapping
             Positions of tables from ``laid_out``.
-
-        Raises
-        ------
-        ParameterError
-            If a name is unknown, or a value is not representable in single precision.
         """
         where = self.layout()
         out = np.zeros(where["floats"], np.float32)

@@ -38,8 +38,6 @@ def bands(
 
     Parameters
     ----------
-    scene : Scene
-        Scene with the camera.
     lowest_up : float
         Sine of the elevation of the horizon or, from outside, of the limb. [1]
     star : (float, float, float)

@@ -73,14 +73,10 @@ class DisplayPasses:
 
         Parameters
         ----------
-        uniforms : mapping
-            Uniforms of the display, by name; ``glare`` among them.
         pixel_angle : float
             Pixel angle for glare; 0 disables it. [rad]
         view : wgpu.GPUTextureView
             View of the target, of the same size.
-        target_format : str
-            Format of the target.
         """
         shorter = float(min(self._size))
         count = glare_levels(pixel_angle, shorter) if uniforms.get("glare", 0.0) > 0.0 else 0

@@ -39,13 +39,7 @@ def coarser_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the light spread by a level and all coarser ones.
-
-    Parameters
-    ----------
-    dialect : ShaderDialect
-        Shading language.
-    """
+    """Shader of the light spread by a level and all coarser ones."""
     return _level_shader(
         "spread", spread_texel, ("level", "coarser"), ("level_share", "level_more"), dialect
     )
@@ -53,13 +47,7 @@ def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def added_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the sum of two frames of linear radiance.
-
-    Parameters
-    ----------
-    dialect : ShaderDialect
-        Shading language.
-    """
+    """Shader of the sum of two frames of linear radiance."""
     return _level_shader("added", added_texel, ("picture", "level"), (), dialect)
 
 
@@ -96,13 +84,7 @@ def _called(
 
 @cache
 def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of displayed values from linear radiance and glare.
-
-    Parameters
-    ----------
-    fixed, dialect :
-        Arguments of ``picture_shader``.
-    """
+    """Shader of displayed values from linear radiance and glare."""
     emitter = Emitter(dialect)
     light = _called(
         emitter, glared_texel, FRAME.struct_value(Lens), ("picture", "coarser"),

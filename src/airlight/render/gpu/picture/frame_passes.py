@@ -73,12 +73,8 @@ class FramePasses:
             Shader of the pass.
         entry : str
             Its entry point.
-        uniforms : mapping
-            Uniforms by name.
         views : sequence of wgpu.GPUTextureView
             Views of the targets, of the ``formats``.
-        formats : tuple of str
-            Formats of the targets.
         area : (int, int, int, int), optional
             First column, first row, number of columns and of rows; by default the whole target.
         keep : bool

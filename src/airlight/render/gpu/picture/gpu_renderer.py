@@ -204,11 +204,6 @@ class GpuRenderer:
             Linear sRGB per radiance; by default ``picture_weights``.
         maps : bool
             Whether ground maps are used; they take up to 270 MB of GPU memory.
-
-        Raises
-        ------
-        ParameterError
-            If the wavelengths or constituents exceed the capacity of the shaders.
         """
         if not isinstance(solution, MomentsSolution):
             raise ParameterError("solution", type(solution), "a solution of the moments solver")
@@ -253,23 +248,11 @@ class GpuRenderer:
         samples : int
             Samples per side of every pixel, 1 to 16. Pixels on the horizon and the limb are
             supersampled anyway, except if a software GPU marches them.
-        progress, cancel : callable, optional
-            See ``airlight.kernel.threads``.
 
         Returns
         -------
         Frame
             Linear sRGB radiance. [W m⁻² sr⁻¹]
-
-        Raises
-        ------
-        ParameterError
-            If there is no solution, the frame exceeds the largest texture, or several samples per
-            side are requested of exact rendering on a software GPU.
-        CostError
-            If the frame needs more memory than is free.
-        Cancelled
-            If ``cancel`` requested it.
         """
         width, height = scene.camera.columns, scene.camera.rows
         check_drawn(width, height)
@@ -368,7 +351,7 @@ class GpuRenderer:
     ) -> None:
         """Render and display into a texture.
 
-        Linear radiance is cached: a change of display settings alone renders nothing again.
+        Linear radiance is cached: a change of display settings does not render again.
 
         Parameters
         ----------
@@ -376,8 +359,6 @@ class GpuRenderer:
             Arguments of ``render``.
         view : wgpu.GPUTextureView
             View of the target.
-        target_format : str
-            Format of the target.
         exposure : float, optional
             Exposure; by default linear radiance is written. [EV]
         tone_map : str

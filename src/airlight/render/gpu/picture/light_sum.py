@@ -41,12 +41,8 @@ class LightSum:
         ----------
         parts : sequence of callable
             ``part(view, format)`` renders the frame of one light.
-        view : wgpu.GPUTextureView
-            View of the target.
         size : (int, int)
             Width and height of the target. [pixel]
-        target_format : str
-            Format of the target.
         """
         if len(parts) == 1:
             parts[0](view, target_format)

@@ -84,8 +84,6 @@ def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
 
     Parameters
     ----------
-    name : str
-        Name of the shader.
     entries : dict from str to str
         Source of each entry point.
     emitter : Emitter
@@ -120,25 +118,13 @@ def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Sky-view LUT shader: single scattering by separated constituents, without phase function.
-
-    Parameters
-    ----------
-    dialect : ShaderDialect
-        Shading language.
-    """
+    """Sky-view LUT shader: single scattering by separated constituents, without phase function."""
     return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), peaks=True)
 
 
 @cache
 def sky_polarised_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Sky-view LUT shader: I + Q and I + U of the air.
-
-    Parameters
-    ----------
-    dialect : ShaderDialect
-        Shading language.
-    """
+    """Sky-view LUT shader: I + Q and I + U of the air."""
     return _sky_shader(
         dialect, "sky_polarised", "polarised_texel", (4, 5), air=True, polarised=True
     )
@@ -199,10 +185,6 @@ def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -
     ----------
     made : Emitted
         Function whose other parameters are arrays.
-    arguments : sequence of str
-        Its arguments before the arrays.
-    dialect : ShaderDialect
-        Shading language.
     """
     handed = [one for several in made.argument_lists(dialect) for one in several]
     arrays = [(name, kind) for name, kind in handed if isinstance(kind, LocalArray)]
@@ -227,10 +209,8 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     exact : bool
         Whether every pixel is marched.
     fixed : tuple of (str, value)
-        Integer and boolean uniforms bound as constants: a software GPU evaluates both sides of
-        every branch otherwise.
-    dialect : ShaderDialect
-        Shading language.
+        Integer and boolean uniforms bound as constants; otherwise a software GPU evaluates both
+        sides of every branch.
     """
     emitter = Emitter(dialect)
     # a shader of rows without an edge has no loop over samples

@@ -58,11 +58,6 @@ class SolutionTables:
             Solution of at most four wavelengths.
         tables : MarchTables, optional
             Tables from ``render_tables``; computed by default.
-
-        Raises
-        ------
-        ParameterError
-            If the wavelengths or constituents exceed the capacity of the shaders.
         """
         count = solution.wavelengths.size
         if tables is None:
@@ -116,13 +111,6 @@ class SolutionTextures:
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
             Previous textures, whose maps are reused.
-        maps : bool
-            Whether ground maps are used.
-
-        Raises
-        ------
-        ParameterError
-            As ``SolutionTables.of``.
         """
         medium, made = solution.medium, SolutionTables.of(solution, tables)
         solved = fields_on(device, solution)

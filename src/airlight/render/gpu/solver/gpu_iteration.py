@@ -95,11 +95,6 @@ class GpuIteration:
         ----------
         plan : SolverPlan
             Plan from ``plan_for``.
-
-        Raises
-        ------
-        ParameterError
-            If a texture would be larger than browsers allow.
         """
         self.plan = plan
         for name, values in plan.tables.items():
@@ -136,7 +131,7 @@ class GpuIteration:
         passes : tuple of SolverPass
             Passes in the order in which they run.
         times : PassTimes, optional
-            Timer of each pass on the GPU.
+            Timer of the passes.
         """
         encoder = self.device.device.create_command_encoder()
         for one, texels in self.plan.runs(passes):
@@ -232,10 +227,6 @@ class GpuIteration:
         ----------
         name : str
             Name from ``plan.textures``, or ``iterate``.
-
-        Returns
-        -------
-        wgpu.GPUTexture
         """
         return self._textures[self._iterates[0] if name == "iterate" else name]
 

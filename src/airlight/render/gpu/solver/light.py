@@ -1,6 +1,6 @@
-"""Kernels of the solver passes from ray radiances to moments, for the first and later orders.
+"""Kernels of the solver passes from ray radiances to moments, for all orders.
 
-See ``rays`` for the index.
+``rays`` defines the index.
 """
 
 from __future__ import annotations
@@ -31,8 +31,6 @@ def ray_and_star(index, sizes, tables):
 
     Parameters
     ----------
-    index : int
-        Index of the texel.
     sizes, tables : GridSizes, Tables
         Inputs of the host.
 
@@ -55,7 +53,7 @@ def ray_and_star(index, sizes, tables):
 def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs, depths):
     """Single-scattering radiance of a ray, including ground reflection. [sr⁻¹]
 
-    Texels (radius, direction, sun, azimuth): I, and Q in the plane of ray and star.
+    Texels (radius, direction, sun, azimuth) of I, and of Q in the plane of ray and star.
     """
     ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
@@ -258,7 +256,7 @@ def azimuthal(index, sizes, tables, radiances, stokes_qs, stokes_us):
 def gathered_moment(index, sizes, projections, azimuthals):
     """Moment of the radiance, or downward irradiance. [1]
 
-    Texels (radius, sun, moment), and after them (radius, sun).
+    Texels (radius, sun, moment) of moments, then (radius, sun) of irradiance.
     """
     nodes = sizes.radii * sizes.sun_angles
     width, weights = sizes.degree + 1 + POLARISED, sizes.terms

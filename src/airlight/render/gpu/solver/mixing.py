@@ -1,6 +1,6 @@
 """Kernels of Anderson acceleration: the next guess from the last iterates.
 
-See ``rays`` for the index.
+``rays`` defines the index.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def mixed(index, weights, iterates):
 
 @inlined
 def sound(index, sizes, weights, iterates):
-    """1 where ``is_near`` accepts the combination of iterates, otherwise 0.
+    """Acceptance of the combination of iterates by ``is_near``: 1 or 0.
 
     Scalars (mean radiance or irradiance, radius, sun, lane); ``iterate_0`` is the latest.
     """

@@ -1,6 +1,6 @@
 """Kernels that pack a radiance field: refinement to all radii, and rational interpolation.
 
-See ``rays`` for the index.
+``rays`` defines the index.
 """
 
 from __future__ import annotations
@@ -21,10 +21,6 @@ def largest_of(index, sizes, count, values):
     ----------
     index : int
         Index of a number (mean radiance or irradiance, sun, lane).
-    sizes : GridSizes
-        Sizes of the axes.
-    count : int
-        Number of radii.
     values : array
         Moments (radius, sun, moment, lane), and after them irradiances. [1]
     """
@@ -72,16 +68,14 @@ def floor(index, sizes, heights):
 
 @inlined
 def light_number(values, start, step, i, part, dark):
-    """Number of a light field at a radius; the mean radiance or irradiance is positive. [1]
+    """Component of a radiance field at a radius; mean radiance and irradiance are positive. [1]
 
     Parameters
     ----------
     values : array
         Numbers as in ``largest_of``. [1]
     start, step : int
-        Index of the number at radius 0, and step from radius to radius.
-    i : int
-        Index of the radius.
+        Index of the component at radius 0, and step from radius to radius.
     part : int
         Moment; 0 for mean radiances and irradiances.
     dark : float
@@ -95,7 +89,7 @@ def light_number(values, start, step, i, part, dark):
 
 @inlined
 def four_levels(values, start, step, i, part, dark, radii):
-    """Number of a light field at two radii, at the one below and at the one above them. [1]
+    """Component of a radiance field at two adjacent radii and at the ones below and above. [1]
 
     The level beyond each end continues the parabola through the last three.
 
@@ -111,7 +105,7 @@ def four_levels(values, start, step, i, part, dark, radii):
     Returns
     -------
     below, near, far, above : float
-        Numbers at four successive radii. [1]
+        Components at four successive radii. [1]
     """
     near = light_number(values, start, step, i, part, dark)
     far = light_number(values, start, step, i + 1, part, dark)
@@ -126,7 +120,7 @@ def four_levels(values, start, step, i, part, dark, radii):
 
 @inlined
 def refined(index, sizes, tables, light, floors):
-    """Light field at all levels from the radii that gather it; see ``levels.refine``. [1]
+    """Radiance field at all levels from the radii of the sweep; see ``levels.refine``. [1]
 
     Numbers (level, sun, moment, lane), and after them irradiances (level, sun, lane).
     """

@@ -86,7 +86,7 @@ class SolverPlan:
 
     @property
     def thick(self) -> FloatArray:
-        """Weight of optically thick air, shape (4,); see ``WavelengthBatch``. [1]"""
+        """Weight of optically thick media, shape (4,); see ``WavelengthBatch``. [1]"""
         return self.batch.thick[:WAVELENGTHS]
 
     @property
@@ -134,8 +134,6 @@ class SolverPlan:
 
         Parameters
         ----------
-        one : SolverPass
-            Pass of the solver.
         span : RadiusRange, optional
             Radius range of a spanned pass.
         """
@@ -153,11 +151,6 @@ class SolverPlan:
 
     def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
         """Passes in running order with their texels; spanned passes repeat per radius range.
-
-        Parameters
-        ----------
-        passes : tuple of SolverPass
-            Passes of the solver.
 
         Returns
         -------

@@ -1,7 +1,4 @@
-"""Plans of solves on the GPU, from a medium: grid, rays, tables and their positions.
-
-All of it is computed on the CPU; the work of the GPU follows from the plan.
-"""
+"""Plans of solves on the GPU, from a medium: grid, rays, tables and their positions."""
 
 from __future__ import annotations
 
@@ -34,16 +31,11 @@ def plan_for(
     Parameters
     ----------
     geometry : RefractedGeometry
-        Paths in a medium of at most four wavelengths.
+        Geometry and medium of at most four wavelengths.
     settings : MomentsSettings
         Grid sizes.
     extinction_headroom : float
-        Factor on the extinction for which grids are laid out, see ``Setup``. [1]
-
-    Raises
-    ------
-    ParameterError
-        If the wavelengths or constituents exceed the capacity of the shaders.
+        See ``Setup``. [1]
     """
     medium = geometry.medium
     constituents = len(medium.names)

@@ -1,7 +1,6 @@
 """Source integrals along a ray on the GPU, one azimuth at a time.
 
-The CPU computes eight azimuths at once (``solver.moments.first_order`` and ``sweep``); the source
-functions are shared.
+The source functions are those of ``solver.moments.first_order`` and ``sweep``.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ from airlight.solver.moments.source_function import source_at_point
 def star_from_point(turn, point, mu_s, nu):
     """Star-zenith cosine and cosine between star and ray, at a ray point. [1]
 
-    ``turn`` is that of ``Rays``; ``mu_s`` and ``nu`` belong to the start of the ray.
+    ``turn`` is a field of ``Rays``; ``mu_s`` and ``nu`` are the cosines at the start of the ray.
     """
     mu_s_point = min(max(turn[point, 0] * mu_s + turn[point, 1] * nu, -1.0), 1.0)
     return mu_s_point, turn[point, 2] * mu_s + turn[point, 3] * nu
@@ -46,13 +45,10 @@ def depth_towards(ratios, row, f, place, distance, extinction, constituents):
         Ratios of a ``ColumnTable``, from ``rational_mean_density``.
     row, f : int, float
         Index of the radius below the point, and interpolation fraction.
-    place : int
-        Index of the direction.
     distance : float
         Distance to the top. [m]
     extinction : lanes, shape (nc,)
         Extinction coefficients. [m⁻¹]
-    constituents : int
     """
     tau = splat(0.0)
     for c in range(constituents):
@@ -111,20 +107,16 @@ def scattered_once(
     first, points : int
         First point of the ray, and number of points.
     strong, deep : int
-        Index of the first of them in ``strengths`` and ``depths``.
+        Index of the first point in ``strengths`` and ``depths``.
     strengths : lanes, shape (points, nc + 1)
-        Amount of each constituent at a point times the transmittance on the way from it [m], and
-        ``polarised_transmittance_ratio`` on that way [1].
+        Amount of each constituent at a point times the transmittance from there [m], and
+        ``polarised_transmittance_ratio`` [1].
     phases, phase_f12 : lanes, shape (nc,)
         Arrays from ``fill_phases`` and ``fill_phase_f12``. [m⁻¹ sr⁻¹]
-    constituents : int
     depths : lanes, shape (points, directions)
         Depths from ``depth_in_row``. [1]
-    directions : int
     mu_s, nu : float
         Cosines of the star at the start of the ray. [1]
-    bottom, top, star_radius, refraction_table :
-        As in ``star_points``.
     """
     radiance, polarised = splat(0.0), splat(0.0)
     for k in range(points):
@@ -172,14 +164,10 @@ def gathered(
     ----------
     turn, mu_along : array
         Arrays of ``Rays``.
-    first, points : int
-        First point of the ray, and number of points.
     local : int
         Index of the first point in ``rows``.
     rows : lanes, shape (points, s, 7 + N)
         For each point and sun the node of ``source_at_point``.
-    mu_s, nu : float
-        Cosines of the star at the start of the ray. [1]
     places : array
         Lookup table ``Grid.place``.
     sun_angles, degree : int

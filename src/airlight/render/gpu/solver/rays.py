@@ -1,13 +1,12 @@
 """Kernels of the solver passes that do not depend on the order of scattering: ray optics.
 
-Each kernel here and in ``light``, ``packing`` and ``mixing`` computes one element of a texture. It
-decodes radius, ray, sun angle or moment from the index, and calls functions of ``solver.moments``
-that are shared with the CPU. Kernels with a result of four wavelengths are indexed by texel, those
-with a scalar result by component.
+Each kernel here and in ``light``, ``packing`` and ``mixing`` computes one element of a texture by
+functions of ``solver.moments``. ``index`` is that of the texel for a result of four wavelengths,
+and that of the component for a scalar result; its axes are given as "Texels (radius, direction)" or
+"Numbers (radius, lane)", the last running fastest.
 
-``index`` is that index, ``sizes`` and ``tables`` are those of the module ``tables``,
-``first_point`` is the first point of the current span of radii; every other argument is a
-earlier passes, see ``passes``.
+``sizes`` and ``tables`` are those of the module ``tables``, ``first_point`` is the first point of
+the current radius range; every other argument is the result of an earlier pass, see ``passes``.
 """
 
 from __future__ import annotations
@@ -93,7 +92,7 @@ def factor(index, sizes, tables):
 
 @inlined
 def share(index, sizes, tables):
-    """Correction factor of the quadrature along a ray. [1]
+    """Normalisation factor of the quadrature along a ray, see ``opaque_culling.ray_norm``. [1]
 
     Texels (radius, direction).
     """

@@ -1,9 +1,8 @@
 """Moments solver on the GPU: successive orders of scattering as fragment passes.
 
-The passes (``passes``) are emitted from the kernels of the CPU's sweep. After each sweep the host
-reads the mean radiances (about 20 kB), computes the Anderson weights and tests convergence as on
-the CPU (``stopping``). Without synthetic acceleration, clear and dusty air converges in five to
-fifteen sweeps; optically thick air is left to the CPU.
+After each sweep the host reads the mean radiances (about 20 kB), computes the Anderson weights and
+tests convergence as on the CPU (``stopping``). Without synthetic acceleration optically thin and
+dusty atmospheres converge in five to fifteen sweeps; optically thick ones are left to the CPU.
 """
 
 from __future__ import annotations
@@ -41,7 +40,7 @@ _fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDiction
 
 
 class ThickAir(AirlightError):
-    """Air too optically thick for plain successive orders, which only the CPU solves."""
+    """Medium too optically thick for plain successive orders, left to the CPU."""
 
     def __init__(self, reason: str = "too thick for the GPU's orders of scattering") -> None:
         super().__init__(f"the atmosphere is {reason}; the CPU solves it")
@@ -65,8 +64,6 @@ def solve_on(
         Medium of at most four wavelengths.
     settings : MomentsSettings
         Grid sizes and tolerance.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------
@@ -75,14 +72,8 @@ def solve_on(
 
     Raises
     ------
-    ParameterError
-        If the wavelengths or constituents exceed the capacity of the shaders.
-    ThickAir
-        If the air is too optically thick.
     ConvergenceError
         If the tolerance is not reached within the orders that ``Stopping`` allows.
-    Cancelled
-        If ``cancel`` requested it.
     """
     started = perf_counter()
     geometry = RefractedGeometry.of(medium)
@@ -114,14 +105,7 @@ def solve_on(
 
 
 def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
-    """Field of a solution as ``solve_on`` left it on its device, or None.
-
-    Parameters
-    ----------
-    device : Device
-        Device on which it is needed.
-    solution : MomentsSolution
-        Solution from ``solve_on``, or any other.
+    """Field of a solution in the memory of a device, from ``solve_on``; None if absent.
 
     Returns
     -------

@@ -51,7 +51,7 @@ class Gallery:
         self.opens = True
 
     def draw(self, shown: str, size: tuple[float, float]) -> str:
-        """Draw the popup if it is open; the chosen preset, or empty.
+        """Draw the popup if it is open; returns the chosen preset, or "".
 
         Parameters
         ----------
@@ -181,8 +181,6 @@ def neighbour(rows: Sequence[Sequence[str]], name: str, step: tuple[int, int]) -
 
     Parameters
     ----------
-    rows : sequence of sequences of str
-        Names in rows.
     name : str
         Name at the start of the step.
     step : (int, int)

@@ -53,10 +53,6 @@ def parameter_row(
         Value restored by the reset button. [parameter.unit]
     marks : bool
         Whether the name of a changed parameter is highlighted.
-
-    Returns
-    -------
-    RowInput
     """
     from imgui_bundle import imgui
 

@@ -37,7 +37,6 @@ class SidePanel:
 
     Parameters
     ----------
-    session : Session
     flight : Flight
         Controller that reads and sets the time of day.
     do : callable

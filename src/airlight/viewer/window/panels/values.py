@@ -18,10 +18,6 @@ class PanelValues:
 
     If a row edits the session, the remaining rows of the frame still show the snapshot.
 
-    Parameters
-    ----------
-    session : Session
-
     Attributes
     ----------
     parameters : tuple of Parameter
