@@ -31,7 +31,7 @@ def aerial(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of such tables."
+            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or with such tables."
         ),
     ],
     place: PlaceOptions,

@@ -155,7 +155,7 @@ def animate(
             "--output",
             "-o",
             metavar="FOLDER|FILM.mp4",
-            help="Folder of the frames; repeated, also an MP4.",
+            help="Folder of the frames; if repeated with an .mp4 file, also an MP4.",
         ),
     ],
     plan: PlanOptions,

@@ -171,7 +171,7 @@ def bake(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of tables."
+            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or with tables."
         ),
     ],
     tables: TableOptions,

@@ -132,7 +132,7 @@ class PlaceOptions(AngleOptions):
             "--ls",
             metavar="ANGLE",
             help="Solar longitude Ls, 0 at the northern spring equinox; --time is then an event or "
-            "a true solar time such as 14:30 (noon), after its date or after 2000.",
+            "a true solar time such as 14:30 (noon), after its date; default date: 2000.",
         ),
     ] = None
     sun_distance: Annotated[

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from airlight.cli.planet_options import PlanetOptions
     from airlight.scene.system import System
 
-#: Keys of a camera that say where it looks.
+#: Keys of a camera that determine its direction of view.
 _LOOKS = ("look_at", "look_zenith", "look_bearing", "direction")
 
 

@@ -49,7 +49,7 @@ class ProgramOptions:
         typer.Option("--for", help="Target program; sets orientation and axes."),
     ]
     front: Annotated[
-        str | None, typer.Option(metavar="BEARING", help="Dome: bearing at its bottom, S or 180.")
+        str | None, typer.Option(metavar="BEARING", help="Dome: bearing of its bottom, S or 180.")
     ] = None
     tilt: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Dome: tilt towards its front (0deg).")

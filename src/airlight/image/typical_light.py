@@ -17,11 +17,12 @@ from airlight.physics.spectra.ozone import ozone_cross_section
 _SOURCES: Final = (4.0, 2.0, 1.0, 0.0, -1.0)
 #: Optical depths at 550 nm removed by scattering by gas; 0.097 is Earth's zenith.
 _GAS: Final = (0.0, 0.1, 0.3, 0.8, 2.0, 4.0)
-#: Optical depths at 550 nm removed by haze, which goes with λ^-1.3.
+#: Optical depths at 550 nm removed by haze, proportional to λ^-1.3.
 _HAZE: Final = (0.0, 0.5)
-#: Layers of 300 Dobson units passed: 1 at noon, some tens at dusk.
+#: Ozone columns passed, in units of 300 Dobson units: 1 at noon, some tens at dusk.
 _OZONE: Final = (0.0, 3.0, 10.0, 30.0)
-#: Logistic edges of blue absorbers (iron oxides, tholins, sulphur): middle, width, depth.
+#: Logistic absorption edges of blue absorbers (iron oxides, tholins, sulphur): middle, width,
+#: depth.
 _EDGES: Final = (450.0, 480.0, 510.0, 540.0, 570.0)
 _WIDTHS: Final = (15.0, 30.0, 45.0)
 _DEPTHS: Final = (0.3, 1.0, 2.0, 4.0)

@@ -12,7 +12,7 @@ from airlight.planets.parameters import replace
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import PlanetLike, load_planet
 
-#: Height of an observer's eyes above the floor of a basin. [m]
+#: Height of the observer above the floor of a basin. [m]
 EYES: Final = 2.0
 
 

@@ -44,8 +44,8 @@ REFRACTION_COLUMN: Final = "refraction"
 REFRACTION_WAVELENGTH: Final = 550.0
 #: Largest number of wavelengths of one medium.
 MOST_WAVELENGTHS: Final = 2000
-#: Number of media that a planet keeps, since reader, solver and pictures request the same, and
-#: their largest number of wavelengths.
+#: Largest number of media cached by a planet, since reader, solver and pictures request the same,
+#: and of their wavelengths.
 CACHE_SIZE: Final = 2
 MOST_KEPT_WAVELENGTHS: Final = 64
 
@@ -232,7 +232,7 @@ class Medium:
             reflection=planet.ground.reflection,
         )
         medium._check()
-        _ = medium.refracting_shell  # refuses air in which light would follow the ground
+        _ = medium.refracting_shell  # raises an error if rays would be ducted
         return medium
 
     @property
@@ -441,7 +441,7 @@ def _refractivity(planet: Planet) -> FloatArray:
         result[i] = one.refractivities(nm, planet.thickness)[0]
     if not result.any():
         raise ParameterError(
-            "refraction", planet.refraction, "'none', or a gas whose refractivity is known"
+            "refraction", planet.refraction, "'none', or a gas of known refractivity"
         )
     return result
 

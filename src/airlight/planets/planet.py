@@ -38,7 +38,8 @@ FloatArray = npt.NDArray[np.float64]
 RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
 #: Largest number of constituents of a planet.
 MAX_CONSTITUENTS: Final = 64
-#: Least thickness of the shell over the radius of the ground, and largest ratio of the radii. [1]
+#: Smallest thickness of the shell relative to the ground radius, and largest ratio of the radii.
+#: [1]
 LEAST_THICKNESS: Final = 1e-7
 LARGEST_RATIO: Final = 10.0
 
@@ -117,7 +118,7 @@ class Planet(TomlModel):
             str,
             Field(
                 label="body",
-                help="World whose sky it has by place and time.",
+                help="Body of the solar system, for the sun by place and time.",
                 note="For `airlight render --at --time` and `airlight.Scene.at`.",
                 kind="choice",
                 choices=lambda: tuple(WORLDS),
@@ -130,7 +131,7 @@ class Planet(TomlModel):
         str,
         Field(
             label="refraction",
-            help="Refraction by the gases, which lifts and flattens the low star.",
+            help="Refraction by the gases.",
             note="Rejected where rays would be trapped by super-refraction, as on Venus.",
             kind="choice",
             choices=lambda: ("none", "bouguer"),
@@ -154,7 +155,7 @@ class Planet(TomlModel):
     top_radius: Annotated[
         float,
         Field(
-            label="radius of the top of the air",
+            label="radius of the top of the atmosphere",
             help="Radius of the top of the atmosphere, up to ten times that of the ground.",
             unit="m",
             range=(1e3, 1e13),
@@ -178,7 +179,7 @@ class Planet(TomlModel):
     star: Annotated[
         Star,
         instance_of(Star),
-        Field(label="star", help="Star that lights the planet.", kind="table", table="star"),
+        Field(label="star", help="Star that illuminates the planet.", kind="table", table="star"),
     ]
     constituents: Annotated[
         tuple[Annotated[Constituent, instance_of(Constituent)], ...],
@@ -225,7 +226,7 @@ class Planet(TomlModel):
             raise ParameterError(
                 "wavelengths",
                 self._limits_by_part(),
-                "parts that are known at a common wavelength",
+                "parts with a common wavelength range",
             )
         if self.default_wavelengths is not None:
             check_wavelength_list(self.default_wavelengths)

@@ -39,7 +39,7 @@ def planet_renderer(
     Parameters
     ----------
     light, body : Light, Body
-        Light, and planet with air.
+        Light, and planet with an atmosphere.
     scene : Scene
         Observer and camera in the frame of the light.
     local : array, shape (3, 3)
@@ -66,7 +66,7 @@ def occulting_moon(
     Parameters
     ----------
     star, body : Light, Body
-        Star, and planet with air.
+        Star, and planet with an atmosphere.
     source : LightSource
         Star as seen from the planet.
 

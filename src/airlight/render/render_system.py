@@ -121,7 +121,7 @@ class _AtmosphereLayer:
     layer: Float32Array
 
     def raised(self, true: FloatArray) -> FloatArray:
-        """Apparent directions of points at infinity from inside the air, shape (n, 3). [1]"""
+        """Apparent directions of points at infinity within the atmosphere, shape (n, 3). [1]"""
         local = raised_points(self.solution, self.altitude, true @ self.axes.T)
         return np.asarray(local @ self.axes)
 

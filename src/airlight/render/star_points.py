@@ -138,7 +138,7 @@ def apparent_points(
 
 
 def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) -> FloatArray:
-    """Apparent directions of points at infinity from inside the air, by the refraction table.
+    """Apparent directions of points at infinity within the atmosphere, by the refraction table.
 
     Parameters
     ----------

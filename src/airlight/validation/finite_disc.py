@@ -20,7 +20,7 @@ from airlight.validation.suite import Cancel, ReportTable
 
 #: Number of largest differences listed.
 LISTED = 6
-#: Radiance per irradiance of the star below which a value is left out. [sr⁻¹]
+#: Radiance per irradiance of the star below which a value is not compared. [sr⁻¹]
 LEAST_RADIANCE = 1e-6
 
 

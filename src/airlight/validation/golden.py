@@ -32,7 +32,7 @@ from airlight.validation.suite import Cancel, Mark, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
-#: Molecules per volume in OpenSpace's standard set: at 0 °C and at 15 °C, as in its table. [m⁻³]
+#: Number density in OpenSpace's standard set: at 0 °C and at 15 °C, as in its table. [m⁻³]
 _LOSCHMIDT, _AT_15_DEGREES = 2.68731e25, 2.54743e25
 
 
@@ -178,7 +178,7 @@ def _rayleigh_set(at: Any) -> FloatArray:
         king = king_factor_air_bates1984(nm)
         return density * rayleigh.cross_section(nm, refractivity, density, king)
     if at["set"] == "openspace":
-        # Edlén (1953), JOSA 43, 339, as Penndorf (1957) uses it, brought from 15 °C to 0 °C.
+        # Edlén (1953), JOSA 43, 339, as used by Penndorf (1957), converted from 15 °C to 0 °C.
         s2 = np.square(1e3 / nm)
         edlen = 1e-8 * (6432.8 + 2_949_810.0 / (146.0 - s2) + 25_540.0 / (41.0 - s2))
         refractivity = edlen * _LOSCHMIDT / _AT_15_DEGREES
@@ -333,7 +333,7 @@ def _weighted_power_ends(rows: Sequence[GoldenRow]) -> list[FloatArray]:
         for mu, to_ground in ends:
             v = view_coordinate(mu, to_ground, horizon, 2.0, 2.0, 2.0, lower, surface)
             back, ground = view_from_coordinate(v, horizon, 2.0, 2.0, 2.0, lower, surface)
-            # The wrong side of the horizon counts as the largest possible error.
+            # A look-up on the wrong side of the horizon counts as the largest possible error.
             there_and_back.append(back - mu if ground == to_ground else np.inf)
         out.append(np.array(there_and_back))
     return out

@@ -32,19 +32,19 @@ PUBLISHED: Final = {
     "Bruneton 2008": 11.3,
     "Elek 2010": 11.3,
 }
-#: Lowest possible score of a sky symmetric about the sun's vertical, on our scans.
+#: Lowest possible score of a sky symmetric about the sun's vertical, on these scans.
 FLOOR: Final = 3.4
-#: Largest allowed score of our best physics.
+#: Largest allowed score of the most complete model.
 BEST_THRESHOLD: Final = 8.0
-#: Names of our rows.
+#: Names of airlight's rows.
 SAME, KNOWN, FITTED = (
     "airlight, same inputs as everybody",
     "airlight, best physics, load of AERONET",
     "airlight, best physics, load fitted to the skies",
 )
-#: Directions nearer to the sun than this are scored separately. [deg]
+#: Angle from the sun below which directions are scored separately. [deg]
 NEAR: Final = 8.0
-#: Centre of oxygen's B band, which is left out, and its half width for the instrument. [nm]
+#: Centre of oxygen's B band, which is excluded, and its half width for the instrument. [nm]
 OXYGEN_B, _OXYGEN_WIDTH = 687.0, 6.0
 _UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 

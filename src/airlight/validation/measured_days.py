@@ -14,9 +14,9 @@ from airlight.validation.kider.planets import PUBLISHED_INPUTS, AngstromLaw
 from airlight.validation.kider.scans import MILLI, symmetric_part, total_rmse
 from airlight.validation.suite import Cancel, Part, Progress, ReportTable, Suite, Threshold
 
-#: Largest allowed score of the row that counts. [mW m⁻² sr⁻¹ nm⁻¹]
+#: Largest allowed score of the judged row. [mW m⁻² sr⁻¹ nm⁻¹]
 BEST_THRESHOLD: Final = 8.0
-#: Directions nearer to the sun than this are scored separately. [deg]
+#: Angle from the sun below which directions are scored separately. [deg]
 NEAR: Final = 8.0
 #: Zenith angles of the ring near the horizon. [deg]
 LOW: Final = (70.0, 80.0)

@@ -49,14 +49,14 @@ LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
 _BLOCK: Final = 1 << 13
 #: Largest number of points at which the sky's irradiance is compared.
 _SKIES: Final = 256
-#: Divisors of the smooth light, by the name of the phase function.
+#: Divisors of the smooth radiance, by the name of the phase function.
 _DIVISORS: Final = {
     "smooth": "the phase function smooth",
     "rayleigh": "Rayleigh's phase function",
     "gas": "the gas's phase function",
 }
 #: Quantity of the tables of scattered light.
-_AIR: Final = "radiance of the air alone, without the ground's, per irradiance of the star"
+_AIR: Final = "path radiance without the ground's radiance, per irradiance of the star"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -175,8 +175,8 @@ def bake(
         raise ParameterError("precision", precision, "single, half")
     if points < 1:
         raise ParameterError("points", points, "1 or more")
-    # What peaks scatter again has the shape of the higher orders' light, which Rayleigh's phase
-    # function as divisor would lose.
+    # Light scattered again by a forward peak has the angular shape of the higher orders, which
+    # would be lost with Rayleigh's phase function as divisor.
     air = AirLight(solution, order, cumulative=cumulative, peaks_once=smooth_phase == "rayleigh")
     step = _Steps(progress, cancel)
     medium = solution.medium
@@ -254,7 +254,7 @@ def _packing(layout: str, packing: str | None) -> str:
 
 
 class _Steps:
-    """Run blocks on all cores, with progress and cancellation."""
+    """Runner of blocks on all cores, with progress and cancellation."""
 
     def __init__(self, progress: Progress | None, cancel: Cancel | None) -> None:
         self.progress, self.cancel = progress, cancel
@@ -341,8 +341,8 @@ def _scattering(
         (*phases.names, "gas", "rest"),
         np.stack([*phases.values, groups.phases.values[0], rest_shape]),
     )
-    # A texel whose angle no view and sun can have holds the light at the nearest possible angle,
-    # brought to its own by the light's shape.
+    # A texel whose angle no view and sun can have holds the radiance at the nearest possible angle,
+    # scaled to the texel's angle by the angular shape.
     angles = np.linspace(-1.0, 1.0, where.shape[-1])
     by_rayleigh = vectorized(rayleigh)(angles, 0.0)[:, None]
     divisor, of_gas, of_rest = (
@@ -360,8 +360,8 @@ def _scattering(
         made = [smooth]
         if higher_orders:
             higher, others = others[0], others[1:]
-            # Where the first order ends, the smooth light is shifted by more than the higher orders
-            # in it, which are no more than all of it.
+            # Where the first order ends, the smooth radiance is shifted by more than the higher
+            # orders in it, which are at most all of it.
             made.append(
                 np.minimum(kept(higher * turned / by_rayleigh), smooth * divisor / by_rayleigh)
             )
@@ -428,7 +428,7 @@ def _peaked(
         )
         errors[name] = table_errors.judge(
             made, exact, positions[rows].joined(worse), medium, seed=seed,
-            quantity="radiance of the air; relative to all light", floor=table_errors.DIM,
+            quantity="path radiance; relative to all light", floor=table_errors.DIM,
             per=whole, sampled=int(rows.sum()),
             where="views dense about the sun and the horizon, half of the suns from 75 to "
             f"{table_errors.LOWEST_SUN:g} deg; the largest error by a search about the worst",
@@ -460,15 +460,15 @@ def _errors(
         turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
         made = light.relative_radiance(positions)
         for of, rows, quantity in (
-            ("", ~positions.to_ground, "radiance of the air in views of the sky; relative"),
+            ("", ~positions.to_ground, "path radiance in views of the sky; relative"),
             (
                 " before the ground",
                 positions.to_ground,
-                "radiance of the air in views of the ground; relative to the ground's and its own",
+                "path radiance in views of the ground; relative to the ground's and its own",
             ),
         ):
             seen = positions[rows]
-            if not len(seen):  # of a few points none may look that way
+            if not len(seen):  # of a few points none may have that direction
                 continue
             errors[name.replace("sky", "air") + of if of else name] = table_errors.judge(
                 made[rows], exact[rows], seen, medium, quantity=quantity, seed=seed,

@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from airlight.engines.environment.gamut import grey_of
 from airlight.image.exr import LARGEST_HALF
 
-#: Luminance below which halves begin to lose digits, with a margin of four bits over the smallest
-#: normal one, 2⁻¹⁴.
+#: Luminance below which halves begin to lose precision, with a margin of four bits above the
+#: smallest normal number, 2⁻¹⁴.
 _DIM: Final = 2.0**-10
-#: Share of the lit texels that may be dimmer than that.
+#: Largest fraction of the lit texels below that luminance.
 _DIM_SHARE: Final = 0.05
-#: Exponent of the largest scale: a night darker than starlight may lose its digits.
+#: Exponent of the largest scale: a night darker than starlight may lose precision.
 _HIGHEST: Final = 24
-#: Number of texels by which that share is judged.
+#: Number of texels from which that fraction is estimated.
 _SAMPLED: Final = 1 << 20
 
 

@@ -10,9 +10,9 @@ from airlight.planets.matter.profiles import Exponential
 from airlight.planets.planet import RED_GREEN_BLUE
 from airlight.planets.spectral import PerWavelength
 
-#: Digits of a number: more than single precision has.
+#: Significant digits of a number: more than single precision has.
 _DIGITS: Final = 8
-#: Scale height written for a constituent that the planet does not have. [km]
+#: Scale height written for a missing constituent. [km]
 NO_HEIGHT: Final = 8.0
 
 

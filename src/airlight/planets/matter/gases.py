@@ -106,12 +106,12 @@ def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayl
     return Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=values))
 
 
-#: Keys that a mass density needs beside it.
+#: Keys required beside a mass density.
 _MASS_KEYS: Final = (
     Field(
         name="mass_density",
         label="mass density",
-        help="Mass density of the gas where its profile is 1.",
+        help="Mass density of the gas at relative density 1.",
         note="Together with the molar mass, an alternative to the number density.",
         unit="kg/m^3",
         range=(0.0, 1e6),
@@ -281,7 +281,7 @@ class RefractiveScattering(_Molecules):
         Spectral,
         Field(
             label="King factor",
-            help="1 for round molecules.",
+            help="King factor; 1 for isotropic molecules.",
             range=(1.0, 2.0),
             spectral=True,
             example="1.049",

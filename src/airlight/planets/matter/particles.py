@@ -104,7 +104,7 @@ class Particles(Matter):
         instance_of(ParticleSizes),
         Field(
             label="sizes",
-            help="Sizes of the particles.",
+            help="Size distribution of the particles.",
             kind="table",
             table="sizes",
             read=_sizes,
@@ -127,7 +127,7 @@ class Particles(Matter):
             float,
             Field(
                 label="number density",
-                help="Number density where the profile is 1.",
+                help="Number density at relative density 1.",
                 unit="1/m^3",
                 range=(0.0, 1e25),
                 example="1e6 /m^3",
@@ -143,7 +143,7 @@ class Particles(Matter):
         float,
         Field(
             label="wavelength of the optical depth",
-            help="Wavelength at which the optical depth is given.",
+            help="Wavelength of the optical depth.",
             unit="nm",
             range=WIDEST,
             example="550 nm",
@@ -172,11 +172,11 @@ class Particles(Matter):
             raise ParameterError(
                 "optical_depth",
                 self.optical_depth if both else MISSING,
-                "either it or a number_density",
+                "either optical_depth or number_density",
             )
         low, high = self.limits
         if self.optical_depth is not None and not low <= self.at <= high:
-            raise ParameterError("at", self.at, f"{low:g} to {high:g} nm, as the index is known")
+            raise ParameterError("at", self.at, f"{low:g} to {high:g} nm, the range of the index")
 
     @property
     def needs_phase(self) -> str:

@@ -250,7 +250,7 @@ def _inverse(unit: str) -> str:
 WAVELENGTHS = Field(
     name="wavelengths",
     label="wavelength",
-    help="Wavelengths of this part's lists.",
+    help="Wavelengths of the lists in this table.",
     unit="nm",
     range=(SHORTEST, LONGEST),
     slider=(300.0, 1000.0),

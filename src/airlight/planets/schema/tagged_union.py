@@ -22,7 +22,7 @@ class TaggedUnion(Generic[Kind]):
     classes : tuple of type
         Classes in the order in which they are listed; each has a ``keyword``.
     label, help : str
-        Label and help of the choice among them.
+        Label and help of the choice.
     mode : str
         See ``Field``.
     """

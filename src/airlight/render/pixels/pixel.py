@@ -199,7 +199,7 @@ def polarised_between(
 
 @inlined
 def air_between(near, stride, right, down, half_sine, view, tables, at):
-    """Radiance from the sky-view LUT, with exact phase functions of separated ones. [sr⁻¹]
+    """Radiance from the sky-view LUT, with exact phase functions where separated. [sr⁻¹]
 
     Parameters
     ----------
@@ -288,7 +288,7 @@ def sky_view_coordinates(x, y, row, to_ground, window):
 def sky_lookup(
     x, y, z, sine, row, to_ground, exact, window, observer, view, tables, work
 ):  # fmt: skip
-    """Radiance of the air along a line of sight, and of a white ground behind it.
+    """Path radiance along a line of sight, and radiance of a white ground behind it.
 
     Parameters
     ----------
@@ -297,7 +297,7 @@ def sky_lookup(
     sine, row, to_ground : float, float, bool
         Results of ``classify_ray``.
     exact, window, observer, view, tables, work :
-        Arguments of ``pixel_light``; ``work.radiance`` receives the radiance of the air, of a white
+        Arguments of ``pixel_light``; ``work.radiance`` receives path radiance, radiance of a white
         Lambert ground, of the mirrored sky at ``MIRRORED`` and, with a filter, Q and U as from
         ``march``. [sr⁻¹]
 

@@ -140,7 +140,7 @@ def look(
     mu, sine, cos_azimuth, half_sine, to_ground, mirrored, separated_phases, air, peaks, polarised,
     observer, tables, work, result,
 ):  # fmt: skip
-    """March one line of sight: radiance of the air, and of a white ground behind it.
+    """March one line of sight: path radiance, and radiance of a white ground behind it.
 
     Parameters
     ----------
@@ -160,8 +160,8 @@ def look(
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
     result : array, shape (4, w), or (6, w) if ``polarised``
-        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the single
-        scattering by the two peaked constituents [1], and Q and U of the air's light. [sr⁻¹]
+        Receives path radiance, radiance of a white Lambert ground behind it [sr⁻¹], single
+        scattering by the two peaked constituents [1], and Q and U of the path radiance. [sr⁻¹]
 
     Returns
     -------
@@ -207,7 +207,7 @@ def look(
 
 @inlined
 def phases_towards(half_sine, separated_phases, table, tables, phase):
-    """Phase matrix element of all constituents; 0 for separated ones on request. [sr⁻¹]
+    """Phase matrix element of all constituents; 0 if separated, on request. [sr⁻¹]
 
     Parameters
     ----------

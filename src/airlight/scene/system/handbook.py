@@ -10,7 +10,7 @@ from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
 from airlight.scene.system.viewpoint import SceneObserver, View
 
-#: Tables of a scene file, with the keys of which one has to be given.
+#: Tables of a scene file, with the keys of which one is required.
 TABLES: Final[dict[str, tuple[type[TomlModel], tuple[str, ...]]]] = {
     "bodies": (Body, ("planet", "radius")),
     "lights": (Light, ("star", "body")),

@@ -44,7 +44,7 @@ def surface_factor(
     disc uniform.
     """
     sine = np.einsum("nk,nk->n", normal, to_light)
-    # Of the light's disc; that of a sphere's limb is half below the horizon.
+    # For the light's disc; that of a limb is half below the horizon.
     lit = np.asarray(vectorized(mean_cosine)(np.arcsin(np.clip(sine, -1.0, 1.0)), sine,
                                              angular_radius))  # fmt: skip
     if body.reflection == "lambert":

@@ -24,7 +24,7 @@ from airlight.studies.fit.parameter import FitParameter
 
 FloatArray = NDArray[np.float64]
 
-#: Predictions and solutions kept in memory.
+#: Largest numbers of cached predictions and solutions.
 _MOST_PREDICTIONS: Final = 256
 _MOST_SOLUTIONS: Final = 2
 

@@ -15,7 +15,8 @@ from airlight.solver.moments.settings import MomentsSettings, settings_for
 
 FloatArray = NDArray[np.float64]
 
-#: Tolerance of solutions: all orders, so that their number makes no jump between two neighbours.
+#: Tolerance of solutions: all orders, so that their number does not jump between neighbouring
+#: values.
 _TOLERANCE: Final = 1e-4
 
 

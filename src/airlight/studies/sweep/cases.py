@@ -25,7 +25,7 @@ from airlight.solver.stokes_frame import (
 if TYPE_CHECKING:
     import xarray
 
-#: Columns that are read, with the smallest and largest number allowed in them.
+#: Columns that are read, with the range of allowed numbers.
 COLUMNS: dict[str, tuple[float, float]] = {
     "altitude_m": (0.0, 1e12),
     "sun_zenith_deg": (0.0, 180.0),

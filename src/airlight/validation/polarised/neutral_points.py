@@ -11,10 +11,10 @@ from airlight.studies.observables.neutral_points import neutral_points as zeros
 from airlight.validation.published.row import Solve
 from airlight.validation.suite import Part, ReportTable, Threshold
 
-#: Distances at which the points are found, from the star or from the point opposite. [deg]
+#: Distances of the points from the star or from the antisolar point. [deg]
 LOWEST, HIGHEST = 10.0, 25.0
-#: Preset whose gas is the sky, wavelength [nm] and zenith angles of the sun with the points looked
-#: for there.
+#: Preset whose gas scatters the sky's light, wavelength [nm], and zenith angles of the sun with the
+#: points sought there.
 _PLANET, _WAVELENGTH = "earth-atmosphere-plus", 550.0
 _SUNS: Final = ((88.0, ("Arago", "Babinet")), (50.0, ("Babinet", "Brewster")))
 _SOURCE: Final = (

@@ -22,7 +22,7 @@ from airlight.validation.published.twilight import ground_light
 
 #: Altitude of the sun. [deg]
 DAY: Final = 60.0
-#: Optical depth of the preset's dust, and of a dusty day.
+#: Optical depth of the dust of the preset, and on a dusty day.
 DUST: Final = (0.5, 1.0)
 
 
@@ -41,7 +41,7 @@ def daylight(solve: Solve, quality: object = "default") -> PublishedSection:
             rows.append(
                 PublishedRow(
                     what=f"daylight on Mars, dust {dust:g}, chromaticity {name}", published=value,
-                    # The preset is judged; the dusty day shows what hangs on the dust.
+                    # The preset is assessed; the dusty day shows the dependence on the dust.
                     ours=got, error=error if dust == DUST[0] else None,
                     source="Maki et al. (2021)", compare="difference",
                 )

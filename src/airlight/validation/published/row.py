@@ -160,7 +160,7 @@ def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:
             assert progress is not None
             progress(done, total, f"{planet.name}, {message}")
 
-        # Its rows say what bands that are left out change.
+        # Its rows show the effect of omitted bands.
         with warnings.catch_warnings(action="ignore", category=AirlightWarning):
             return solve(
                 planet, wavelengths, quality, solver="moments", polarisation=polarisation,

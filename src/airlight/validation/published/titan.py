@@ -22,14 +22,14 @@ ALBEDOS: Final = {
     800.0: 0.201, 760.0: 0.280, 720.0: 0.214, 680.0: 0.291, 640.0: 0.282, 600.0: 0.257,
     560.0: 0.226, 520.0: 0.187, 480.0: 0.148, 440.0: 0.115,
 }  # fmt: skip
-#: Error of the calibration. [1]
+#: Uncertainty of the calibration. [1]
 CALIBRATION: Final = 0.04
 
-#: Methane over Titan's ground: 3.5 % of the preset's gas. [m⁻²]
+#: Column of methane on Titan: 3.5 % of the preset's gas. [m⁻²]
 METHANE: Final = 8.48e28
-#: Altitudes [km] and the density of methane over that at the ground [1]: 5.65 % of the gas up to
-#: 6.5 km, 1.48 % from 32.5 km, by its logarithm in between (Niemann et al. 2010, JGR 115, E12006),
-#: times the densities of Waite et al. (2013).
+#: Altitudes [km] and number density of methane relative to the ground [1]: 5.65 % of the gas up to
+#: 6.5 km, 1.48 % from 32.5 km, with logarithmic interpolation in between (Niemann et al. 2010, JGR
+#: 115, E12006), times the densities of Waite et al. (2013).
 _ALTITUDES: Final = (
     0, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70, 80, 120, 150, 180, 250, 300,
 )  # fmt: skip

@@ -32,19 +32,19 @@ from airlight.validation.suite import Threshold
 
 FloatArray = NDArray[np.float64]
 
-#: Zenith angle of the sun where Pioneer's and Venera 8's probes fell. [deg]
+#: Zenith angle of the sun at the descent of Pioneer's and Venera 8's probes. [deg]
 PIONEER, VENERA_8 = 67.0, 84.5
-#: Sunlight of all wavelengths at 1 au. [W m⁻²]
+#: Solar constant at 1 au. [W m⁻²]
 TOTAL: Final = 1360.8
-#: Difference from Pioneer's flux that is aimed at. [%]
+#: Target of the difference from Pioneer's flux. [%]
 AIM: Final = 30.0
-#: Edges of the intervals that a wavelength stands for, within those of Pioneer's radiometer: 20 nm
-#: where sulphur absorbs, then those in which the preset's gases have one coefficient. [nm]
+#: Edges of the wavelength intervals, within those of Pioneer's radiometer: 20 nm where sulphur
+#: absorbs, otherwise those with one coefficient of the preset's gases. [nm]
 EDGES: Final = (
     *(float(nm) for nm in range(400, 561, 20)),
     605.03, 625.0, 666.67, 691.09, 751.88, 781.86, 842.46, 891.27, 961.54, 1000.0,
 )  # fmt: skip
-#: Step of the sun's spectrum. [nm]
+#: Step of the solar spectrum. [nm]
 _STEP: Final = 0.25
 #: Quadrature points over the sun's zenith cosine.
 _SUNS: Final = 6
@@ -83,7 +83,7 @@ def global_mean(solutions: Sequence[Solution]) -> float:
     rule = gauss_legendre(_SUNS)
     zenith = np.degrees(np.arccos(rule.nodes))
     flux = np.array([ground_flux(solutions, float(one)) for one in zenith])
-    # Half of the sphere is lit; each zenith cosine has the same area.
+    # Half of the sphere is sunlit; equal intervals of the zenith cosine have equal areas.
     return float(0.5 * rule.weights @ flux)
 
 
@@ -96,7 +96,7 @@ def venus(solve: Solve, quality: object = "preview") -> PublishedSection:
         See ``row.Solve``.
     """
     planet = load_planet("venus")
-    # One by one: radii that follow the deepest air of many wavelengths suit the others badly.
+    # One by one: radii placed for the thickest of many wavelengths suit the others badly.
     middles = 0.5 * (np.array(EDGES[1:]) + np.array(EDGES[:-1]))
     solutions = [solve(planet, (float(nm),), quality) for nm in middles]
     top = band_flux(solutions, np.ones(middles.size))

@@ -13,8 +13,8 @@ from airlight.render import render
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
 
-#: Size of the picture, of which a browser shows the part that its window has: a square holds what a
-#: window of any shape, wider than high, sees. [pixel]
+#: Size of the picture, of which a browser shows the part within its window: a square contains the
+#: view of a landscape window of any shape. [pixel]
 SIDE: Final = 840
 #: Largest size of the file. [byte]
 LARGEST: Final = 60_000

@@ -59,7 +59,7 @@ def _colors(pixels: NDArray[np.uint8], lossless: bool) -> str:
     if lossless:
         image.save(room, "PNG", optimize=True)
         return _as_address("png", room.getvalue())
-    # No subsampling of colours: coasts would lose their water's.
+    # No chroma subsampling: coasts would lose the colour of the water.
     image.save(room, "JPEG", quality=_QUALITY, subsampling=0, optimize=True)
     return _as_address("jpeg", room.getvalue())
 

@@ -15,7 +15,7 @@ _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:"
 )
 
-#: Picture and words that stand before the script and the data, which a browser reads later.
+#: Picture and text in front of the script and the data, which a browser reads later.
 _FIRST: Final = Template(
     '<img class="airlight-first" src="$address" alt="" style="object-fit: $fit">'
     '<div class="airlight-over airlight-progress">preview — loading</div>'
@@ -41,7 +41,7 @@ def page_text(title: str, data: Mapping[str, Any], first: Mapping[str, str] | No
     carried = json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
     script = join_modules("main.js")
     if "</script" in script.lower() or "<!--" in script:
-        raise AssertionError("the viewer's script holds the end of a script element")
+        raise AssertionError("the viewer's script contains the end of a script element")
     return Template(web_file("page.html")).substitute(
         title=html.escape(title),
         policy=_POLICY,

@@ -14,10 +14,10 @@ from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
-#: Temperatures, even in their reciprocal, in which the logarithm of a black body's light is almost
-#: straight; they span those of the view's control. [K]
+#: Temperatures, uniform in their reciprocal, in which the logarithm of a black body's radiance is
+#: almost linear; they span the range of the view's control. [K]
 TEMPERATURES: Final = tuple((1.0 / np.linspace(1.0 / 1500.0, 1.0 / 40000.0, 25)).tolist())
-#: Digits that are kept.
+#: Number of significant digits.
 _DIGITS: Final = 6
 
 

@@ -10,10 +10,10 @@ from airlight.planets.planet import Planet
 from airlight.scene import Camera, Scene
 from airlight.scene.observer import horizon_zenith
 
-#: Kinds of presets: what a planet is; what it would be otherwise; what programs or papers have.
+#: Kinds of presets: a planet; a variation of it; a planet of a program or paper.
 Kind = Literal["reference", "variation", "literature"]
 
-#: Size of the small pictures. [pixel]
+#: Size of the thumbnails. [pixel]
 WIDTH: Final = 240
 HEIGHT: Final = 135
 
@@ -71,8 +71,8 @@ class Look:
         )  # fmt: skip
 
 
-#: Limb from above the air; air over ground from above; the low sun from the ground; a day on the
-#: ground; the sky after sunset; the whole planet, half lit.
+#: Limb from above the atmosphere; atmosphere over ground from above; low sun from the ground;
+#: daytime on the ground; the sky after sunset; the whole planet, half lit.
 _LIMB: Final = Look(
     altitude=12.0, below_horizon=11.0, aside=-58.0, sun_zenith=74.0, latitude=34.0,
     longitude=14.0, sun_azimuth=110.0,
@@ -116,7 +116,7 @@ def _preset(name: str, label: str, family: str, kind: Kind, look: Look) -> Prese
     return Preset(name=name, label=label, family=family, kind=kind, look=look)
 
 
-#: All presets in the order of the gallery: by family, within one the planet itself first.
+#: All presets in the order of the gallery: by family, beginning with the planet itself.
 PRESETS: Final = (
     _preset("earth", "Earth", "Earth", "reference", _LIMB),
     _preset("earth-hazy", "hazy", "Earth", "variation", _ABOVE),

@@ -12,8 +12,8 @@ from typing import Any, Final
 
 from airlight.scene.observer import horizon_zenith
 
-#: Latitude and longitude where the viewer begins, positive north and east: the eastern coast of the
-#: Red Sea, with the sea towards the setting sun. [deg]
+#: Initial latitude and longitude, positive north and east: the eastern coast of the Red Sea, with
+#: the sea towards the setting sun. [deg]
 PLACE: Final = (27.5, 35.5)
 #: Altitude from which the camera sees a whole planet, in radii. [1]
 _FAR: Final = 2.4
@@ -69,7 +69,7 @@ VIEWPOINTS: Final = (
               below_horizon=-6.0, heading=265.0, sun_zenith=89.0, sun_bearing=265.0),
 )  # fmt: skip
 
-#: Viewpoint with which window and page begin, by name.
+#: Initial viewpoint of window and page, by name.
 FIRST: Final = next(one for one in VIEWPOINTS if one.name == "orbit")
 
 

@@ -56,7 +56,7 @@ class PlanetState:
         except ParameterError as error:
             raise error.in_file(file) from None
         except (AttributeError, TypeError, KeyError):
-            raise ParameterError("planet", file, "a planet file, with tables where it has them",
+            raise ParameterError("planet", file, "a valid planet file",
                                  file) from None  # fmt: skip
         return state
 
@@ -69,7 +69,7 @@ class PlanetState:
 
     @property
     def amounts(self) -> tuple[Amount, ...]:
-        """Amounts of the planet, see ``parameters.amounts``; ranges as of ``parameters``."""
+        """Amounts of the planet, see ``parameters.amounts``; ranges as in ``parameters``."""
         if not self._amounts:
             self._amounts.append(amounts_in(self.tables))
         return self._amounts[0]

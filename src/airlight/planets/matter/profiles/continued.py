@@ -11,7 +11,7 @@ from airlight.physics.optics.density_profile import Row
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import instance_of, parameters
 
-#: Scale heights below the reference level beyond which nothing is continued.
+#: Scale heights below the reference level down to which a profile is continued.
 _MOST: Final = 10.0
 
 

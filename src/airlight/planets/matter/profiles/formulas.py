@@ -63,7 +63,7 @@ class BulkGas(TomlModel):
         float,
         Field(
             label="gravity",
-            help="g of RT/(Mg).",
+            help="Gravity g in the scale height RT/(Mg).",
             unit="m/s^2",
             range=(0.0, 1e30),
             open_ends=True,

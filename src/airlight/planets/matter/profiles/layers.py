@@ -83,7 +83,7 @@ class Layers(Profile):
             tuple[float, ...],
             Field(
                 label="base pressure",
-                help="Pressures of the layers' bases instead, from that at the ground down.",
+                help="Pressures of the layers' bases, instead of altitudes, from the ground up.",
                 unit="Pa",
                 range=(1e-12, 1e10),
                 listed=True,
@@ -114,7 +114,7 @@ class Layers(Profile):
         tuple[float, ...],
         Field(
             label="lapse rate",
-            help="Fall of the temperature with altitude in each layer.",
+            help="Lapse rate of each layer: decrease of temperature with altitude.",
             note="One for each base; negative where it grows warmer upwards.",
             unit="K/m",
             range=(-1.0, 1.0),
@@ -150,7 +150,7 @@ class Layers(Profile):
             raise ParameterError("altitudes[0]", bases[0], "0 m, the ground")
         else:
             ascending(bases, "altitudes", "m")
-        _ = self.air  # refuses air that would be colder than nothing at a base
+        _ = self.air  # raises an error for temperatures below 0 K at a base
 
     @property
     def air(self) -> HydrostaticLayers:

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-#: Numbers of which wgpu allocates arrays.
+#: Number types of which wgpu allocates arrays.
 _NUMBERS: Final = ("char", "uint8_t", "uint32_t")
-#: Kinds of types of which it allocates some.
+#: Some kinds of types that it allocates.
 _KINDS: Final = ("StructType", "EnumType", "PointerType")
 
 
@@ -34,7 +34,7 @@ def know_types() -> None:
             table.setdefault(text, (kind, False))
         for text, pointer in zip(arrays, known[len(texts) :], strict=True):
             table.setdefault(text, (pointer.item, False))
-    except Exception:  # whatever has changed there: it only took less time
+    except Exception:  # after any failure: only speed is lost
         return
 
 

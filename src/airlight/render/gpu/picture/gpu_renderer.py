@@ -152,7 +152,7 @@ class GpuRenderer:
         whole = columns >= 2 and rows >= 2 and 3 * columns * rows % FLAT_WIDTH == 0
         if not whole or 3 * columns * rows > FLAT_WIDTH * 4096:
             raise ParameterError(
-                "sky_view_size", shape, "columns and rows whose product fills rows"
+                "sky_view_size", shape, "columns and rows whose product fills texture rows"
             )
         self._sky_view_size = (columns, rows)
         self._forget()
