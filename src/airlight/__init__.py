@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from airlight.solver.stokes_frame import angle_of_polarisation, degree_of_polarisation
     from airlight.studies.observables import observe
 
-#: Where each public name lives.
+#: Module of each public name.
 _HOMES = {
     "load_planet": "airlight.planets",
     "planet_names": "airlight.planets",

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 #: Environment of Python without the working directory on its import path.
 SAFE_PATH: Final = {"PYTHONSAFEPATH": "1"}
-#: The helper of ``multiprocessing`` that removes semaphores of an ended process need not say so.
+#: The resource tracker of ``multiprocessing`` does not warn of semaphores of an ended process.
 _SILENT: Final = {"PYTHONWARNINGS": "ignore::UserWarning:multiprocessing.resource_tracker"}
 _started: Final[set[subprocess.Popen[str]]] = set()
 _folders: Final[set[Path]] = set()
@@ -81,7 +81,7 @@ def deaf_to_interrupts() -> Iterator[None]:
     from multiprocessing import resource_tracker
 
     with safe_path(**_SILENT):
-        resource_tracker.ensure_running()  # if it began later it would lift the mask
+        resource_tracker.ensure_running()  # a later start would remove the signal mask
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield

@@ -10,7 +10,7 @@ from typing import Final
 
 from airlight.plain_text import brief, plain
 
-#: Longest line of several errors, of which those after its half leave out what is allowed.
+#: Length of the joined messages of several errors; in the second half, allowed values are omitted.
 _LONGEST_LINE: Final = 800
 
 

@@ -71,7 +71,7 @@ def test_without_a_display_one_line_says_so(
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR"):
         monkeypatch.delenv(name, raising=False)
     assert main(["view", "earth"]) == 2
-    assert "there is no display to open a window on: is DISPLAY set?" in error_line(capsys)
+    assert "no display for a window: is DISPLAY set?" in error_line(capsys)
 
 
 def test_a_screenshot_shows_panel_and_planet(

@@ -43,8 +43,8 @@ import formula
 print(formula.cubed(3.0), sum(formula.cubed.stats.cache_hits.values()))
 """
 LINE = (
-    "{}, and is not used: nothing there is read or kept, code is compiled in memory; "
-    "remove it, or name a folder of your own by AIRLIGHT_CACHE"
+    "{}, and is not used: nothing is cached, and code is compiled in memory; "
+    "remove it, or set AIRLIGHT_CACHE to a folder of your own"
 )
 
 

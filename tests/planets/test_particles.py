@@ -234,15 +234,15 @@ def test_the_sizes_of_one_radius_agree():
         ),
         (
             lambda: Particles(index=DUST, sizes=FINE),
-            r"optical_depth is missing; allowed: either it or a number_density",
+            r"optical_depth is missing; allowed: either optical_depth or number_density",
         ),
         (
             lambda: Particles(index=DUST, sizes=FINE, optical_depth=0.5, number_density=1e6),
-            r"optical_depth is 0\.5; allowed: either it or a number_density",
+            r"optical_depth is 0\.5; allowed: either optical_depth or number_density",
         ),
         (
             lambda: Particles(index=DUST, sizes=FINE, optical_depth=0.5, at=1000.0),
-            r"at is 1000\.0; allowed: 430 to 690 nm, as the index is known",
+            r"at is 1000\.0; allowed: 430 to 690 nm, the range of the index",
         ),
     ],
 )

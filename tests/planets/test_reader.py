@@ -237,7 +237,7 @@ WRONG = [
         '{ kind = "tent", center = "25 km", half_width = "15 km" }',
         '{ kind = "tabulated", altitudes = "0, 20, 10 km", densities = [1, 1, 1] }',
         "constituents[2].profile.altitudes[2]",
-        "more than the value before it",
+        "more than the previous value",
     ),
     (
         '{ kind = "tent", center = "25 km", half_width = "15 km" }',

@@ -63,8 +63,11 @@ def test_literal_turbidity_is_eq_17_as_printed():
             lambda: Turbidity(optical_depth=0.1, rayleigh_optical_depth=0.1, junge=4.0),
             "rayleigh_optical_depth requires turbidity",
         ),
-        (lambda: Turbidity(junge=4.0), "turbidity is missing; allowed: either it"),
-        (lambda: Turbidity(optical_depth=0.1), "junge is missing; allowed: either it or angstrom"),
+        (lambda: Turbidity(junge=4.0), "turbidity is missing; allowed: either turbidity"),
+        (
+            lambda: Turbidity(optical_depth=0.1),
+            "junge is missing; allowed: either junge or angstrom",
+        ),
         (lambda: Turbidity(optical_depth=0.1, junge=7.0), r"junge is 7\.0; allowed: 2 to 6"),
         (
             lambda: Turbidity(optical_depth=0.1, junge=4.0, single_scattering_albedo=1.1),

@@ -93,5 +93,5 @@ def test_the_earth_s_lights_are_where_towns_are() -> None:
 
 
 def test_unknown_lights_are_refused_with_the_known_ones() -> None:
-    with pytest.raises(FileError, match=r"no such lights \(known: earth\)$"):
+    with pytest.raises(FileError, match=r"unknown city-lights map \(known: earth\)$"):
         ground_overlay("vulcan")

@@ -490,5 +490,5 @@ def test_particles_frozen_to_coefficients_keep_extinction_albedo_and_mean_cosine
     assert_allclose(*albedos, rtol=1e-6)
     cosines = (one.phase_moments(1)[1, :, 1] for one in (frozen, whole))
     assert_allclose(*cosines, atol=2e-4)
-    with pytest.raises(ParameterError, match="given by its composition"):
+    with pytest.raises(ParameterError, match="a constituent with a composition"):
         session.freeze_coefficients("dust")

@@ -32,8 +32,8 @@ from airlight.plain_text import brief
 #: Exit status of an error.
 ERROR = 2
 
-#: Commands in the order of the help, with the line that it has for each: that of the function of
-#: this name in the module of this name, which is not imported for it.
+#: Commands in the order of the help, each with its line of help: that of the function of this name
+#: in the module of this name, which is not imported for it.
 COMMANDS: Final = {
     "planets": "List the planets that ship with airlight.",
     "show": "Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.",
@@ -104,7 +104,7 @@ class Commands(TyperGroup):
             formatter.write_dl(list(COMMANDS.items()))
 
 
-#: Without a markup the help is plain text: rich takes a tenth of a second to draw boxes round it.
+#: Plain-text help without markup: drawing boxes takes rich a tenth of a second.
 _TYPER: Final[dict[str, Any]] = {
     "add_completion": False,
     "pretty_exceptions_enable": False,
@@ -160,7 +160,7 @@ def run_process() -> int:
     os.environ.update(SAFE_PATH)  # for what libraries start too
     end_when_interrupted()
     status = main()
-    if status == INTERRUPTED:  # libraries would say at their end what they miss
+    if status == INTERRUPTED:  # libraries would print errors about missing output at exit
         leave(status)
     return status
 
@@ -191,7 +191,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
     except (KeyboardInterrupt, Cancelled, typer.Abort):
         status = INTERRUPTED
-    except BrokenPipeError:  # the reader of our output has closed it, which is no error
+    except BrokenPipeError:  # the reader of the output has closed it: not an error
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except Exception as error:

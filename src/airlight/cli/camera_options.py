@@ -37,9 +37,9 @@ Samples = Annotated[
 
 #: Left and top edge, width and height of a part of a picture; None for the whole. [pixel]
 Window = tuple[int, int, int, int] | None
-#: Projection whose field of view is a length, and whose camera is far away.
+#: Projection whose field of view is a length, with a distant camera.
 _ORTHOGRAPHIC = "orthographic"
-#: Default azimuth of the camera: across the sunlight, which shows the atmosphere best. [deg]
+#: Default azimuth of the camera: at right angles to the sun, where the atmosphere shows best. [deg]
 _ACROSS = -75.0
 
 

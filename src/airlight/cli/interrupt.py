@@ -17,7 +17,7 @@ from typing import Final
 from airlight.child_processes import end_all
 from airlight.cli.console import note
 
-#: Time that a command has to end by itself. [s]
+#: Time after which an interrupted command is ended. [s]
 PATIENCE: Final = 0.4
 #: Exit status of an interrupted process, 128 + SIGINT.
 INTERRUPTED: Final = 130
@@ -84,7 +84,7 @@ def _unraisable(what: sys.UnraisableHookArgs) -> None:
 
 
 def _interrupted(*_: object) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second one would interrupt the tidying
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second signal would interrupt the clean-up
     received.append(INTERRUPTED)
     raise KeyboardInterrupt
 

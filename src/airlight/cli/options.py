@@ -17,7 +17,7 @@ Overwrite = Annotated[
     bool,
     typer.Option(
         "--overwrite",
-        help="Also replace files that airlight has not written, or that have changed since.",
+        help="Also replace files that airlight did not write or that were modified.",
     ),
 ]
 
@@ -29,7 +29,7 @@ def output_option(metavar: str, words: str) -> Any:
 
 #: Wavelengths of the three-wavelength mode. [nm]
 RGB = (680.0, 550.0, 440.0)
-#: A whole number below this is a number of wavelengths; from here on it is a wavelength. [nm]
+#: Whole numbers below this are numbers of wavelengths; others are wavelengths. [nm]
 SMALLEST_WAVELENGTH = 100
 
 

@@ -159,7 +159,7 @@ def radiance(
 ) -> None:
     """Compute spectral radiance along a line of sight, in W m⁻² sr⁻¹ nm⁻¹.
 
-    The observer may be on the ground, in the air or outside it.
+    The observer may be on the ground, within the atmosphere or outside.
     """
     settings = solve.settings()
     if observers.from_file:

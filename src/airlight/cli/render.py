@@ -109,7 +109,7 @@ def render(
     display.check(suffix, picture.show is not None)
     picture.check_polarised(suffix, camera.polariser, solve.no_polarisation)
     options.projection(camera.projection)
-    # A lens spreads light into a window from outside, and the meter reads the whole picture.
+    # The lens spreads light into a window from outside, and metering uses the whole picture.
     whole = suffix == ".png" and picture.show is None
     whole = whole and (display.glare > 0.0 or display.ev == "auto")
     if is_scene_file(planet.planet):

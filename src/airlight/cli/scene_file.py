@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 #: Options of a camera that are keys of a scene. [deg]
 _ANGLES = ("roll", "polariser")
-#: Keys of a camera that say where it looks.
+#: Keys of a camera that determine its direction of view.
 _LOOKS = ("look_at", "look_zenith", "look_bearing", "direction")
 
 

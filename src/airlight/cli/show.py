@@ -102,7 +102,7 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
         table.add_row("description", planet.description)
     table.add_row("ground radius", f"{planet.bottom_radius / 1e3:.8g} km")
     height = (planet.top_radius - planet.bottom_radius) / 1e3
-    table.add_row("top of the air", f"{planet.top_radius / 1e3:.8g} km ({height:.6g} km up)")
+    table.add_row("top of the atmosphere", f"{planet.top_radius / 1e3:.8g} km ({height:.6g} km up)")
     low, high = planet.wavelength_limits
     table.add_row("wavelength range", f"{low:.5g} to {high:.5g} nm")
     for line in omitted_absorption_bands(

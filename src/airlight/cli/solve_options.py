@@ -16,7 +16,7 @@ from airlight.errors import ParameterError
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
 
-#: Words about ``--wavelengths`` with which every command begins.
+#: Introduction of the help of ``--wavelengths``, common to all commands.
 _WAVELENGTHS: Final = (
     "Wavelengths: rgb (680, 550, 440 nm), a number over the visible, a list or a range in nm."
 )

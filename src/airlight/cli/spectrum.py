@@ -36,7 +36,7 @@ EPILOG = examples(
 
 #: Suffixes of figures.
 _FIGURES: Final = (".png", ".svg", ".pdf")
-#: Wavelengths by default, those at which the planet is known. [nm]
+#: Default wavelengths: those at which the planet has data. [nm]
 _FIRST, _LAST, _STEP = 360, 830, 10
 #: Rows of a table that are printed.
 _ROWS: Final = 24

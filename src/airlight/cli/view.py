@@ -26,7 +26,7 @@ EPILOG = examples(
     "airlight view earth --altitude 400km --size 1920x1080 --screenshot window.png",
 )
 
-#: Sides of a window. [logical pixel]
+#: Allowed widths and heights of a window. [logical pixel]
 _SMALLEST, _LARGEST = 320, 8192
 
 

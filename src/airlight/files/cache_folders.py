@@ -16,7 +16,7 @@ from typing import IO, Final
 
 from airlight.errors import warn
 
-#: Cache folders of which it was said that something in them is not used.
+#: Cache folders about which a warning has been issued.
 _said: Final[set[Path]] = set()
 
 
@@ -62,7 +62,7 @@ def trusted_folder(cache: Path, *names: str) -> Path | None:
     for name in ("", *names):
         folder = folder / name
         with contextlib.suppress(OSError):
-            # a link is a name, which whoever owns it can turn to another folder
+            # a link can be redirected to another folder by its owner
             if _distrusted(folder, folder.lstat()) or _distrusted(folder, folder.stat()):
                 return None
     return folder
@@ -73,7 +73,7 @@ def open_trusted(file: Path) -> IO[bytes]:
     stream = file.open("rb")
     if _distrusted(file, os.fstat(stream.fileno())):
         stream.close()
-        raise PermissionError(f"{file} may be of others")
+        raise PermissionError(f"{file} may belong to others")
     return stream
 
 
@@ -87,7 +87,7 @@ def _distrusted(path: Path, found: os.stat_result) -> bool:
     """Whether others could have written to a file or folder; warns if so."""
     if os.name != "posix":
         return False
-    if found.st_uid not in (0, os.geteuid()):  # root may do all anyway
+    if found.st_uid not in (0, os.geteuid()):  # root has all permissions anyway
         reason = "belongs to another user"
     elif found.st_mode & (stat.S_IWGRP | stat.S_IWOTH) and not stat.S_ISLNK(found.st_mode):
         reason = "can be written by others"
@@ -97,7 +97,7 @@ def _distrusted(path: Path, found: os.stat_result) -> bool:
     if cache not in _said:
         _said.add(cache)
         warn(
-            f"{path} {reason}, and is not used: nothing there is read or kept, code is compiled in "
-            "memory; remove it, or name a folder of your own by AIRLIGHT_CACHE"
+            f"{path} {reason}, and is not used: nothing is cached, and code is compiled in "
+            "memory; remove it, or set AIRLIGHT_CACHE to a folder of your own"
         )
     return True

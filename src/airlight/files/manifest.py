@@ -25,10 +25,10 @@ MANIFEST: Final = "manifest.json"
 SEAL: Final = "manifest_sha256"
 #: Longest name of a file that a manifest may list. [character]
 _LONGEST: Final = 255
-#: Names of files that are named in one message.
+#: Largest number of files named in one message.
 _NAMED: Final = 3
 _LINK: Final = "is a link, which is neither followed nor replaced"
-#: What to do about files that are not airlight's.
+#: Advice for files that airlight did not write.
 _ADVICE: Final = "name another output, or allow overwriting"
 
 
@@ -155,7 +155,7 @@ def own_files(manifest: Path, form: str, *, overwrite: bool = False) -> tuple[st
     if not is_sealed(content):
         if overwrite:
             return ()
-        raise _not_ours(folder, [manifest.name], "not as airlight wrote it")
+        raise _not_ours(folder, [manifest.name], "modified since airlight wrote it")
     return tuple(name for name in there if name not in changed)
 
 

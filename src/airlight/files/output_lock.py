@@ -20,7 +20,7 @@ if sys.platform == "win32":
 else:
     import fcntl
 
-#: Errors of a lock that another process holds; others are of a file system without locks.
+#: Errors of a lock held by another process; other errors come from a file system without locks.
 _HELD: Final = (errno.EAGAIN, errno.EACCES, errno.EWOULDBLOCK)
 #: Time between two attempts. [s]
 _PAUSE: Final = 0.02
@@ -80,7 +80,7 @@ def _locked(output: Path, lock: Path) -> int | None:
         if _held(handle) or not os.path.samestat(os.fstat(handle), lock.stat()):
             os.close(handle)
             return None
-    except FileNotFoundError:  # removed by the one who had it, after it was opened here
+    except FileNotFoundError:  # removed by its owner after it was opened here
         os.close(handle)
         return None
     return handle

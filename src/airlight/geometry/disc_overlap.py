@@ -29,7 +29,7 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Largest number of occluders.
 MOST_OCCLUDERS: Final = 16
-#: Points of a panel between two kinks of the free arc.
+#: Quadrature points of a panel between two kinks of the free arc.
 _POINTS: Final = 24
 #: Ends of panels: of the disc, and two for each occluder.
 _ENDS: Final = 2 + 2 * MOST_OCCLUDERS

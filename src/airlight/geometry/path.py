@@ -25,7 +25,7 @@ from airlight.kernel import compiled_loop, kernel
 #: Largest number of panel edges on a ray (two legs, their halves, two ends of the shadow).
 MAX_EDGES = 64
 #: A leg counts as close to its tangent point if that is lower by less than this fraction of the
-#: leg's height. A smaller value is less smooth, a larger one has few points in a low haze.
+#: leg's height. A smaller value is less smooth, a larger one has few points in a low haze layer.
 _NEAR_TANGENT = 0.02
 
 

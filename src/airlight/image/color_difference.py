@@ -13,9 +13,9 @@ from airlight.image.xyz import luminance, rgb_to_xyz
 #: Tristimulus values of white, D65, 2° observer.
 WHITE: Final[NDArray[np.float64]] = np.array([0.95047, 1.0, 1.08883])
 WHITE.flags.writeable = False
-#: Luminance that a reference colour is given before it is compared; white has 1.
+#: Luminance to which a reference colour is scaled before the comparison; white has 1.
 MIDDLE: Final = 0.5
-#: Where the cube root of CIE Lab gives way to a straight line: (6/29)³.
+#: Transition from the cube root of CIE Lab to a straight line: (6/29)³.
 _LINEAR: Final = (6.0 / 29.0) ** 3
 _SEVENTH: Final = 25.0**7
 
@@ -85,7 +85,7 @@ def delta_e_2000(lab: ArrayLike, reference: ArrayLike) -> NDArray[np.float64]:
     dl, dc = l2 - l1, c2 - c1
     dh = 2.0 * np.sqrt(c1 * c2) * np.sin(np.radians(0.5 * turn))  # eq. 11
     lightness, chroma = 0.5 * (l1 + l2), 0.5 * (c1 + c2)
-    hue = np.where(grey, h1 + h2, h1 + 0.5 * turn)  # eq. 14; only its cosines matter
+    hue = np.where(grey, h1 + h2, h1 + 0.5 * turn)  # eq. 14; only the cosines of the hue are used
 
     def cosine(times: float, shift: float) -> NDArray[np.float64]:
         return np.asarray(np.cos(np.radians(times * hue + shift)))

@@ -13,11 +13,11 @@ from airlight.errors import ParameterError
 from airlight.physics.spectra.blackbody import planck_radiance
 from airlight.physics.spectra.color_matching import cie_1931
 
-#: Reciprocal temperatures between which the nearest black body is looked for: 1000 K to one so hot
+#: Range of reciprocal temperatures in the search for the nearest black body: 1000 K to one so hot
 #: that its colour is the limit. [MK⁻¹]
 _HOTTEST: Final = 1e-3
 _COLDEST: Final = 1000.0
-#: Largest distance of a light's u, v from the black bodies' at which the term has a meaning.
+#: Largest distance in u, v from the black-body locus for which a colour temperature is defined.
 FARTHEST: Final = 0.05
 
 

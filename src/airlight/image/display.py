@@ -19,11 +19,11 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.threads import run_blocks
 
-#: Tone map of pictures, unless another is named.
+#: Default tone map of pictures.
 DEFAULT_TONE_MAP: Final = "natural"
 #: Pixels per block of rows.
 _BLOCK: Final = 16_384
-#: Types of pictures by their bits per channel.
+#: Array types of pictures by bits per channel.
 _TYPES: Final[dict[int, Any]] = {8: np.uint8, 16: np.uint16}
 
 

@@ -12,7 +12,7 @@ from typing import Final
 
 from airlight.kernel import kernel
 
-#: Numbers of the lattice.
+#: Period of the lattice.
 _COUNT: Final = 4096
 #: Ratios of column and row: 1/ρ and 1/ρ² of the plastic number ρ = 1.3247, and a third of the
 #: count between channels, whose noises so partly cancel in luminance.

@@ -16,41 +16,41 @@ from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.large_arrays import release
 from airlight.physics.constants import LUMINOUS_EFFICACY
 
-#: Exposure suited to the sunlit Earth, where it is not measured. [EV]
+#: Default exposure for the sunlit Earth, if none is measured. [EV]
 DEFAULT_EXPOSURE: Final = -4.0
-#: Exposures are allowed up to this, either way. [EV]
+#: Largest magnitude of an exposure. [EV]
 MOST_EXPOSURE: Final = 100.0
 
-#: Light as which the key of a sunlit picture is shown, and at most its bright quarter, from where
-#: that begins, and its highlights. [1]
+#: Displayed level of the key of a sunlit picture, largest level of its bright quarter at the
+#: quarter's lower end, and of its highlights. [1]
 _KEY: Final = 0.35
 _BRIGHT: Final = 0.55
 _HIGHLIGHT: Final = 1.5
-#: Shares of the picture below the bright quarter and the highlights, and its darkest part, which
-#: the key leaves out.
+#: Fractions of the picture below the bright quarter and below the highlights, and fraction of its
+#: darkest part, which the key ignores.
 _QUARTER: Final = 0.75
 _BRIGHT_SHARE: Final = 0.98
 _SHADE: Final = 0.25
-#: Pixels darker than this fraction of the bright end do not count: the black of space.
+#: Pixels darker than this fraction of the bright end are ignored, such as black space.
 _DARK: Final = 1e-4
-#: Luminance below which the picture follows the eye's adaptation into the dark: that of a sky half
-#: an hour after sunset, which is to look like dusk. [cd m⁻²]
+#: Luminance below which the exposure follows the eye's dark adaptation: that of a sky half an hour
+#: after sunset, which should look like dusk. [cd m⁻²]
 _PHOTOPIC: Final = 30.0
-#: Factor of the key where little of the picture is not black space, and exponent of the share that
-#: is not: as photographers expose a planet, a dark picture of which some is bright. [1]
+#: Factor of the key where most of the picture is black space, and exponent of the fraction that is
+#: not: as photographers expose a planet, a mostly dark picture with bright parts. [1]
 _LOW_KEY: Final = 0.6
 _LIT: Final = 1.0 / 3.0
 #: Exponent of brightness as a function of luminance. [Stevens & Stevens 1963]
 _BRIGHTNESS: Final = 1.0 / 3.0
-#: Share of the picture that the glare of a star may fill with light of ``_HIGHLIGHT``. [1]
+#: Fraction of the picture that the glare of a star may fill with the level ``_HIGHLIGHT``. [1]
 _GLOW: Final = 0.04
-#: Stops that are taken away once more, at most, where that makes the surroundings darker. [EV]
+#: Largest further reduction of the exposure if this makes the surroundings darker. [EV]
 _SUBJECT: Final = 8.0
-#: Light as which the brightest of a disc is shown that is the subject. [1]
+#: Displayed level of the brightest part of a disc that is the subject. [1]
 _DISC: Final = 0.8
 #: Radiance that glare spreads at an angle, times its square, per irradiance, see ``glare``. [1]
 _SPREAD: Final = TOTAL / (2.0 * math.pi * math.log(COARSEST / FINEST))
-#: Luminance of a night without moon or stars; nothing makes a picture of less brighter. [cd m⁻²]
+#: Luminance of a moonless, starless night; darker pictures are not brightened further. [cd m⁻²]
 _NIGHT: Final = 1e-4
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768

@@ -22,11 +22,11 @@ from airlight.physics.constants import LUMINOUS_EFFICACY
 REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
 #: Types of the channels by name.
 PRECISIONS: Final[dict[str, type[np.floating[Any]]]] = {"float": np.float32, "half": np.float16}
-#: Compressions by name, with their name in OpenEXR; ``dwa`` loses what the eye does not see.
+#: Compressions by name, with their name in OpenEXR; ``dwa`` is lossy at an invisible level.
 _NAMES: Final = {"zip": "ZIP", "dwa": "DWAA", "none": "NO"}
 COMPRESSIONS: Final = {name: f"{own}_COMPRESSION" for name, own in _NAMES.items()}
 
-#: Precision that a compression keeps, whatever the channels' is.
+#: Precision after compression, independent of that of the channels.
 _FORCED_PRECISION: Final = {"dwa": "half"}
 #: Largest half float. [IEEE 754-2019, binary16]
 LARGEST_HALF: Final = 65504.0

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from airlight.files.partial_outputs import partial_output
 from airlight.kernel.large_arrays import release
 
-#: Lines of a band: a multiple of the lines of a block, of which no compression has more.
+#: Lines of a band: a multiple of the number of lines per block of every compression.
 _LINES: Final = 256
 #: Attributes with the last line of the picture, boxes of two points of two int32.
 _BOXES: Final = (b"dataWindow", b"displayWindow")

@@ -24,7 +24,8 @@ _NIGHT_RED, _NIGHT_GREEN, _NIGHT_BLUE = (float(one) for one in XYZ_TO_RGB @ (1.0
 _RODS: Final = 1.33
 _LESS: Final = 1.68
 _OF_D65: Final = 1.33 * (1.0 + (1.0 + 1.08883) / 0.95047) - 1.68
-#: Range of that ratio for lights that exist: rods see no deep red, and violet three times.
+#: Range of this ratio for real lights: rods are insensitive to deep red, and three times as
+#: sensitive to violet.
 _LEAST: Final = 0.0
 _MOST: Final = 3.0
 

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.errors import ParameterError
 from airlight.kernel import kernel, vectorized
 
-#: Brighter light counts as this bright: its square still fits single precision, so that no curve
-#: divides infinity by infinity.
+#: Upper limit of light: its square still fits single precision, so that no curve divides infinity
+#: by infinity.
 BRIGHTEST: Final = 1e18
 
 

@@ -156,7 +156,7 @@ def few_wavelengths(count: int = 4, low: float = 280.0, high: float = 1000.0) ->
     chosen = np.array(CHOSEN[count])
     first, last = max(low, chosen[0]), min(high, chosen[-1])
     if not first < last:
-        raise ParameterError("low, high", (low, high), "limits with visible wavelengths between")
+        raise ParameterError("low, high", (low, high), "limits that include visible wavelengths")
     if first == chosen[0] and last == chosen[-1]:
         return chosen
     return np.linspace(first, last, count)

@@ -26,19 +26,20 @@ PRIMARIES: Final[dict[str, tuple[tuple[float, float], ...]]] = {
 }
 #: Chromaticity of D65, their white. [IEC 61966-2-1:1999]
 WHITE: Final = (0.3127, 0.3290)
-#: Share of the way from grey to the edge of the gamut up to which chroma is kept. [1]
+#: Fraction of the distance from grey to the gamut boundary up to which chroma is unchanged. [1]
 KNEE: Final = 0.8
-#: Share that lies at infinity: what is far beyond the gamut stays a step off its edge, so that no
-#: channel is 0 or 255 over a whole sunset. [1]
+#: Fraction to which infinite chroma is mapped: colours far beyond the gamut stay off its boundary,
+#: so that no channel is 0 or 255 over a whole sunset. [1]
 EDGE: Final = 0.96
-#: Most Newton steps to the chroma of a given share; three or four are usual, ten happen.
+#: Largest number of Newton steps to the chroma of a given fraction; usually three or four, at most
+#: ten.
 _STEPS: Final = 14
 #: Relative change at which they end; the error left is of the order of its square.
 _CLOSE: Final = 1e-6
-#: Least distance of the grey from white and from black, by which shares are divided: a hundred
-#: times the rounding of single precision. [1]
+#: Smallest distance of the grey from white and from black as a divisor: a hundred times the
+#: rounding of single precision. [1]
 _LEAST: Final = 1e-5
-#: Least slope of the share that Newton's method divides by. [1]
+#: Smallest slope as a divisor in Newton's method. [1]
 _FLAT: Final = 1e-6
 
 

@@ -33,14 +33,15 @@ from airlight.kernel.threads import run_blocks
 
 Float32Array = NDArray[np.float32]
 
-#: Share of the light that is spread between the two angles: a third of the eye's. [1]
+#: Fraction of the light that is spread between the two angles: a third of the eye's. [1]
 TOTAL: Final = 0.03
-#: Angles between which light is spread; it falls by half there, and faster beyond. [rad]
+#: Angles between which light is spread; the spread light is halved there and falls faster beyond.
+#: [rad]
 FINEST: Final = 0.1 * np.pi / 180.0
 COARSEST: Final = 12.0 * np.pi / 180.0
-#: Mean angle, in the logarithm, to which a level spreads light, in its texels. [1]
+#: Geometric mean of the angle to which a level spreads light, in its texels. [1]
 _SPREAD: Final = 1.06
-#: Largest of these angles, of the picture's shorter side. [1]
+#: Largest of these angles, relative to the shorter side of the picture. [1]
 _LARGEST: Final = 0.25
 #: Largest amount of glare.
 MOST: Final = 10.0
@@ -48,7 +49,7 @@ MOST: Final = 10.0
 _HALF = np.float32(0.5)
 _EIGHTH, _THREE_EIGHTHS = np.float32(0.125), np.float32(0.375)
 _QUARTER, _THREE_QUARTERS = np.float32(0.25), np.float32(0.75)
-#: Texels of a block of rows.
+#: Texels in one block of rows.
 _BLOCK: Final = 1 << 16
 
 

@@ -22,7 +22,7 @@ from airlight.files.atomic_file import atomic_file
 from airlight.files.input_files import LARGEST_PICTURE, check_input
 from airlight.image.header import PREFIX, header
 
-#: Of sRGB, in the order of the format: red, green, blue and white. [IEC 61966-2-1]
+#: Chromaticities of sRGB in the order of the format: red, green, blue and white. [IEC 61966-2-1]
 _PRIMARIES: Final = "0.64 0.33 0.30 0.60 0.15 0.06 0.3127 0.3290"
 _MAGIC: Final = b"#?RADIANCE\n"
 #: Bias of the exponent, and bits of a mantissa.

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from airlight.files.provenance import version
 from airlight.plain_text import plain
 
-#: Prefix of our names, because formats have an ``altitude`` of their own.
+#: Prefix of airlight's names, because formats define an ``altitude`` themselves.
 PREFIX = "airlight."
 
 

@@ -27,13 +27,14 @@ from airlight.image.oklab import cone_roots, cone_roots_of, lab_of, lightness_of
 from airlight.kernel import compiled_loop, kernel
 from airlight.kernel.cube_root import cube_root
 
-#: Light up to which the curve is the identity; beyond, an exponential shoulder approaches 1. [1]
+#: Linear value up to which the curve is the identity; beyond, an exponential shoulder approaches 1.
+#: [1]
 SHOULDER: Final = 0.25
-#: Least part of the gamut's soft edge that is inverted. [1]
+#: Smallest fraction left to the end of the gamut's soft boundary in the inverse. [1]
 _LEAST_KEPT: Final = 1e-6
 #: Largest factor of the chroma in the inverse. [1]
 _MOST_CHROMA: Final = 64.0
-#: Displayed light that counts as white. [1]
+#: Displayed linear value that counts as white. [1]
 _WHITEST: Final = 1.0 - 1e-9
 
 

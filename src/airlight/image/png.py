@@ -60,7 +60,7 @@ def colour_chunks(encoding: str, primaries: str = "srgb") -> Chunks:
         raise ParameterError("primaries", primaries, ", ".join(PRIMARIES))
     if (encoding, primaries) == ("srgb", "srgb"):
         return [(b"sRGB", b"\x00")]
-    # Curves other than a power are not in gAMA: sRGB's is nearest to 1/2.2.
+    # gAMA only holds powers: sRGB's curve is nearest to 1/2.2.
     chunks: Chunks = [(b"gAMA", _numbers(1.0 / 2.2))]
     if primaries != "srgb":
         places = (WHITE, *PRIMARIES[primaries])

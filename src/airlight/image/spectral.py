@@ -18,13 +18,13 @@ from airlight.physics.units import values_in
 
 Irradiance = Callable[[NDArray[np.float64]], ArrayLike] | ArrayLike
 
-#: Sun's colour as printed in the first Atmosphere Plus notes: each channel a sun at one wavelength
-#: times a constant "after normalization and scaling". A legacy value, not used.
+#: Colour of the sun as printed in the first Atmosphere Plus notes: per channel, the sun at one
+#: wavelength times a constant "after normalization and scaling". Legacy value, not used.
 LEGACY_SUN_COLOR: Final = (20.344770, 16.907042, 23.453083)
 
 #: Wavelength grid of the matching functions, 360 to 830 in steps of 1. [nm]
 EYE: Final[NDArray[np.float64]] = np.arange(360.0, 831.0)
-#: Assumed power law of the sky's radiance over the sun's irradiance, at three wavelengths.
+#: Assumed power law of the sky's radiance relative to the sun's irradiance, at three wavelengths.
 _SKY_POWER: Final = -3.0
 
 
@@ -243,7 +243,7 @@ def default_wavelengths(
     first, last = (410.0, 695.0) if count < 20 else (390.0, 710.0)
     first, last = max(low, first), min(high, last)
     if not first < last:
-        raise ParameterError("low, high", (low, high), "limits with visible wavelengths between")
+        raise ParameterError("low, high", (low, high), "limits that include visible wavelengths")
     if count == 3 and low <= 440.0 and high >= 680.0:
         return np.array([680.0, 550.0, 440.0])
     return np.linspace(first, last, int(count)) if count > 1 else np.array([0.5 * (first + last)])

@@ -18,8 +18,8 @@ CHANNELS: Final = 4
 _COLOR = [srgb_curve_inverse.py_func(value / 255.0) for value in range(256)]
 #: Linear value of each of the 256 values of a channel, shape (4, 256). [1]
 DECODED: Final = np.array([_COLOR, _COLOR, _COLOR, [v / 255.0 for v in range(256)]], np.float32)
-#: Number of steps by which linear values are looked up for encoding: less than a sixth of the
-#: finest difference between two values of sRGB, which is 1/3295.
+#: Number of entries of the table for encoding linear values: a step is less than a sixth of the
+#: smallest difference between two values of sRGB, 1/3295.
 _STEPS: Final = 20_000
 _CODES: Final = np.array(
     [round(255.0 * srgb_curve.py_func(i / _STEPS)) for i in range(_STEPS + 1)], np.uint8

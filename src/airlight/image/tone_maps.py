@@ -55,7 +55,7 @@ def exponential_curve_inverse(y):
 
 @kernel
 def hable_curve(light):
-    """Hable's filmic curve of twice the light, over its value at white, at most 1. [1]"""
+    """Hable's filmic curve of twice the linear value, over its value at white, at most 1. [1]"""
     x = _BIAS * light
     x = x if x < _WHITE else _WHITE
     curve = (x * (_A * x + _C * _B) + _D * _E) / (x * (_A * x + _B) + _D * _F) - _E / _F
@@ -298,7 +298,7 @@ class ToneMap(NamedTuple):
     color: Callable[[float, float, float], tuple[float, float, float]]
 
 
-#: Tone maps by name; a new one is a file beside this one and a line here.
+#: Tone maps by name. A new one needs a module in this package and a line here.
 TONE_MAPS: Final[dict[str, ToneMap]] = {
     "natural": ToneMap(natural, natural_inverse, natural_color),
     "exponential": ToneMap(exponential, exponential_inverse, exponential_color),
@@ -311,8 +311,8 @@ TONE_MAPS: Final[dict[str, ToneMap]] = {
     "agx": ToneMap(agx, agx_inverse, agx_color),
 }
 
-#: ``_curved(which, red, green, blue)``: one colour by a tone map but ``natural``, the first, which
-#: has the gamut inside; counted from 0.
+#: ``_curved(which, red, green, blue)``: one colour by a tone map, indexed from 0, other than
+#: ``natural``, the first, which includes the gamut mapping.
 _curved = chosen_kernel("curved", [one.color for one in TONE_MAPS.values()][1:], __name__)
 
 

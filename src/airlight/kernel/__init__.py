@@ -29,10 +29,10 @@ _OPTIONS: Final[dict[str, Any]] = {
     "fastmath": set(FAST),
     "error_model": "numpy",
     "nogil": True,
-    "no_cfunc_wrapper": True,  # for calls from C, which nobody makes
+    "no_cfunc_wrapper": True,  # for calls from C, which are not used
 }
 
-#: Number of fingerprints per source file whose compiled code stays on disk.
+#: Number of fingerprints per source file whose compiled code is kept on disk.
 _KEPT_FINGERPRINTS: Final = 8
 
 
@@ -47,14 +47,14 @@ def _compiled_folder(source: str, kind: str) -> tuple[Path, bool] | None:
     folder = cache_folder().joinpath(*names)
     if trusted_folder(cache_folder(), *names) is None:
         return folder, False
-    with contextlib.suppress(OSError):  # what cannot be written may be there to read
+    with contextlib.suppress(OSError):  # an unwritable folder may be readable
         make_folder(folder)
         folder.parent.touch()
         kernels = folder.parents[1]
         others = sorted(kernels.iterdir(), key=lambda path: path.stat().st_mtime, reverse=True)
         for stale in others[_KEPT_FINGERPRINTS:]:
             shutil.rmtree(stale, ignore_errors=True)
-    return folder, trusted_folder(cache_folder(), *names) is not None  # as the disk made it
+    return folder, trusted_folder(cache_folder(), *names) is not None  # as stored on disk
 
 
 def _declare(function: Callable[..., Any], kind: str, **options: Any) -> Any:

@@ -14,7 +14,7 @@ from typing import Any, Final
 from airlight.child_processes import start_python
 from airlight.kernel.compiling import CompileListener, Compiling, is_kept, on_disk
 
-#: Interval of looking whether a function is compiled. [s]
+#: Polling interval for compiled functions. [s]
 _POLL: Final = 0.05
 
 

@@ -29,8 +29,8 @@ try:
 except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
-#: Longest time to wait for another process that compiles the same function, and interval of looking
-#: whether it has. [s]
+#: Longest time to wait for another process that compiles the same function, and polling interval.
+#: [s]
 _LONGEST_WAIT: Final = 120.0
 _POLL: Final = 0.02
 #: Files that this process has locked: a second lock would wait for the first.
@@ -96,7 +96,7 @@ def check_files(files: Any, read: Callable[[Path], bytes]) -> None:
     def save_data(name: str, data: Any) -> None:
         content: bytes = files._dump(data)
         with files._open_for_write(files._data_path(name)) as stream:
-            if hasattr(os, "fchmod"):  # whatever is usual here: what others can write is not read
+            if hasattr(os, "fchmod"):  # files that others can write are not read
                 os.fchmod(stream.fileno(), stat.S_IRUSR | stat.S_IWUSR)
             stream.write(content + _checksum(name, content))
 
@@ -115,8 +115,8 @@ def check_files(files: Any, read: Callable[[Path], bytes]) -> None:
         others = {name for one, name in entries.items() if one != key}
         names = (files._data_name(k) for k in range(1, len(others) + 2))
         name = entries.get(key) or next(one for one in names if one not in others)
-        with contextlib.suppress(OSError):  # a full or closed disk: the code is in memory
-            save_data(name, data)  # before its entry, by which other processes see it
+        with contextlib.suppress(OSError):  # a full or closed disk: the code remains in memory
+            save_data(name, data)  # before its index entry, from which other processes find it
             save_index({**entries, key: name})
 
     files._load_data, files._save_data = load_data, save_data

@@ -17,9 +17,9 @@ from numba.core.dispatcher import Dispatcher
 
 #: Number of compiled functions from which the time left is estimated. [1]
 _FEWEST: Final = 5
-#: Shortest time between two looks at what other processes have compiled. [s]
+#: Shortest interval between checks of what other processes have compiled. [s]
 _EVERY: Final = 0.3
-#: Amount of work of any function, in bytes of code of the interpreter.
+#: Amount of work of any function, in bytes of bytecode.
 _OVERHEAD: Final = 400
 
 

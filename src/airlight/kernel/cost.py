@@ -21,19 +21,20 @@ from typing import Final
 from airlight.files.cache_folders import cache_folder, make_folder
 from airlight.kernel.threads import thread_count
 
-#: Kind of work of a GPU, in time of the clock.
+#: Kind of work of a GPU, in wall-clock time.
 DEVICE: Final = "picture on a device"
 #: Kind of work of pixels, or lines of sight, that are marched one by one.
 LINES: Final = "exact picture"
-#: Expected time from which work is announced. [s]
+#: Expected time from which work is reported. [s]
 LONG: Final = 10.0
-#: Shortest time by which a rate is measured: below it loading and compiling count too much. [s]
+#: Shortest time from which a rate is measured: below, loading and compiling dominate. [s]
 MEASURABLE: Final = 1.0
-#: Least amount by which a rate is measured, in time at the rates below: a small picture costs what
-#: any does, and a hundred of them made a large one look as slow, 60 times as it was. [s]
+#: Smallest amount of work from which a rate is measured, in time at the default rates: small
+#: pictures have a constant overhead, and a hundred of them made a large one appear 60 times as
+#: slow. [s]
 SUBSTANTIAL: Final = 0.5
-#: Counts a second of one core, where nothing has been measured yet: points of rays times moments,
-#: terms of Mie's series times angles, wavelengths of pixels; and pixels a second of a device.
+#: Default rates of one core per second: points of rays times moments, terms of Mie's series times
+#: angles, wavelengths of pixels; and pixels per second of a device.
 RATES: Final = {
     "solve": 1.5e9,
     "particles": 2.0e9,
@@ -41,12 +42,12 @@ RATES: Final = {
     LINES: 5.0e5,
     DEVICE: 2.0e7,
 }
-#: Rates beyond this factor of those above are of a damaged file.
+#: Rates beyond this factor of the default rates come from a damaged file.
 _BELIEVED: Final = 1e3
-#: Part that is left of a rate where slower work follows.
+#: Largest decrease of a rate by one slower measurement, as a factor.
 _RATE_DECAY: Final = 0.8
 
-#: Listener of announcements, one line each; None without a listener.
+#: Listener of reports of one line each, or None.
 announce: ContextVar[Callable[[str], None] | None] = ContextVar("announce", default=None)
 _inside: ContextVar[bool] = ContextVar("inside", default=False)
 _lock = threading.Lock()

@@ -20,7 +20,7 @@ from numba.core import event
 from airlight.kernel.compiling import is_kept, name_of, on_disk, work_left
 from airlight.kernel.cost import announce, duration
 
-#: Time of compiling after which the line is said. [s]
+#: Time of compilation after which a line is reported. [s]
 PATIENCE: Final = 2.0
 #: CPU time of an amount of work as ``work_left`` counts it, on a core of 2.1 GHz. [s]
 _SECONDS: Final = 8e-5
@@ -37,7 +37,7 @@ class FirstCompilation(event.Listener):
         self._finished: set[str] = set()
         self._spent = self._cpu = 0.0
         self._began = (0.0, 0.0)
-        self._silent = multiprocessing.parent_process() is not None  # whose parent says it
+        self._silent = multiprocessing.parent_process() is not None  # whose parent reports it
         self._said = self._silent
         self._timer: threading.Timer | None = None
 

@@ -21,9 +21,9 @@ from numpy.typing import DTypeLike, NDArray
 
 from airlight.files.cache_folders import cache_folder, make_folder
 
-#: Size from which an array is kept in a file. [byte]
+#: Size from which an array is stored in a file. [byte]
 LARGE: Final = 1 << 27
-#: Amount of an array that is used before the system may take it back. [byte]
+#: Amount of an array that is used before the system may release it. [byte]
 _RESIDENT: Final = 1 << 25
 #: Size of a band of rows. [byte]
 _BAND: Final = 1 << 22
@@ -121,7 +121,7 @@ def _file(size: int) -> FileMemory | None:
         folder: Path = cache_folder()
         make_folder(folder)
         with tempfile.TemporaryFile(dir=folder) as file:
-            # A page that finds no room later would end the process.
+            # A later page fault without free space would end the process.
             os.posix_fallocate(file.fileno(), 0, size)
             return FileMemory(file.fileno(), size)
     except OSError:

@@ -13,18 +13,18 @@ from airlight.kernel.large_arrays import LARGE, free_disk
 
 #: Largest picture that is decoded. [pixel]
 MOST_PIXELS: Final = 200_000_000
-#: Memory of a drawn pixel from its light to its file, measured at 2560 x 1440. [byte]
+#: Memory of a pixel from radiance to file, measured at 2560 x 1440. [byte]
 _DRAWN: Final = 32
-#: The same where its light, glare and colours are kept in files: 3.3 measured at 8192 x 8192, and
-#: as much again; and size of these files: 12 of light, 12 of a second one, 6 of glare, up to 6 of
-#: colours. [byte]
+#: The same if radiance, glare and colours are stored in files: 3.3 measured at 8192 x 8192, with a
+#: safety factor of 2; and size of these files: 12 of radiance, 12 of a second one, 6 of glare, up
+#: to 6 of colours. [byte]
 _FILED_DRAWN: Final = 7
 _ON_DISK: Final = 36
-#: Light of a pixel. [byte]
+#: Memory of a pixel's radiance. [byte]
 _LIGHT: Final = 12
-#: Memory of a decoded pixel: of Pillow's own and of the array, in eight bits a channel. [byte]
+#: Memory of a decoded pixel: Pillow's own and the array's, with eight bits per channel. [byte]
 DECODED: Final = 8
-#: Files of the kernel that say what is free, and what a container may take.
+#: Files of the Linux kernel with the free memory and the limits of a container.
 _MEMINFO: Final = Path("/proc/meminfo")
 _GROUP: Final = Path("/sys/fs/cgroup")
 
@@ -68,7 +68,7 @@ def check_memory(needed: float, work: str) -> None:
     free = free_memory()
     if needed > free:
         raise CostError(
-            f"{work} needs about {needed / 1e9:.2g} GB of memory; {free / 1e9:.2g} GB are free here"
+            f"{work} needs about {needed / 1e9:.2g} GB of memory; {free / 1e9:.2g} GB are free"
         )
 
 
@@ -85,7 +85,7 @@ def check_drawn(width: int, height: int, layers: int = 1) -> None:
     pixels = float(width) * height * layers
     needed = _DRAWN * pixels
     filed = _LIGHT * pixels >= LARGE and free_disk() >= _ON_DISK * pixels
-    # A limit of the process counts what is in files, too.
+    # The process limit includes mapped files.
     if filed and _of_process() >= _ON_DISK * pixels:
         needed = _FILED_DRAWN * pixels
     check_memory(needed, f"a picture of {width}x{height} pixels")

@@ -42,7 +42,7 @@ class CpuTarget(NamedTuple):
 
 
 _V3: Final = ("avx", "avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")
-#: Targets by the family's name, in small letters.
+#: Targets by the lower-case name of the family.
 _TARGETS: Final = {
     "x86_64": CpuTarget("x86-64-v3", _V3),
     "amd64": CpuTarget("x86-64-v3", _V3),

@@ -18,7 +18,7 @@ from airlight.kernel.denormals import flush_denormals, restore
 
 #: Called with the amount done, the total, and a description of the work.
 Progress: TypeAlias = Callable[[int, int, str], None]
-#: Called between blocks; True stops the work.
+#: Called between blocks; True cancels the work.
 Cancel: TypeAlias = Callable[[], bool]
 
 
@@ -32,7 +32,7 @@ def thread_count() -> int:
     return os.cpu_count() or 1
 
 
-#: Time after which a thread that waits for the others looks for cancellation and progress. [s]
+#: Interval at which a waiting thread checks for cancellation and progress. [s]
 _LOOK: Final = 0.02
 
 _here = threading.local()
@@ -49,7 +49,7 @@ def _pool(threads: int) -> ThreadPoolExecutor:
 
 
 if hasattr(os, "register_at_fork"):
-    # A forked process has the pool but none of its threads: its blocks would wait for ever.
+    # A forked process has the pool but none of its threads: its blocks would wait forever.
     os.register_at_fork(after_in_child=_pool.cache_clear)
 
 

@@ -30,7 +30,7 @@ class HasUnit(Protocol):
         """Quantity in another unit."""
 
 
-#: Number in the unit that is asked for, text with a unit, or a quantity.
+#: Number in the expected unit, text with a unit, or a quantity.
 Measure: TypeAlias = float | str | HasUnit
 if TYPE_CHECKING:
     #: The same, as an array or a list.
@@ -89,13 +89,13 @@ _USUAL: Final[dict[str, tuple[float, _Dimension]]] = {
     "1": (1.0, _NUMBER),
 }
 
-#: Units that a text may leave out, being the only ones that anybody means.
+#: Units that a text may omit, being the only plausible ones.
 UNDERSTOOD: Final = ("deg", "nm", "K", "s")
 #: Largest number of values that a range may have.
 MOST_VALUES: Final = 100_000
 #: Names of a degree in the CF conventions.
 _CF_DEGREES: Final = re.compile(r"degrees?_?(?:north|east|N|E)")
-#: Units of quantities that have none.
+#: Units of dimensionless quantities.
 _UNITLESS: Final = ("", "1", "dimensionless", "(dimensionless)")
 #: Units of angles and wavelengths, which are not converted to SI.
 _KEPT = {"deg": "degree", "nm": "nanometer", "1": "dimensionless"}
@@ -327,7 +327,7 @@ _FORM = re.compile(
 
 #: A number and what follows it, of a text that ``_FORM`` does not read.
 _BEGUN: Final = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*(?P<rest>\D.*?)\s*")
-#: Signs with which no unit begins.
+#: Characters with which no unit begins.
 _SIGNS: Final = ",.;:+-*/()[]{}'\""
 
 
@@ -345,7 +345,7 @@ def _parse(text: str, unit: str, field: str, allowed: str) -> tuple[float, bool]
         return number, False
     try:
         return number * _factor(given, unit), True
-    except Exception as error:  # pint raises many kinds, its tokenizer's own among them
+    except Exception as error:  # pint raises many kinds, including its tokenizer's
         kind = type(error).__name__
         if kind == "UndefinedUnitError":
             allowed = f"{allowed}; the unit {given!r} is not known"

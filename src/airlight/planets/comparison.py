@@ -24,7 +24,7 @@ Value = float | str | None
 SAME: Final = 1e-6
 #: Part name for all constituents together.
 ALL: Final = "all"
-#: Mean cosines below this count as those of a symmetric phase function.
+#: Magnitude of the mean cosine below which a phase function counts as symmetric.
 _ROUNDING: Final = 1e-12
 #: Smallest and largest scattering angle at which phase functions are compared. [deg]
 _LOBES: Final = (("phase function forward", 1.0), ("phase function backward", -1.0))
@@ -174,7 +174,7 @@ def _bodies(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Di
     yield from _rows("star", "irradiance", "W m⁻² nm⁻¹", nm, *light)
 
 
-#: Fields that are compared by quantities that follow from them, or that describe the planet.
+#: Fields that are compared through quantities derived from them, or that only describe the planet.
 _TREATED: Final = (
     "name", "description", "ground", "star", "constituents", "default_wavelengths", "albedo",
     "spectrum", "irradiance", "temperature", "distance", "radius", "angular_radius",

@@ -21,32 +21,33 @@ if TYPE_CHECKING:
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Tables of bands by formula; without any where a gas has bands in the visible of which none comes
-#: with airlight.
+#: Tables of bands by formula; empty for gases with bands in the visible for which airlight has no
+#: table.
 TABLES: Final[dict[str, tuple[str, ...]]] = {
     "O2": ("oxygen-bands",),
     "H2O": ("water-vapour-bands",),
     "CH4": ("methane-bands",),
     "NH3": (),
 }
-#: Table of oxygen's pairs, whose number goes with the square of the density; and the density of
-#: oxygen that it is made for: air at 288.15 K and 101 325 Pa. [m⁻³]
+#: Table of collision-induced absorption by oxygen pairs, which scales with the square of the
+#: density; and the density of oxygen for which it is made: air at 288.15 K and 101 325 Pa. [m⁻³]
 PAIRS: Final = "oxygen-pairs"
 PAIR_DENSITY: Final = 5.3354e24
-#: Formula of pairs of oxygen.
+#: Formula of oxygen pairs.
 PAIR: Final = "O2-O2"
-#: Gases with bands that the air of a world has, and that a planet with its sky is taken to have
-#: unless its mixtures name them or have no oxygen: oxygen, its pairs as ``PAIR_DENSITY`` counts
-#: them, and 14.2 mm of water; U.S. Standard Atmosphere, 1976. [m⁻²]
+#: Columns of gases with bands in the atmosphere of a world, assumed for a planet with its sky
+#: unless its mixtures name them or have no oxygen: oxygen, its pairs as counted by
+#: ``PAIR_DENSITY``, and 14.2 mm of water; U.S. Standard Atmosphere, 1976. [m⁻²]
 WORLD_COLUMNS: Final[dict[str, dict[str, float]]] = {
     "earth": {"O2": 4.50e28, PAIR: 2.474e28, "H2O": 4.747e26},
 }
-#: Mole fractions of the gases of ``scattering = { rayleigh = … }``; of air as King factors have it.
+#: Mole fractions of the gases of ``scattering = { rayleigh = … }``; for air, those of its King
+#: factor.
 _NAMED: Final = {
     "air": (("N2", 0.78084), ("O2", 0.20946), ("Ar", 0.00934)),
     "co2": (("CO2", 1.0),),
 }
-#: Words in the name of an absorber with a cross-section of its own that say which gas it is.
+#: Words that identify a gas in the name of an absorber with its own cross-section.
 _WORDS: Final[dict[str, tuple[str, ...]]] = {
     "O2": ("o2", "oxygen"),
     "O2-O2": ("o2-o2", "o4", "pairs", "oxygen"),
@@ -54,11 +55,11 @@ _WORDS: Final[dict[str, tuple[str, ...]]] = {
     "CH4": ("ch4", "methane"),
     "NH3": ("nh3", "ammonia"),
 }
-#: Way through the air, over the vertical one, at which the size is given. [1]
+#: Air mass at which the magnitude of an effect is given. [1]
 AIRMASS: Final = 1.5
-#: Loss below which a line says 0. [1]
+#: Loss below which 0 is reported. [1]
 LEAST: Final = 5e-5
-#: Wavelengths among which the strongest is looked for. [nm]
+#: Wavelengths among which the strongest effect is sought. [nm]
 _VISIBLE: Final = np.arange(380.0, 781.0)
 
 

@@ -15,7 +15,7 @@ from airlight.planets.parameters import instance_of, parameters, replace
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import PlanetLike, load_planet
 
-#: Height of an observer's eyes above the floor of a basin. [m]
+#: Height of the observer above the floor of a basin. [m]
 EYES: Final = 2.0
 #: Scale heights below the reference level beyond which nothing is continued.
 _MOST: Final = 10.0

@@ -16,9 +16,10 @@ from airlight.kernel.memory import DECODED, MOST_PIXELS, check_picture
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-#: Modes of Pillow with sixteen bits or more a channel.
+#: Pillow's modes with at least sixteen bits per channel.
 _DEEP: Final = ("I", "I;16", "I;16B", "I;16L", "I;16N", "F")
-#: Memory of a pixel of these: Pillow's own, and three of float64 on the way to eight bits. [byte]
+#: Memory of a pixel of these: Pillow's own, and three float64 during the conversion to eight bits.
+#: [byte]
 _DEEP_PIXEL: Final = 32
 
 
@@ -73,15 +74,14 @@ def _check_size(file: Path, width: int, height: int, each: int) -> None:
     if abs(width - 2 * height) > 1:
         raise FileError(
             file,
-            f"has {width} x {height} pixels; allowed: twice as wide as high, the whole sphere by "
-            "longitude and latitude",
+            f"has {width} x {height} pixels; allowed: twice as wide as high, equirectangular",
         )
 
 
 def _as_bytes(file: Path, picture: Image, mode: str) -> NDArray[np.uint8]:
     if picture.mode in _DEEP:
         values = np.asarray(picture, dtype=np.float64)
-        # Files of sixteen bits say so by values above 255; floats are 0 to 1.
+        # Files of sixteen bits are recognised by values above 255; floats are 0 to 1.
         largest = 1.0 if picture.mode == "F" else 65535.0
         _check_values(file, values, largest)
         grey = np.asarray(np.rint(values * (255.0 / largest)), dtype=np.uint8)
@@ -95,7 +95,7 @@ def _as_bytes(file: Path, picture: Image, mode: str) -> NDArray[np.uint8]:
 
 def _check_values(file: Path, values: NDArray[np.float64], largest: float) -> None:
     """Raise an error for markers of missing data, such as NaN or -9999."""
-    # floats that are rounded to 0 or to 255 have only overshot in an enlargement
+    # floats that round to 0 or to 255 are overshoots of an enlargement
     half = 0.4999 / 255.0 if largest == 1.0 else 0.0
     wrong = ~((values >= -half) & (values <= largest + half))
     if wrong.any():
@@ -103,7 +103,7 @@ def _check_values(file: Path, values: NDArray[np.float64], largest: float) -> No
         raise FileError(
             file,
             f"has {np.count_nonzero(wrong)} pixels out of range, the first {values[row, column]:g} "
-            f"at column {column}, row {row}; allowed: 0 to {largest:g}: fill them first",
+            f"at column {column}, row {row}; allowed: 0 to {largest:g}; fill missing data first",
         )
 
 

@@ -223,7 +223,7 @@ class Medium:
             reflection=planet.ground.reflection,
         )
         medium._check()
-        _ = medium.refracting_shell  # refuses air in which light would follow the ground
+        _ = medium.refracting_shell  # raises an error if rays would be ducted
         return medium
 
     @property
@@ -432,7 +432,7 @@ def _refractivity(planet: Planet) -> FloatArray:
         result[i] = one.refractivities(nm, planet.thickness)[0]
     if not result.any():
         raise ParameterError(
-            "refraction", planet.refraction, "'none', or a gas whose refractivity is known"
+            "refraction", planet.refraction, "'none', or a gas of known refractivity"
         )
     return result
 

@@ -15,10 +15,10 @@ from airlight.planets.gas_bands import AIRMASS, gas_columns, omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 
-#: Bands beyond the tables that come with airlight, by formula: where a gas absorbs strongly enough
-#: to be seen in a spectrum of a planet with some thousandths of it in its air. Goody & Yung (1989),
-#: Atmospheric Radiation, chapter 3; CH4: Karkoschka (1998), Icarus 133, 134, and Irwin et al.
-#: (2006), Icarus 181, 309. Edges are rounded to 10 nm. [nm]
+#: Bands without a table in airlight, by formula: where some thousandths of a gas are visible in the
+#: spectrum of a planet. Goody & Yung (1989), Atmospheric Radiation, chapter 3; CH4: Karkoschka
+#: (1998), Icarus 133, 134, and Irwin et al. (2006), Icarus 181, 309. Edges are rounded to 10 nm.
+#: [nm]
 BANDS: Final[dict[str, tuple[tuple[float, float], ...]]] = {
     "H2O": (
         (1080.0, 1200.0), (1300.0, 1500.0), (1750.0, 2000.0), (2500.0, 3600.0), (4800.0, 8500.0),
@@ -42,10 +42,10 @@ BANDS: Final[dict[str, tuple[tuple[float, float], ...]]] = {
     "CO": ((2300.0, 2420.0), (4450.0, 4900.0)),
     "SO2": ((3950.0, 4050.0), (7100.0, 7600.0), (8300.0, 9100.0)),
 }  # fmt: skip
-#: Smallest column whose bands are named, a third of a centimetre of the gas at 0 °C and 101 325 Pa.
-#: [m⁻²]
+#: Smallest column whose bands are listed, a third of a centimetre of the gas at 0 °C and 101 325
+#: Pa. [m⁻²]
 LEAST: Final = 1e23
-#: Share of direct light from which a band of a known table is named. [1]
+#: Loss of direct light from which a band of a known table is listed. [1]
 WEAKEST: Final = 0.02
 
 
@@ -108,7 +108,7 @@ def warn_of_omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> None:
     """
     nm = np.asarray(wavelengths, dtype=np.float64)
     few = CHOSEN.get(nm.size, ())
-    with contextlib.suppress(ParameterError):  # a planet that is known at no visible wavelength
+    with contextlib.suppress(ParameterError):  # a planet without data at visible wavelengths
         if np.array_equal(np.sort(nm), np.sort(picture_wavelengths(planet, nm.size))):
             return
     if not np.array_equal(np.sort(nm), few):

@@ -25,7 +25,7 @@ class _Missing:
         return "missing"
 
 
-#: Value that errors show for a field that was not given.
+#: Value of a missing field in errors.
 MISSING = _Missing()
 
 
@@ -167,7 +167,7 @@ def ascending(values: tuple[float, ...], field: str, unit: str = "") -> None:
             raise ParameterError(
                 f"{field}[{index}]",
                 values[index],
-                f"more than the value before it, {values[index - 1]:g} {unit}".rstrip(),
+                f"more than the previous value, {values[index - 1]:g} {unit}".rstrip(),
             )
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Default number of wavelengths: of a still picture, and of a picture drawn by a device.
+#: Default number of wavelengths: of a still picture, and of a picture rendered by a GPU.
 STILL: Final = 16
 LIVE: Final = 4
 #: Number of wavelengths of each word.

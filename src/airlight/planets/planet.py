@@ -51,7 +51,8 @@ RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
 MEDIA: Final = 2
 #: Largest number of constituents of a planet.
 MAX_CONSTITUENTS: Final = 64
-#: Least thickness of the shell over the radius of the ground, and largest ratio of the radii. [1]
+#: Smallest thickness of the shell relative to the ground radius, and largest ratio of the radii.
+#: [1]
 LEAST_THICKNESS: Final = 1e-7
 LARGEST_RATIO: Final = 10.0
 
@@ -263,7 +264,7 @@ class Planet(TomlModel):
             raise ParameterError(
                 "wavelengths",
                 self._limits_by_part(),
-                "parts that are known at a common wavelength",
+                "parts with a common wavelength range",
             )
         if self.default_wavelengths is not None:
             check_wavelength_list(self.default_wavelengths)

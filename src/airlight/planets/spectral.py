@@ -20,14 +20,14 @@ from airlight.physics.units import values_in
 from airlight.planets.parameters import all_between, finite, inside, numbers, parameters
 
 FloatArray = npt.NDArray[np.float64]
-#: Lowest and highest wavelength at which something is known. [nm]
+#: Smallest and largest wavelength of data. [nm]
 Limits = tuple[float, float]
 
-#: Distance beyond its wavelengths over which a value is held. [nm]
+#: Distance beyond its wavelengths over which an end value is used. [nm]
 BEYOND: Final = 10.0
-#: Limits of a value that is known everywhere. [nm]
+#: Limits of a value given for all wavelengths. [nm]
 EVERYWHERE: Final[Limits] = (0.0, math.inf)
-#: Range of the wavelengths at which a planet may be sampled or described. [nm]
+#: Range of wavelengths at which a planet may be sampled or described. [nm]
 SHORTEST: Final = 10.0
 LONGEST: Final = 1e6
 #: Largest number of wavelengths of one list.
@@ -100,7 +100,7 @@ def check_wavelength_list(wavelengths: tuple[float, ...], field: str = "waveleng
         raise ParameterError(field, wavelengths, "each wavelength once")
 
 
-#: One number for every wavelength, or numbers at given wavelengths.
+#: One number for all wavelengths, or numbers at given wavelengths.
 Spectral = float | PerWavelength
 
 

@@ -33,9 +33,9 @@ if TYPE_CHECKING:
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Name of the solar spectrum, as measured at 1 au.
+#: Name of the solar spectrum measured at 1 au.
 SUN: Final = "astm-g173"
-#: Name in an editor of a star that is given by its temperature.
+#: Name, in an editor, of a star defined by its temperature.
 BLACK_BODY: Final = "black body"
 #: Unit of irradiances.
 IRRADIANCE: Final = "W/m^2/nm"

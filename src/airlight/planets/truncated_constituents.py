@@ -10,9 +10,9 @@ import numpy as np
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.planets.planet import Planet
 
-#: Scale heights below a top that cuts nothing off that is worth a word: exp(-8) is 0.03 %.
+#: Scale heights below the top from which no truncation is reported: exp(-8) is 0.03 %.
 ENOUGH: Final = 8.0
-#: Distance below the top over which the last scale height is measured, over the thickness. [1]
+#: Distance below the top over which the last scale height is computed, over the thickness. [1]
 _STEP: Final = 1e-3
 
 

@@ -45,7 +45,7 @@ class CpuRenderer:
     edges : bool
         Whether pixels on the horizon and the limb are supersampled.
     air : bool
-        Whether air and ground are rendered; otherwise only the star's disc.
+        Whether atmosphere and ground are rendered; otherwise only the star's disc.
     stokes : bool
         Whether Stokes Q and U can be rendered too.
 

@@ -130,7 +130,7 @@ def occulting_moon(
     Parameters
     ----------
     star, body : Light, Body
-        Star, and planet with air.
+        Star, and planet with an atmosphere.
     source : LightSource
         Star as seen from the planet.
 

@@ -27,7 +27,7 @@ from airlight.solver.solve import solution_of
 
 Float32Array = NDArray[np.float32]
 
-#: Pixels in one block of rows: few enough that no core waits long for the last block.
+#: Pixels in one block of rows: small, for load balancing between cores.
 _BLOCK_PIXELS: Final = 1 << 13
 
 
@@ -91,17 +91,14 @@ def render(
         solution = solution_of(planet, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
         raise ParameterError(
-            "solution", solution.report.solver, "a solution of the moments solver: a picture "
-            "marches its moments",
+            "solution", solution.report.solver, "a solution of the moments solver",
         )  # fmt: skip
     if (stokes or scene.camera.polariser is not None) and not solution.polarised:
         field = "stokes" if stokes else "camera.polariser"
         value = True if stokes else scene.camera.polariser
-        raise ParameterError(field, value, "a solution with polarisation left on")
+        raise ParameterError(field, value, "a solution with polarised transfer")
     if stokes and scene.camera.polariser is not None:
-        raise ParameterError(
-            "camera.polariser", scene.camera.polariser, "none beside Q and U of the light before it"
-        )
+        raise ParameterError("camera.polariser", scene.camera.polariser, "none with Q and U")
     width, height = scene.camera.columns, scene.camera.rows
     elements = (None, ALONG, ASLANT) if stokes else (None,)
     check_drawn(width, height, len(elements))

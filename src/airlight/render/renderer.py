@@ -133,7 +133,7 @@ class LiveRenderer:
     device : Device, optional
         GPU, see ``rendering_gpu``; by default the CPU renders.
     ahead : BackgroundCompiler, optional
-        Process that compiles the loops of the CPU, for which frames wait.
+        Process that compiles the loops of the CPU; frames wait for it.
     """
 
     def __init__(

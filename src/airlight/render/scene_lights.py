@@ -41,7 +41,7 @@ class SceneLights:
     wavelengths : array, shape (nl,)
         Wavelengths. [nm]
     solutions : mapping
-        Solutions of planets with air by body name.
+        Solutions of planets with an atmosphere by body name.
     """
 
     system: System
@@ -152,7 +152,7 @@ class SceneLights:
     def _behind(
         self, body: Body, own: Body, source: LightSource, separation: FloatArray
     ) -> FloatArray:
-        """Unocculted fraction behind a planet with air, interpolated in angular separation. [1]"""
+        """Unocculted fraction behind an atmosphere, interpolated in angular separation. [1]"""
         with self._lock:
             key = (body.name, own.name, source.name)
             if key not in self._shadows:

@@ -1,9 +1,9 @@
 """Solver dispatch of a planet to CPU or GPU, shared by command line, window and notebook.
 
-A hardware GPU solves up to four wavelengths in optically thin or moderately thick air. The CPU
-solves everything else: thick air, more wavelengths or constituents, and all cases on a software
-GPU, which is slower than the CPU on the same cores. Solutions of presets are stored on disk; those
-of edits are not, as edits rarely recur.
+A hardware GPU solves up to four wavelengths in optically thin or moderately thick atmospheres. The
+CPU solves everything else: thick atmospheres, more wavelengths or constituents, and all cases on a
+software GPU, which is slower than the CPU on the same cores. Solutions of presets are stored on
+disk; those of edits are not, as edits rarely recur.
 """
 
 from __future__ import annotations

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 #: Wavelength whose refractivity is used. [nm]
 _WAVELENGTH = 550.0
-#: Halvings of the interval of apparent zenith angles.
+#: Number of bisections of the apparent zenith angle.
 _HALVINGS = 50
-#: Depth below the horizon, over the refraction there, at which no more is added for refraction.
+#: Depth below the horizon, over the refraction there, from which refraction is 0.
 _FADED = 4.0
 
 
@@ -94,7 +94,7 @@ def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
             float(geometry.refraction_angle(np.array([at]), np.array([mu]))[0])
         )
 
-    # slightly above the horizon, so that rounding does not send the ray into the ground
+    # slightly above the horizon, so that rounding does not direct the ray into the ground
     horizon = 180.0 - math.degrees(math.asin(min(shell.bottom / x * (1.0 + 1e-12), 1.0)))
     lift = true(horizon) - horizon
     hidden = zenith - horizon - lift

@@ -17,13 +17,13 @@ from airlight.scene.limits import HIGHEST_ALTITUDE
 LOWEST_ALTITUDE: Final = 1.0
 #: Speed over distance to the ground. [1/s]
 RATE: Final = 0.8
-#: Distance added to that to the ground, so that an observer can leave it. [m]
+#: Offset of that distance, so that an observer can leave the ground. [m]
 FOOTING: Final = 5.0
 #: Factor of the field of view per notch of the wheel. [1]
 NOTCH: Final = 1.15
 #: Factor of the distance to the ground per notch: 15 lead from the ground to 10 000 km. [1]
 CLIMB: Final = 2.6
-#: Upper limit of the factor by which a turn of the compass is wider near the zenith. [1]
+#: Upper limit of the factor by which turns are wider near the zenith. [1]
 _WIDEST_TURN: Final = 5.0
 
 

@@ -11,7 +11,7 @@ from typing import Final
 #: Factor from degrees to radians. [1]
 RADIAN: Final = math.pi / 180.0
 DEGREE: Final = 180.0 / math.pi
-#: Angle from the zenith below which a direction has no bearing of its own. [rad]
+#: Angle from the zenith below which a direction has no azimuth. [rad]
 _UPRIGHT: Final = 1e-12
 
 

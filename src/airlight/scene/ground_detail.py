@@ -13,18 +13,18 @@ from typing import Final
 
 from airlight.kernel import kernel
 
-#: Sizes of noise, and the ratio between neighbouring ones.
+#: Number of octaves of noise, and ratio between their sizes.
 OCTAVES: Final = 8
 STEP: Final = 4
 #: Period of the noise in cells of each size.
 PERIOD: Final = 256
-#: Period of the finest cells, of which all others' periods are parts.
+#: Period of the finest cells, a multiple of all others' periods.
 WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
-#: Largest contribution of one size, with a standard deviation of a third of it. [1]
+#: Largest contribution of one octave; its standard deviation is a third of it. [1]
 AMPLITUDE: Final = 0.12
-#: Rows of the map by which cells are measured where there is none.
+#: Rows of the map that defines the cells where the planet has none.
 NOMINAL_ROWS: Final = 1024
-#: Names of the choices: the map alone, or with its detail.
+#: Options: the map alone, or with its detail.
 GROUNDS: Final = ("plain", "detailed")
 
 
@@ -164,7 +164,7 @@ def ground_detail(place, footprint, cell, whole, part):
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             period = float(PERIOD * scale)
-            # The numbers of the cells are whole and stay exact; the rest is small where this size
+            # The cell numbers are integers and stay exact; the remainder is small where this octave
             # is shown.
             total += shown * smooth_noise(
                 (whole.x - period * floor(whole.x / period)) / scale

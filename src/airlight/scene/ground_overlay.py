@@ -24,14 +24,13 @@ from airlight.scene.surface_map import SurfaceMap, levels_of, packed_texels
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged lights: ``earth`` is in ``data/earth-lights.jpg``.
 _SUFFIX: Final = "-lights.jpg"
-#: Luminance of lights of the value 1: 1e-7 W cm⁻² sr⁻¹ between 0.5 and 0.9 µm, which VIIRS sees
-#: over the middle of large towns (Elvidge et al. 2017, Int. J. Remote Sens. 38, 5860: up to some
-#: 1e-7, suburbs 1e-8, villages 1e-9), at 200 lm/W, between those of sodium lamps and of warm white
-#: diodes. [cd m⁻²]
+#: Luminance for a map value of 1: 1e-7 W cm⁻² sr⁻¹ between 0.5 and 0.9 µm, as seen by VIIRS over
+#: the centre of large towns (Elvidge et al. 2017, Int. J. Remote Sens. 38, 5860: up to some 1e-7,
+#: suburbs 1e-8, villages 1e-9), at 200 lm/W, between sodium lamps and warm white LEDs. [cd m⁻²]
 TOWN_LUMINANCE: Final = 0.2
-#: Temperature of the black body whose colour the lamps have. [K]
+#: Black-body temperature of the colour of the lamps. [K]
 LAMP_TEMPERATURE: Final = 2700.0
-#: Rows that are enlarged at a time.
+#: Rows upsampled together.
 _BAND: Final = 256
 
 
@@ -94,7 +93,7 @@ def _lamp_pixels(lights: str) -> NDArray[np.uint8]:
         return map_pixels(lights_file(lights), grey=True)
     except FileNotFoundError as error:
         known = ", ".join(sorted(p.name.removesuffix(_SUFFIX) for p in _DATA.glob(f"*{_SUFFIX}")))
-        raise FileError(lights, f"there are no such lights (known: {known})") from error
+        raise FileError(lights, f"unknown city-lights map (known: {known})") from error
 
 
 def _grey(values: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -1,4 +1,4 @@
-r"""Weight of each part of the ground in the illumination of the air that an observer sees.
+r"""Weight of each part of the ground in the illumination of the atmosphere in view.
 
 The solver has a single ground albedo. Ground-reflected radiance reaches the sky of an observer by
 scattering at points y of the lines of sight, which receive it from all directions below their
@@ -12,7 +12,7 @@ with :math:`\mathrm{d}\Omega_x` over directions at the observer x that cross the
 only on the distance between g and the nadir of the observer. Phase functions are replaced by
 isotropic ones by similarity, with scattering σ (1 - g) and extinction k - gσ (van de Hulst 1980,
 Multiple Light Scattering, section 14.1). From the ground, half of the weight is within a few scale
-heights, the rest as far as air is visible above the horizon; from far away it covers the disc.
+heights, the rest as far as the atmosphere is visible; from far away it covers the disc.
 
 Neglected: higher orders of scattering after the ground, which widen the weight; the position of the
 star, so that one solution serves a day; refraction.
@@ -31,8 +31,8 @@ from airlight.solver.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Numbers of lines of sight in each range of directions and of points on each leg of a line, for an
-#: observer in the air and for one outside, whose lines are farther apart than light is carried.
+#: Numbers of lines of sight in each range of directions and of points on each leg, for an observer
+#: within the atmosphere and for one outside.
 _IN_THE_AIR: Final = (20, 20)
 _OUTSIDE: Final = (64, 8)
 #: Numbers of directions from a point to the ground, and of azimuths over half a turn.
@@ -109,7 +109,7 @@ def ground_distances(medium: Medium, altitude: float, shares: FloatArray) -> Flo
 
 
 def _even_air(medium: Medium) -> tuple[FloatArray, FloatArray]:
-    """Scattering and extinction of isotropically scattering air, shape (nc,). [m⁻¹]"""
+    """Isotropic part of scattering, and extinction by it and absorption, shape (nc,). [m⁻¹]"""
     even = medium.scattering[:, 0] * (1.0 - medium.phase_moments(1)[:, 0, 1])
     return even, even + medium.absorption[:, 0]
 
@@ -181,7 +181,7 @@ def _legs(r: float, bottom: float, top: float, lines: int) -> _Legs:
 
 
 def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Ground visible from a point of the air, in ``_DOWN`` directions from nadir to horizon.
+    """Ground visible from a point of the atmosphere, in ``_DOWN`` directions from nadir to horizon.
 
     Parameters
     ----------
@@ -197,7 +197,7 @@ def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, Float
     bottom, rule = medium.bottom_radius, gauss_legendre(_DOWN)
     r = radius[:, None]
     horizon = np.sqrt(np.maximum((r - bottom) * (r + bottom), 0.0)) / r
-    # squared nodes: the air just above the ground sees most of it near the horizon
+    # squared nodes: most ground seen by points just above it is near the horizon
     down = horizon + (1.0 - horizon) * rule.nodes**2
     solid = (1.0 - horizon) * 2.0 * rule.nodes * rule.weights
     sine = np.sqrt((1.0 - down) * (1.0 + down))

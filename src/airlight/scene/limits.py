@@ -7,7 +7,7 @@ from typing import Final
 from airlight.errors import ParameterError
 from airlight.physics.units import Measure, quantity
 
-#: Largest altitude of an observer, and one below every known basin. [m]
+#: Largest altitude of an observer, and a lower limit below every known basin. [m]
 HIGHEST_ALTITUDE: Final = 1e12
 DEEPEST_ALTITUDE: Final = -1e4
 

@@ -25,14 +25,15 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Numbers of rings of equal weight around the point below the observer, and of points on each.
+#: Numbers of rings of equal weight around the nadir, and of points on each.
 _RINGS: Final = 160
 _BEARINGS: Final = 96
-#: Wavelength whose light is followed, or the nearest that the planet is known at. [nm]
+#: Wavelength at which the weights are computed, or the nearest with data of the planet. [nm]
 _WAVELENGTH: Final = 550.0
-#: Rows of the level of a map whose mean stands for that of the planet.
+#: Number of rows of the map level whose mean is the planet's.
 _MEAN_ROWS: Final = 700
-#: Step of the means: neighbours share a solution, off by 0.1 % at the zenith at most. [1]
+#: Step of the mean albedo: neighbours share a solution, with an error of at most 0.1 % at the
+#: zenith. [1]
 _STEP: Final = 0.002
 
 

@@ -21,7 +21,7 @@ from airlight.scene.map_levels import Levels
 
 #: Folder of the cache.
 _FOLDER: Final = "maps"
-#: Smallest map that is cached; smaller ones are decoded in no time. [byte]
+#: Smallest map that is cached; smaller ones are decoded quickly. [byte]
 SMALLEST: Final = 1 << 22
 
 
@@ -46,7 +46,7 @@ def cached_levels(
     """
     try:
         key = _key(source, files)
-    except OSError:  # the reader finds words for it
+    except OSError:  # the reader reports the error
         return decode()
     kept = _load(key)
     if kept is None:

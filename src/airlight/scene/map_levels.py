@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from airlight.image.texels import CHANNELS, channel_of, code_of
 from airlight.kernel import compiled_loop, kernel
 
-#: Texels of which a mean is made along an axis: two, or one and parts of two others.
+#: Largest number of texels averaged along an axis: two, or one and parts of two others.
 _TAPS: Final = 3
 
 

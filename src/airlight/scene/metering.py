@@ -18,14 +18,14 @@ from airlight.scene.scene import Scene
 
 FloatArray = NDArray[np.float64]
 
-#: Width of the picture that a GPU renders for its exposure to be measured: of the next larger one
-#: the exposure differs by a few hundredths of a stop, of 64 pixels by a quarter where the glow
-#: about a low sun covers a few of them. [pixel]
+#: Width of the picture that a GPU renders for metering: relative to the next larger one the
+#: exposure differs by a few hundredths of a stop; with 64 pixels by a quarter stop where the
+#: aureole of a low sun covers a few pixels. [pixel]
 METERED: Final = 128
-#: Angle beyond a star's disc that is left out with it: refraction on a horizon lifts a star by up
-#: to 0.6°, and a pixel may hold a part of the disc. [rad]
+#: Angle around a star's disc that is excluded with it: refraction near the horizon raises a star by
+#: up to 0.6°, and a pixel may contain a part of the disc. [rad]
 _MARGIN: Final = math.radians(0.75)
-#: Distance of the points whose rays give a pixel's solid angle. [pixel]
+#: Offset of the points whose rays determine a pixel's solid angle. [pixel]
 _NEAR: Final = 0.25
 
 

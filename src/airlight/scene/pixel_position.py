@@ -13,12 +13,12 @@ from airlight.scene.projections.projected import projected_rays
 
 FloatArray = NDArray[np.float64]
 
-#: Pixels per side of the grid on which the search begins.
+#: Pixels per side of the grid of initial guesses.
 _GRID: Final = 160
-#: Newton steps, and the step in pixels by which slopes are taken.
+#: Number of Newton steps, and step of the difference quotients in pixels.
 _STEPS: Final = 8
 _SLOPE: Final = 1e-3
-#: Farthest end of the search from the direction, over the angle of a pixel.
+#: Largest remaining angle to the direction, relative to the angle of a pixel.
 _NEAR: Final = 0.05
 
 

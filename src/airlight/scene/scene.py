@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from airlight.planets.planet import Planet
     from airlight.planets.reading.reader import PlanetLike
 
-#: Altitude of an observer who stands on the ground, the default of scenes and commands. [m]
+#: Altitude of an observer on the ground, the default of scenes and commands. [m]
 STANDING: Final = 2.0
 
 
@@ -43,7 +43,7 @@ class Scene:
     camera : Camera
         Camera.
     altitude : float
-        Altitude of the observer, up to 1e12; outside the air is allowed. Below 0, down to the
+        Altitude of the observer, up to 1e12, also outside the atmosphere. Below 0, down to the
         deepest basin of the planet, the observer stands on the basin's floor, see
         ``stands_on_floor``. An orthographic camera is at 1e12. [m]
     sun_zenith : float

@@ -20,7 +20,7 @@ from airlight.scene.map_levels import Levels, empty_levels, fill_levels, level_v
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged maps: ``earth`` is in ``data/earth-albedo.jpg``.
 _SUFFIX = "-albedo.jpg"
-#: Largest map that is kept; with its levels it fits a texture of 4096 by 8191 texels. [pixel]
+#: Largest stored map; with its levels it fits a texture of 4096 by 8191 texels. [pixel]
 MOST_TEXELS: Final = 25_000_000
 
 
@@ -277,7 +277,7 @@ def _decoded(name: str, file: Path, beside: Path) -> Levels:
         pixels = map_pixels(file)
     except FileNotFoundError as error:
         known = ", ".join(sorted(p.name.removesuffix(_SUFFIX) for p in _DATA.glob(f"*{_SUFFIX}")))
-        raise FileError(name, f"there is no such map of the ground (known: {known})") from error
+        raise FileError(name, f"unknown ground map (known: {known})") from error
     water = map_pixels(beside, grey=True) if beside.is_file() else None
     if water is not None and water.shape != pixels.shape[:2]:
         height, width = pixels.shape[:2]

@@ -161,8 +161,8 @@ class NamedAxes:
                 labelled[name] = value.copy(data=numbers[name])
             elif numbers[name].ndim > 1:
                 raise ParameterError(
-                    name, f"an array of {numbers[name].ndim} dimensions without names",
-                    "a labelled array, like the others",
+                    name, f"an array of {numbers[name].ndim} unnamed dimensions",
+                    "a labelled array, like the other arguments",
                 )  # fmt: skip
             else:
                 dims = (name,) * numbers[name].ndim

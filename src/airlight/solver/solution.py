@@ -196,7 +196,7 @@ class Solution(ABC):
         ParameterError
             If transfer is scalar.
         """
-        raise ParameterError("stokes", True, "a solver of polarised light")
+        raise ParameterError("stokes", True, "a solver with polarised transfer")
 
     @abstractmethod
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
@@ -267,9 +267,7 @@ class Solution(ABC):
     def check_polarised(self) -> None:
         """Raise an error if Stokes parameters are requested of a scalar solution."""
         if not self.polarised:
-            raise ParameterError(
-                "stokes", True, "a solver of polarised light, with polarisation left on"
-            )
+            raise ParameterError("stokes", True, "a solution with polarised transfer")
 
     def check_order(self, order: int | None) -> None:
         """Raise an error for an order that is not available separately."""

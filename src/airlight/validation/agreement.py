@@ -21,7 +21,7 @@ from airlight.validation.suite import SuiteRun
 
 FloatArray = NDArray[np.float64]
 
-#: Solvers with their qualities; the last is the referee of the others.
+#: Solvers with their qualities; the last is the reference of the others.
 SOLVERS: Final[tuple[tuple[str, Any], ...]] = (
     ("moments", "fine"),
     ("direct", "fine"),
@@ -29,7 +29,7 @@ SOLVERS: Final[tuple[tuple[str, Any], ...]] = (
 )
 #: Two solvers agree within this relative difference, or within this many standard errors.
 TOLERANCE, NOISE = 0.01, 3.0
-#: Radiances below this fraction of the star's irradiance are listed, not judged. [sr⁻¹]
+#: Radiances below this fraction of the star's irradiance are listed, but not assessed. [sr⁻¹]
 LEAST_RADIANCE: Final = 1e-6
 
 

@@ -101,20 +101,20 @@ CASES: Final[tuple[Case, ...]] = (
     Case(0.0, 94.0, 85.0, 0.0),
     Case(0.0, 96.0, 0.0),
     Case(0.0, 96.0, 88.0, 0.0),
-    # 1 km: within the aerosol; level, down to the ground, straight down.
+    # 1 km: within the aerosol; horizontal, down to the ground, nadir.
     Case(1e3, 30.0, 90.0, 90.0),
     Case(1e3, 60.0, 120.0, 180.0),
     Case(1e3, 85.0, 60.0, 0.0),
     Case(1e3, 88.0, 180.0),
     Case(1e3, 92.0, 90.0, 0.0),
-    # 10 km: an airliner's.
+    # 10 km: an airliner.
     Case(10e3, 0.0, 150.0, 90.0),
     Case(10e3, 60.0, 0.0),
     Case(10e3, 80.0, 90.0, 0.0),
     Case(10e3, 88.0, 110.0, 180.0),
     Case(10e3, 92.0, 70.0, 0.0),
     Case(10e3, 94.0, 90.0, 180.0),
-    # 30 km: a balloon's; the limb seen from inside the air.
+    # 30 km: a balloon; the limb from within the atmosphere.
     Case(30e3, 30.0, 90.0, 90.0),
     Case(30e3, 60.0, 180.0),
     _limb(30e3, 85.0, 10e3, 0.0),

@@ -31,15 +31,16 @@ FloatArray = NDArray[np.float64]
 
 #: Allowed imbalance of the fluxes of a furnace, relative to the incoming light. [1]
 FURNACE_THRESHOLD: Final = 0.005
-#: Allowed imbalance for absorbing air, and for reversed paths; the same as the furnace's, in the
-#: absence of another authority.
+#: Allowed imbalance for an absorbing atmosphere, and for reversed paths; equal to the furnace's,
+#: for lack of another authority.
 BALANCE_THRESHOLD: Final = 0.005
 RECIPROCITY_THRESHOLD: Final = 0.005
 #: Edges of the quadrature in the cosine of the star's zenith angle, dense around the terminator.
 _SUN_EDGES: Final = (-1.0, -0.4, -0.2, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
-#: Edges of the quadrature in altitude; three points each. [m]
+#: Edges of the quadrature in altitude, with three points per interval. [m]
 _HEIGHT_EDGES: Final = (0.0, 1.5e3, 4e3, 10e3, 25e3, 40e3, 100e3)
-#: Sun zenith angles over the flat Earth, and those of suns and views for reversed paths. [deg]
+#: Sun zenith angles over the flat Earth, and zenith angles of suns and views for reversed paths.
+#: [deg]
 SUNS: Final = (0.0, 30.0, 60.0, 75.0, 85.0)
 REVERSED: Final = (0.0, 20.0, 40.0, 60.0, 75.0, 85.0)
 #: Quadrature points per piece, in view and in azimuth.

@@ -43,7 +43,7 @@ from airlight.validation.suite import Mark, ReportTable, Suite, SuiteRun, Thresh
 
 FloatArray = NDArray[np.float64]
 
-#: Molecules per volume in OpenSpace's standard set: at 0 °C and at 15 °C, as in its table. [m⁻³]
+#: Number density in OpenSpace's standard set: at 0 °C and at 15 °C, as in its table. [m⁻³]
 _LOSCHMIDT, _AT_15_DEGREES = 2.68731e25, 2.54743e25
 
 
@@ -106,7 +106,7 @@ def _rayleigh_set(at: Any) -> FloatArray:
         king = king_factor_air_bates1984(nm)
         return density * rayleigh.cross_section(nm, refractivity, density, king)
     if at["set"] == "openspace":
-        # Edlén (1953), JOSA 43, 339, as Penndorf (1957) uses it, brought from 15 °C to 0 °C.
+        # Edlén (1953), JOSA 43, 339, as used by Penndorf (1957), converted from 15 °C to 0 °C.
         refractivity = air_refractivity_edlen1953(nm) * _LOSCHMIDT / _AT_15_DEGREES
         king = rayleigh.king_factor_from_depolarisation(0.035)
         full = rayleigh.cross_section(nm, refractivity, _LOSCHMIDT, king)

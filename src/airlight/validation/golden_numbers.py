@@ -150,7 +150,7 @@ def _row(table: Mapping[str, Any], row: Mapping[str, Any]) -> GoldenRow:
     absolute = row.get("absolute", table.get("absolute", 0.0))
     digits = row.get("digits", table.get("digits", 0.0))
     allowed = [
-        # Half a digit is a rounding; a hundredth more allows for rounding in the comparison.
+        # Half a digit is rounding; a hundredth more allows for rounding in the comparison.
         max(1.01 * digits * last_digit(text), relative * abs(float(text)), absolute)
         for text in printed
     ]

@@ -47,11 +47,11 @@ PUBLISHED: Final = {
     "Bruneton 2008": 11.3,
     "Elek 2010": 11.3,
 }
-#: Lowest possible score of a sky symmetric about the sun's vertical, on our scans.
+#: Lowest possible score of a sky symmetric about the sun's vertical, on these scans.
 FLOOR: Final = 3.4
-#: Largest allowed score of our best physics.
+#: Largest allowed score of the most complete model.
 BEST_THRESHOLD: Final = 8.0
-#: Names of our rows.
+#: Names of airlight's rows.
 SAME, KNOWN, FITTED = (
     "airlight, same inputs as everybody",
     "airlight, best physics, load of AERONET",

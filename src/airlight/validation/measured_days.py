@@ -29,7 +29,7 @@ FloatArray = NDArray[np.float64]
 
 #: Files of measured days, each with its date in the name.
 FILES: Final = "kider*.npz"
-#: Largest allowed score of the row that counts. [mW m⁻² sr⁻¹ nm⁻¹]
+#: Largest allowed score of the judged row. [mW m⁻² sr⁻¹ nm⁻¹]
 BEST_THRESHOLD: Final = 8.0
 #: Zenith angles of the ring near the horizon. [deg]
 LOW: Final = (70.0, 80.0)

@@ -18,12 +18,12 @@ from airlight.validation.suite import Part, ReportPicture, ReportTable, SuiteRun
 
 FloatArray = NDArray[np.float64]
 
-#: Solvers that keep their orders, with their qualities.
+#: Solvers that compute separate orders, with their qualities.
 ORDER_SOLVERS: Final[tuple[tuple[str, Any], ...]] = (
     ("direct", "default"),
     ("montecarlo", MonteCarloSettings(relative_error=0.005, most_histories=400_000)),
 )
-#: Wavelength of the figure, the one that scatters most. [nm]
+#: Wavelength of the figure, that with the strongest scattering. [nm]
 WAVELENGTH: Final = 440.0
 #: Largest number of orders shown.
 MOST_ORDERS: Final = 10
@@ -62,7 +62,7 @@ def order_convergence(
 
 def order_shares(solution: Solution, where: CaseLines) -> FloatArray:
     """Radiance of orders 1, 2, … over the total, shape (orders, cases). [1]"""
-    if isinstance(solution, MonteCarloSolution):  # the orders come from the same histories
+    if isinstance(solution, MonteCarloSolution):  # all orders come from the same histories
         traced = solution.trace(solution.lines_of_sight(**where)[0])
         return np.asarray(traced.parts[:, :-1, 0].T / traced.total[:, 0])
     whole = solution.radiance(**where).values[:, 0]

@@ -30,9 +30,9 @@ FloatArray = NDArray[np.float64]
 FILE: Final = "data/plane-parallel.toml"
 #: Zenith angles of the sun. [deg]
 SUNS: Final = (0.0, 30.0, 60.0, 75.0)
-#: Difference of the light on the ground that is aimed at. [%]
+#: Target of the difference of the irradiance of the ground. [%]
 AIM: Final = 1.0
-#: Relative difference of an optical depth above which the reference belongs to another planet.
+#: Relative difference of an optical depth from which the reference counts as a different planet.
 SAME: Final = 1e-6
 _BOTTOM, _THICKNESS, _ALBEDO = 6000e3, 100e3, 0.05
 

@@ -14,7 +14,7 @@ from airlight.planets.spectral import PerWavelength
 
 #: Wavelengths of all these planets. [nm]
 WAVELENGTHS: Final = (680.0, 550.0, 440.0)
-#: Absorption of the aerosol as AP2 prints it, and as in AP2's own source. [m⁻¹]
+#: Absorption coefficient of the aerosol as printed in AP2, and as in AP2's source. [m⁻¹]
 PRINTED_ABSORPTION: Final = 4.40e-6
 CORRECTED_ABSORPTION: Final = 0.444e-6
 

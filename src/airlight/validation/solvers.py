@@ -35,7 +35,7 @@ from airlight.validation.suite import (
 
 #: A clear Earth, and a Mars with dust of optical depth 0.5.
 PLANETS: Final = ("earth-atmosphere-plus", "mars-standard")
-#: Lowest number of lines of sight of each planet that must agree.
+#: Smallest number of lines of sight per planet that must agree.
 LEAST_CASES: Final = 40
 #: Number of largest differences between a point star and a disc that are listed.
 LISTED: Final = 6

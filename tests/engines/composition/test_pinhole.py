@@ -85,11 +85,11 @@ def test_a_camera_of_another_size_sees_the_same() -> None:
     ("data", "words"),
     [
         ("{", "cannot be read as JSON"),
-        ("[]", "holds no JSON object"),
+        ("[]", "is not a JSON object"),
         ({"w": 4, "h": 3, "transform_matrix": MATRIX}, "camera_angle_x is 'missing'"),
         (PLAIN | {"fl_x": "wide"}, "fl_x is 'wide'; allowed: a finite number"),
         (PLAIN | {"fl_x": -1.0}, "camera.focal_x is -1.0; allowed: a number above 0"),
-        (PLAIN | {"k1": 0.1}, "k1 is 0.1; allowed: 0: lenses that distort"),
+        (PLAIN | {"k1": 0.1}, "k1 is 0.1; allowed: 0: lens distortion"),
         (PLAIN | {"camera_model": "OPENCV_FISHEYE"}, "allowed: OPENCV, PINHOLE"),
         (PLAIN | {"transform_matrix": [[1, 2], [3, 4]]}, "allowed: a 4 x 4 matrix"),
         (PLAIN | {"transform_matrix": np.diag([1, 1, -1, 1]).tolist()}, "perpendicular axes"),

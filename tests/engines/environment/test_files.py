@@ -199,7 +199,7 @@ def test_files_beside_a_map_are_replaced_until_somebody_edits_them(
     sidecar = tmp_path / "a[ 1 ].json"
     text = sidecar.read_text(encoding="utf-8")
     sidecar.write_text(text.replace('"sun":', '"note": "mine", "sun":'), encoding="utf-8")
-    with pytest.raises(FileError, match="not as airlight wrote it"):
+    with pytest.raises(FileError, match="modified since airlight wrote it"):
         write_map(path, made(width=32))
     assert "mine" in sidecar.read_text(encoding="utf-8")
 

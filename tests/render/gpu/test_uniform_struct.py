@@ -131,7 +131,7 @@ def test_the_struct_is_the_same_in_both_languages() -> None:
 def test_what_is_not_declared_is_refused() -> None:
     with pytest.raises(ParameterError, match="uniform is 'wide'"):
         STRUCT.packed({"wide": 1.0}, {})
-    with pytest.raises(ParameterError, match="a number of single precision"):
+    with pytest.raises(ParameterError, match="a number within single precision"):
         STRUCT.packed({"height": 1e60}, {})
     with pytest.raises(TypeError, match="table is an array without a mark"):
         UniformStruct("wrong", (Unmarked,))

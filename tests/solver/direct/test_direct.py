@@ -231,7 +231,7 @@ def test_what_does_not_fall_is_an_error() -> None:
             Constituent(name="milk", profile=Uniform(), scattering=1e-4, phase_function=Rayleigh()),
         ),
     )
-    with pytest.raises(ConvergenceError, match="do not fall"):
+    with pytest.raises(ConvergenceError, match="do not decrease"):
         solved(planet, replace(COARSE, orders=12))
 
 

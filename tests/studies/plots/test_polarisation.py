@@ -107,7 +107,7 @@ def test_pictures_are_dark_without_light_and_angles_fade_with_the_degree() -> No
 
 def test_scalar_light_has_no_such_figure(known_light: Callable[..., Solution]) -> None:
     plain = known_light(lambda lines, order: np.ones(lines.r.size))
-    with pytest.raises(ParameterError, match="stokes is True; allowed: a solver of polarised"):
+    with pytest.raises(ParameterError, match="stokes is True; allowed: a solution with polarised"):
         polarisation_dome(plain)
 
 

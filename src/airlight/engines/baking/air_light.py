@@ -31,9 +31,9 @@ from airlight.solver.tables.layout import Positions
 
 FloatArray = NDArray[np.float64]
 
-#: Directions on each axis of the quadrature of the light that one order sends to the ground.
+#: Number of directions per axis of the quadrature of one order's irradiance of the ground.
 _SKY = 12
-#: Sun angles at which that light is computed and between which it is interpolated.
+#: Sun angles at which that irradiance is computed, for interpolation.
 _SUNS = 129
 
 
@@ -80,7 +80,7 @@ class AirLight:
         self.orders: tuple[int | None, ...] = (order,)
         if order is not None and cumulative:
             self.orders = tuple(range(1, order + 1))
-        #: Whether the solver gives the air's light alone for a line marked as ending in the air.
+        #: Whether the solver gives path radiance for a line marked as ending within the atmosphere.
         self.separates_ground = isinstance(solution, MomentsSolution)
         self._skies: dict[int, tuple[FloatArray, FloatArray]] = {}
 
@@ -196,7 +196,8 @@ class AirLight:
     def _sky_at(self, mu_s: FloatArray, order: int) -> FloatArray:
         """Diffuse irradiance of the ground of one order, or of all (0), shape (n, nl). [1]"""
         suns, values = self._sky(order)
-        # In twilight the sky falls e-fold in a degree or two: its logarithm is interpolated.
+        # In twilight, sky radiance falls by a factor of e in a degree or two: its logarithm is
+        # interpolated.
         logs = np.log(np.maximum(values.T, 1e-300))
         sky = np.exp(np.stack([np.interp(mu_s, suns, column) for column in logs], axis=-1))
         return np.asarray(sky)
@@ -205,13 +206,14 @@ class AirLight:
         """Table over the sun's cosine of the diffuse irradiance of one order, or of all (0)."""
         if order not in self._skies:
             t = np.linspace(-1.0, 1.0, _SUNS)
-            suns = np.sin(0.5 * np.pi * (0.3 * t + 0.7 * t**3))  # steps of 0.4° about level
+            suns = np.sin(0.5 * np.pi * (0.3 * t + 0.7 * t**3))  # steps of 0.4° near the horizontal
             if order == 0:
                 ground = np.full(suns.size, self.solution.medium.bottom_radius)
                 self._skies[0] = suns, self.solution.relative_sky_irradiance(ground, suns)
                 return self._skies[0]
             rule = gauss_legendre(_SKY)
-            # x² puts the directions densely at the horizon, where the sky is steep.
+            # x² concentrates the directions at the horizon, where the gradient of the sky is
+            # largest.
             mu, weight = rule.nodes**2, 2.0 * rule.nodes * rule.weights
             around = np.cos(np.pi * (np.arange(_SKY) + 0.5) / _SKY)
             mu_s, view, side = (x.ravel() for x in np.meshgrid(suns, mu, around, indexing="ij"))

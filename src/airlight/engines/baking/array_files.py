@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from airlight.errors import FileError
 from airlight.kernel.memory import check_memory
 
-#: Kinds of NumPy's types that are read: booleans, whole numbers, floats, texts. No objects.
+#: Kinds of NumPy types that are read: booleans, integers, floats, texts. No objects.
 _KINDS: Final = "biufU"
 #: Errors of damaged archives and headers.
 _DAMAGE: Final = (

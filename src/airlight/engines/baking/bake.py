@@ -52,14 +52,14 @@ FloatArray = NDArray[np.float64]
 LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
 #: Texels per block of work.
 _BLOCK: Final = 1 << 13
-#: Divisors of the smooth light, by the name of the phase function.
+#: Divisors of the smooth radiance, by the name of the phase function.
 _DIVISORS: Final = {
     "smooth": "the phase function smooth",
     "rayleigh": "Rayleigh's phase function",
     "gas": "the gas's phase function",
 }
 #: Quantity of the tables of scattered light.
-_AIR: Final = "radiance of the air alone, without the ground's, per irradiance of the star"
+_AIR: Final = "path radiance without the ground's radiance, per irradiance of the star"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -178,8 +178,8 @@ def bake(
         raise ParameterError("precision", precision, "single, half")
     if points < 1:
         raise ParameterError("points", points, "1 or more")
-    # What peaks scatter again has the shape of the higher orders' light, which Rayleigh's phase
-    # function as divisor would lose.
+    # Light scattered again by a forward peak has the angular shape of the higher orders, which
+    # would be lost with Rayleigh's phase function as divisor.
     air = AirLight(solution, order, cumulative=cumulative, peaks_once=smooth_phase == "rayleigh")
     step = _Steps(progress, cancel)
     medium = solution.medium
@@ -258,7 +258,7 @@ def _packing(layout: str, packing: str | None) -> str:
 
 
 class _Steps:
-    """Run blocks on all cores, with progress and cancellation."""
+    """Runner of blocks on all cores, with progress and cancellation."""
 
     def __init__(self, progress: Progress | None, cancel: Cancel | None) -> None:
         self.progress, self.cancel = progress, cancel

@@ -43,18 +43,18 @@ from airlight.solver.tables.texture_reading import (
 
 FloatArray = NDArray[np.float64]
 
-#: Languages by the names of the files.
+#: Languages by file name.
 DIALECTS: Final[dict[str, ShaderDialect]] = {
     "look_up.glsl": GLSL, "look_up.wgsl": WGSL, "look_up.hlsl": HLSL
 }  # fmt: skip
-#: Name of the texture of the phase functions, and every which node of theirs it has.
+#: Name of the texture of the phase functions, and stride of their nodes in it.
 PHASES: Final = "phase_functions"
 PHASE_STEP: Final = 4
-#: Number of test vectors, and their seed.
+#: Number of test vectors, and seed.
 _VECTORS: Final = 256
 _SEED: Final = 7
 _COLOURS: Final = 3
-#: Tables that no function reads.
+#: Tables that no function uses.
 NOT_READ: Final = ("higher-order",)
 _SIGHT: Final = ("r", "mu", "mu_s", "nu")
 

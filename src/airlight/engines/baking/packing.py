@@ -26,12 +26,12 @@ from airlight.solver.tables.scattered_light import PhaseFunctions
 
 FloatArray = NDArray[np.float64]
 
-#: Number of azimuths of the fit: midpoints of equal parts of half a turn.
+#: Number of azimuths of the fit: midpoints of equal intervals of half a turn.
 FIT_AZIMUTHS: Final = 8
 #: Weight of single scattering in the fit, where azimuths do not determine it (a view
 #: straight up has one angle to the sun only). [1]
 _PRIOR: Final = 1e-4
-#: Radiance below this fraction of a point's largest is raised to it in the fit's weights. [1]
+#: Radiance, relative to a point's largest, below which the fit's weights are constant. [1]
 _DIM: Final = 1e-3
 _TINY: Final = 1e-12
 

@@ -25,13 +25,14 @@ FloatArray = NDArray[np.float64]
 
 #: Zenith angle of view and star on the reference line of sight. [deg]
 _ZENITH: Final = 80.0
-#: Largest vertical optical depth above the reference point, which is on the ground of thinner air.
+#: Largest vertical optical depth above the reference point; in thinner atmospheres it is on the
+#: ground.
 _DEPTH: Final = 0.5
 #: Number of angles on the reference line of sight.
 _ANGLES: Final = 129
 #: Number of altitudes at which the depth is found.
 _ALTITUDES: Final = 2001
-#: Smallest value of a shape, over its largest.
+#: Smallest value of an angular shape, relative to its largest.
 _LEAST: Final = 1e-4
 
 
@@ -77,8 +78,8 @@ def smooth_phases(
     if rayleigh:
         even = vectorized(rayleigh_phase)(1.0 - 2.0 * nodes**2, 0.0)
         first, whole = "rayleigh", np.broadcast_to(even, whole.shape)
-        # The light at the nearest possible angle: by the shape along the reference line, skies of
-        # Earth under a high sun err by 1.6 % in place of 0.3 % (median).
+        # Radiance at the nearest possible angle: with the shape along the reference line, skies of
+        # Earth under a high sun err by 1.6 % instead of 0.3 % (median).
         rest = np.ones_like(rest)
     else:
         first, whole = "smooth", whole / norm[:, None]

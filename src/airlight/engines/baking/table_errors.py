@@ -34,12 +34,13 @@ DARK_GROUND: Final = 1e-6
 DIM: Final = 1e-5
 #: Largest zenith angle of the star. [deg]
 LOWEST_SUN: Final = 96.0
-#: Zenith angles of the star between which it counts as low, and below which twilight begins. [deg]
+#: Zenith angles between which the star counts as low, and above which twilight begins. [deg]
 LOW_SUN: Final = (80.0, 92.0)
-#: Points of the sample of peaked light, over those of the even one.
+#: Number of points of the sample of peaked radiance, relative to the uniform one.
 PEAKED: Final = 4
-#: Worst points of a region about which worse ones are sought, points about each, and steps of the
-#: search with the size of each: of the angles [deg], and of the altitude over the thickness.
+#: Number of worst points of a region from which the search for worse ones starts, points about
+#: each, and steps of the search with their sizes: of the angles [deg], and of the altitude over the
+#: thickness.
 _WORST: Final = 32
 _AROUND: Final = 32
 _STEPS: Final = ((3.0, 0.03), (1.0, 0.01), (0.3, 0.003), (0.1, 0.001))

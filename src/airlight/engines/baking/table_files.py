@@ -50,7 +50,7 @@ FILES: Final = ("*.npz", "*.exr", *DIALECTS, _VECTORS)
 #: Largest table, and the largest phase functions. [byte]
 _LARGEST: Final = 4_000_000_000
 _LARGEST_PHASES: Final = 250_000_000
-#: Errors of manifests that are not ours.
+#: Errors of manifests of other programs.
 _DAMAGE: Final = (
     KeyError, TypeError, ValueError, AttributeError, IndexError, ArithmeticError, MemoryError,
 )  # fmt: skip

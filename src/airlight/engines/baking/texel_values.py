@@ -16,16 +16,16 @@ from airlight.kernel.threads import run_blocks
 
 FloatArray = NDArray[np.float64]
 
-#: Share of the second difference that is taken off a value: the mean of what linear interpolation
-#: errs by from one texel to the next, ∫ t (1 - t)/2 dt.
+#: Fraction of the second difference subtracted from a value: the mean error of linear interpolation
+#: between texels, ∫ t (1 - t)/2 dt.
 _SHARE: Final = 1.0 / 12.0
-#: Smallest and largest factor by which a value is changed at an edge of the light.
+#: Smallest and largest factor by which a value is changed at a discontinuity of the radiance.
 _LEAST, _MOST = 0.5, 1.2
-#: Smallest and largest ratio of one sun's angular shape to another's.
+#: Smallest and largest ratio of the angular shapes of two suns.
 _NARROW, _WIDE = 0.5, 2.0
 #: Axes along which values are balanced: radii and suns.
 _BALANCED: Final = (0, 2)
-#: Views of one block of work.
+#: Views in one block of work.
 _VIEWS: Final = 4
 
 

@@ -33,19 +33,19 @@ from airlight.solver.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Azimuths, rows of each half and steps to a factor of ten of the air's tables.
+#: Numbers of azimuths, rows of each half and steps per factor of ten of the tables of the path.
 SIZE: Final = (48, 48, 8)
-#: Azimuths, and rows of each half, of the tables.
+#: Numbers of azimuths, and of rows of each half, of the tables.
 SKY_SIZE: Final = (128, 128)
 #: Limits of the tables' sizes.
 _LEAST, _MOST = 4, 512
 #: Smallest coordinate of a row, so that lines of the two halves lie on either side of the horizon.
 _ASIDE: Final = 3e-4
-#: Smallest transmittance of a channel: deep red has less than no blue in sRGB. [1]
+#: Smallest transmittance of a channel: deep red light has a negative blue component in sRGB. [1]
 _DARKEST: Final = 1e-6
 #: Largest value stored: half precision ends at 65504.
 _LARGEST: Final = 3e4
-#: Texels marched at once.
+#: Texels marched together.
 _BLOCK: Final = 1 << 15
 #: Number and seed of the points at which errors are measured.
 ERROR_POINTS: Final = 4096
@@ -127,7 +127,7 @@ class AerialPerspective:
             Number of azimuths and of rows per hemisphere of the sky tables.
         """
         if not isinstance(solution, MomentsSolution):
-            raise ParameterError("solution", type(solution).__name__, "a solution by moments")
+            raise ParameterError("solution", type(solution).__name__, "a moments solution")
         nearest = quantity(nearest, "m", "nearest", bare=True)
         farthest = quantity(farthest, "m", "farthest", bare=True)
         check_request(
@@ -246,7 +246,7 @@ class _March:
         return light @ self._radiance, through @ self._white, whole
 
     def sky(self, directions: FloatArray) -> tuple[Float32Array, Float32Array]:
-        """Radiance of sky or ground, and of the star's disc behind the air, each (n, LANES). [1]"""
+        """Radiance of sky or ground, and of the attenuated stellar disc, each (n, LANES). [1]"""
         medium = self.solution.medium
         mu, sine = directions[:, 2], np.hypot(directions[:, 0], directions[:, 1])
         nu = np.clip(directions @ self._sun, -1.0, 1.0)
@@ -279,7 +279,7 @@ def check_request(
         Arguments of ``AerialPerspective.fill``.
     """
     if scene.altitude >= thickness:
-        allowed = f"below the top of the air, {thickness:g} m"
+        allowed = f"below the top of the atmosphere, {thickness:g} m"
         raise ParameterError("scene.altitude", scene.altitude, allowed)
     if len(scene.lights) != 1:
         raise ParameterError("scene.lights", len(scene.lights), "1")

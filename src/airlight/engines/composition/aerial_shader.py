@@ -15,7 +15,7 @@ from airlight.render.gpu.emit.emitter import Emitter
 from airlight.render.gpu.emit.shader_types import F32, Constant, StructValue, Value
 from airlight.render.gpu.emit.texture_table import TextureTable
 
-#: Textures that a host binds by these names, in the order of the files.
+#: Textures by the names to which a host binds them, in the order of the files.
 TEXTURES = ("air_light", "air_extinction", "air_sky", "air_star")
 
 

@@ -34,13 +34,13 @@ from airlight.solver.solve import solution_of
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Pixels of a band, which has whole rows of cells: what is worked on at once is bounded.
+#: Pixels of a band, in whole rows of cells, which bounds the memory.
 _BAND: Final = 1 << 16
 #: Most rows of cells of a band.
 _CELLS: Final = 8
-#: Pixels in which the nearest surface is looked for where a pass missed it.
+#: Search distance for the nearest surface where a pass has none. [pixel]
 _REACH: Final = 8
-#: Largest cover, albedo and share of light: 1 and what is lost in half floats. [1]
+#: Largest cover, albedo and visible fraction: 1 and the rounding of half floats. [1]
 _MOST: Final = 1.001
 #: Pixels of the sky in one block of work.
 _BLOCK: Final = 1 << 12
@@ -161,7 +161,7 @@ def compose(
         raise ParameterError("white", white, "above 0")
     solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
-        raise ParameterError("solution", type(solution).__name__, "a solution by moments")
+        raise ParameterError("solution", type(solution).__name__, "a moments solution")
     view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
         _LightRenderer(seen, lit, view, exact, disc)
@@ -233,7 +233,7 @@ def _checked(
         np.count_nonzero(np.isnan(passes).any(axis=-1) if passes.ndim > 2 else np.isnan(passes))
     )
     if missing:
-        warn(f"depth is NaN in {missing} pixels: they show no surface, but the sky")
+        warn(f"depth is NaN in {missing} pixels: they show the sky")
     return colors, cover, passes, kind
 
 
@@ -341,7 +341,7 @@ class _LightRenderer:
         parts: list[NDArray[Any]],
         transmittance: FloatArray,
     ) -> FloatArray:
-        """Linear sRGB of relit surfaces, attenuated by the air. [W m⁻² sr⁻¹]
+        """Linear sRGB of relit surfaces, attenuated by the atmosphere. [W m⁻² sr⁻¹]
 
         Parameters
         ----------
@@ -354,7 +354,7 @@ class _LightRenderer:
         """
         albedo, normals, lit = (np.asarray(one, np.float64) for one in parts)
         reached = away[solid]
-        # what has no depth stands at the camera for its light
+        # points without depth are placed at the camera to compute their illumination
         points = self._directions(camera.rays(rows)[solid])
         points *= np.where(np.isfinite(reached), reached, 0.0)[:, None]
         turned = normals @ camera.axes.T @ self._axes

@@ -14,7 +14,7 @@ FloatArray = NDArray[np.float64]
 
 #: Kinds of a depth pass.
 KINDS: Final = ("auto", "planar", "distance", "position", "inverse")
-#: Depth from which on there is no surface: renderers write 1e10, 1e11 or infinity. [scene units]
+#: Depth from which a pixel has no surface: renderers write 1e10, 1e11 or infinity. [scene units]
 FAR: Final = 1e9
 
 

@@ -26,7 +26,7 @@ Float32Array = NDArray[np.float32]
 CELL: Final = 16
 #: Steps of distance over a factor of ten.
 STEPS: Final = 16
-#: Largest error of a cell, over the light of a grey surface behind its air.
+#: Largest error of a cell, relative to the light of a grey surface behind its path.
 BAR: Final = 2e-3
 #: Most nodes of distance; nearer surfaces are marched.
 _MOST: Final = 96
@@ -61,7 +61,7 @@ class Froxels:
         Parameters
         ----------
         air : PathRadiance
-            Air before the observer.
+            Path radiance in front of the observer.
         directions : array, shape (rows, columns, 3)
             Unit vectors of the nodes of the screen, in the observer's local frame. [1]
         nearest, farthest : float

@@ -13,9 +13,9 @@ from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
-#: Longest stretch in which nothing is seen of the air. [m]
+#: Longest path whose radiance is negligible. [m]
 _NOTHING = 1e-6
-#: Length up to which nodes lie below the ground, over the length to it.
+#: Length up to which nodes extend below the ground, relative to the length to it.
 _BELOW = 2.5
 #: Reflectance of the grey surface to whose light errors are compared.
 _GREY = 0.18

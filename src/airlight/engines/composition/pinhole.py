@@ -18,13 +18,13 @@ from airlight.physics.units import values_in
 
 FloatArray = NDArray[np.float64]
 
-#: Models of a lens in a file that are a pinhole.
+#: Camera models in a file that are a pinhole.
 _MODELS: Final = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE")
-#: Keys of a lens's distortion, which is not rendered.
+#: Keys of lens distortion, which is not rendered.
 _DISTORTION: Final = ("k1", "k2", "k3", "k4", "p1", "p2")
-#: Largest difference of a camera's axes from perpendicular ones. [1]
+#: Largest deviation of a camera's axes from orthogonality. [1]
 _SKEW: Final = 1e-3
-#: Largest relative difference of the shape of a picture from that of its camera.
+#: Largest relative difference of the aspect ratios of a picture and its camera.
 _SHAPE: Final = 0.01
 _MATRIX: Final = "a 4 x 4 matrix of finite numbers"
 
@@ -192,7 +192,7 @@ def camera_from_json(
     except (ValueError, RecursionError) as error:
         raise FileError(path, f"cannot be read as JSON: {error}") from error
     if not isinstance(data, dict):
-        raise FileError(path, "holds no JSON object")
+        raise FileError(path, "is not a JSON object")
     try:
         place = data.get("airlight", {})
         if not isinstance(place, dict):
@@ -224,7 +224,7 @@ def _camera(data: Mapping[str, Any], size: tuple[int, int] | None) -> Pinhole:
         raise ParameterError("camera_model", model, ", ".join(_MODELS))
     for key in _DISTORTION:
         if data.get(key, 0.0) != 0.0:
-            raise ParameterError(key, data[key], "0: lenses that distort are not rendered")
+            raise ParameterError(key, data[key], "0: lens distortion is not supported")
     width, height = (
         _number(data, key, None if size is None else size[i]) for i, key in enumerate(("w", "h"))
     )

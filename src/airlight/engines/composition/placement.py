@@ -20,7 +20,7 @@ from airlight.scene.observer import planet_frame
 
 FloatArray = NDArray[np.float64]
 
-#: Words of a scene's vertical axis.
+#: Names of a scene's vertical axis.
 UPS: Final = ("z", "y")
 #: Keys of the block ``airlight`` of a camera's file, and the fields they fill.
 KEYS: Final = {
@@ -33,7 +33,7 @@ KEYS: Final = {
     "sun_zenith": "sun_zenith",
     "sun_azimuth": "sun_azimuth",
 }
-#: Smallest altitude of a camera that still counts as standing on the ground. [m]
+#: Smallest altitude of a camera that counts as being on the ground. [m]
 _BELOW: Final = -1e-3
 
 
@@ -199,7 +199,7 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
     frame = np.array([x, np.cross(up, x), up])
     local = axes @ frame.T
     latitude, longitude, bearing = _coordinates(place, up, sun)
-    # a symmetric picture around the principal point that covers the whole one
+    # a symmetric picture around the principal point that contains the whole picture
     centre_x, centre_y = camera.centre
     stretch = camera.focal_x / camera.focal_y
     wide = 2.0 * max(centre_x, camera.width - centre_x)

@@ -21,7 +21,7 @@ from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
-#: Zenith angles of each half of the sphere, and azimuths of half a turn, of its quadrature.
+#: Numbers of zenith angles of each hemisphere, and of azimuths of half a turn, of the quadrature.
 _ZENITHS: Final = 12
 _AZIMUTHS: Final = 12
 #: Steps of the nodes: of ln(1 + h/5 km), 500 m at the ground; of arsinh(20 μ), a quarter of
@@ -30,7 +30,7 @@ _RISE: Final = 0.1
 _HIGH: Final = 5e3
 _TURN: Final = 0.08
 _LEVEL: Final = 20.0
-#: Degrees of the harmonics: a half-sphere weighted by the cosine has no odd ones but the first.
+#: Degrees of the harmonics: a hemisphere weighted by the cosine has no odd degrees other than 1.
 _DEGREES: Final = (0, 1, 2, 4, 6, 8)
 
 
@@ -52,7 +52,7 @@ _RECEIVED: Final = np.array([_half_sphere(l) for l in _DEGREES for m in range(l 
 
 
 class SurroundingLight:
-    """Irradiance of surfaces at points of the air.
+    """Irradiance of surfaces at points of the atmosphere.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ class SurroundingLight:
     def _fill(self, nodes: list[tuple[int, int]]) -> None:
         """Fill radiance harmonics per irradiance at nodes, each shape (27, nl). [sr⁻¹]"""
         rule = gauss_legendre(_ZENITHS)
-        # x² puts the directions densely at the horizon, where the sky is steep
+        # x² concentrates the directions at the horizon, where the gradient of the sky is largest
         up, weight = rule.nodes**2, 2.0 * rule.nodes * rule.weights
         z, weight = np.concatenate([up, -up]), np.concatenate([weight, weight])
         azimuth = np.pi * (np.arange(_AZIMUTHS) + 0.5) / _AZIMUTHS

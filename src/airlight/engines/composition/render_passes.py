@@ -18,7 +18,7 @@ from airlight.image.exr import check_exr
 
 Float32Array = NDArray[np.float32]
 
-#: Endings of names of depth passes, best first, and the kind that renderers give them.
+#: Suffixes of names of depth passes in order of preference, and the kind of depth.
 _DEPTHS: Final = (
     ("Depth.Z", "planar"),
     ("Position.X", "position"),

@@ -26,8 +26,8 @@ _SOUTH: Final = (0.0, -1.0, 0.0)
 Axes = tuple[tuple[float, float, float], ...]
 #: z up: x east, y north.
 Z_UP: Final[Axes] = (_EAST, _NORTH, _UP)
-#: y up, right-handed: x east, z south, so that a camera of such programs, which looks to -z, looks
-#: to the north.
+#: y up, right-handed: x east, z south, so that a camera of such programs, which looks along -z,
+#: faces north.
 Y_UP: Final[Axes] = (_EAST, _UP, _SOUTH)
 #: y up, left-handed: x east, z north.
 Y_UP_LEFT_HANDED: Final[Axes] = (_EAST, _UP, _NORTH)
@@ -114,9 +114,9 @@ class Consumer:
         return replace(self, centre=math.fmod(front, 360.0), tilt=tilt)
 
 
-#: Programs by their word. Unity's formula is that of its shader Skybox/Panoramic, Godot's that of
-#: PanoramaSkyMaterial, three.js's that of equirectUv, USD's that of OpenEXR's latitude-longitude
-#: maps (Technical Introduction to OpenEXR, "Environment Maps"); Blender's and Mitsuba's were run.
+#: Programs by name. Formulas: Unity's shader Skybox/Panoramic, Godot's PanoramaSkyMaterial,
+#: three.js's equirectUv, and for USD OpenEXR's latitude-longitude maps (Technical Introduction to
+#: OpenEXR, "Environment Maps"); Blender and Mitsuba were verified by rendering.
 CONSUMERS: Final[dict[str, Consumer]] = {
     one.name: one
     for one in (

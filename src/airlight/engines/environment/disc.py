@@ -25,19 +25,20 @@ from airlight.scene.camera import Camera
 
 FloatArray = NDArray[np.float64]
 
-#: Pixels across the small picture: fewest, and most.
+#: Smallest and largest width of the small picture. [pixel]
 _FEWEST: Final = 160
 _MOST: Final = 2048
-#: Its pixels across a texel of the map, at least.
+#: Smallest number of its pixels per texel of the map.
 _PER_TEXEL: Final = 8
-#: Half of its width over the radius of the disc, and of one whose centre may be behind the horizon.
+#: Half width relative to the radius of the disc, and for a disc whose centre may be below the
+#: horizon.
 _HALF_WIDTH: Final = 1.25
 _HALF_WIDTH_LOW: Final = 2.5
-#: Share of the light outside the air below which a disc is not seen, as on the ground of Venus. [1]
+#: Transmittance below which a disc is invisible, as on the ground of Venus. [1]
 _UNSEEN: Final = 1e-12
 #: Pixels across the disc, at least. [pixel]
 _ACROSS: Final = 60
-#: Smallest and largest half of its width. [rad]
+#: Smallest and largest half width. [rad]
 _SMALLEST: Final = math.radians(1e-3)
 _WIDEST: Final = math.radians(30.0)
 

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from airlight.engines.environment.consumers import Consumer
     from airlight.engines.environment.environment_map import EnvironmentMap
 
-#: Scene of a program: suffix, and the function that writes it.
+#: Scene of a program: suffix and writing function.
 SCENES: Final[dict[str, tuple[str, Callable[[EnvironmentMap, str, float], str]]]] = {
     "usd": (".usda", usd_scene),
     "mitsuba": (".xml", mitsuba_scene),
@@ -134,7 +134,7 @@ def write_map(
     """
     others, stale = check_beside(path, made.consumer, overwrite=overwrite)
     facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}
-    if not made.placed:  # where the scene stands on its globe is nobody's place
+    if not made.placed:  # a scene without a place on the globe has no coordinates
         facts = {name: text for name, text in facts.items() if name not in _PLACE}
     suffix = path.suffix.lower()
     halves = precision == "half" or compression == "dwa" or made.consumer.keeps_halves
@@ -164,7 +164,7 @@ def write_map(
         exposure = written.exposure
     for scene in stale:
         scene.unlink(missing_ok=True)
-    # The JSON lists a scene before it is there: whenever this is killed, none is there unlisted.
+    # The JSON lists a scene before it exists, so that an interrupted run leaves no unlisted scene.
     scenes = {
         other: SCENES[made.consumer.name][1](made, path.name, factor).encode()
         for other in others[1:]

@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: What the lower half can show.
+#: Contents of the lower hemisphere.
 GROUNDS: Final = ("neutral", "map", "black")
-#: Places per side of a texel at which it is asked whether the ground is there.
+#: Samples per side of a texel for the coverage by the ground.
 _PLACES: Final = 4
-#: Halvings that find the horizon.
+#: Number of bisections to the horizon.
 _BISECTIONS: Final = 40
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 #: Format of the file.
 FORMAT: Final = "airlight sky 1"
-#: Digits of its numbers.
+#: Significant digits of its numbers.
 _DIGITS: Final = 9
 
 

@@ -38,7 +38,7 @@ from airlight.kernel.threads import Progress
 from airlight.solver.solution import Solution
 from airlight.solver.tables.bruneton import BrunetonLayout
 
-#: Irradiance of green by the Earth's sun, for which the demo's exposure is chosen. [W m⁻² nm⁻¹]
+#: Green irradiance of the Earth's sun for which the demo's exposure is chosen. [W m⁻² nm⁻¹]
 _EARTH: Final = 1.85
 #: Factor of the demo's keys ``+`` and ``-``.
 _KEY: Final = 1.1

@@ -36,17 +36,17 @@ Stored = NDArray[Any]
 
 #: Wavelengths of red, green and blue. [nm]
 WAVELENGTHS: Final = (680.0, 550.0, 440.0)
-#: Texels of r, mu, mu_s and nu, which the programs fix.
+#: Numbers of texels in r, mu, mu_s and nu, fixed by the programs.
 _SIZE: Final = (32, 128, 32, 8)
-#: Sun's cosine below which a program leaves M out before surfaces, in part or whole.
+#: Sun's cosine below which a program omits M in front of surfaces, partly or entirely.
 _LEFT_OUT: Final = 0.01
-#: Points at which the bake itself is compared, whose errors are not reported: the fewest.
+#: Smallest number of points at which the bake is compared; these errors are not reported.
 _FEW: Final = 64
-#: Light below this share of the brightest does not tell the colours of M.
+#: Radiance relative to the brightest below which it does not determine the colours of M.
 _DIM: Final = 1e-5
 #: Largest half float.
 _LARGEST: Final = 65504.0
-#: Altitudes among which that of the densest air is sought.
+#: Altitudes for the search of the largest density.
 _HEIGHTS: Final = 1001
 
 
@@ -193,7 +193,7 @@ def fill_tables(
         mie_colours=colours,
         darkest=darkest,
     )
-    # In alpha's company S is what gives the right sum with restored colours, which may be less.
+    # Where alpha restores colours, S is the part that gives the right sum, which may be less.
     every = STEP if fine else 1
     orders = baked.tables["higher-order"].physical[..., ::every, :] * light
     higher = np.minimum(orders, packed[..., :3])
@@ -319,7 +319,7 @@ def _smooth_and_mie(
     )
     start = np.concatenate([smooth, mie], axis=-2)
     flat = (-1, *exact.shape[-2:])
-    # before a surface the program leaves M out while the sun is below the horizon
+    # in front of a surface the program omits M while the sun is below the horizon
     signed = layout.positions().mu_s.reshape(layout.shape)[..., 0].ravel() > _LEFT_OUT
     found = fit.fitted(
         exact.reshape(flat), [one.reshape(flat) for one in once],

@@ -109,7 +109,7 @@ def g_of_schlick(mean_cosine: float) -> float:
     def mean(g: float) -> float:
         k = g * (1.55 - 0.55 * g * g)
         if abs(k) < 1e-3:
-            return 2.0 * k / 3.0  # the first term of its series
+            return 2.0 * k / 3.0  # first term of the series
         return 1.0 / k + 0.5 * (1.0 - k * k) / (k * k) * math.log((1.0 - k) / (1.0 + k))
 
     most = mean(_LARGEST_G)
@@ -171,7 +171,7 @@ def planet_from_celestia(
         rayleigh, absorbed = (_triple(atmosphere, key) for key in ("Rayleigh", "Absorption"))
         mie, mie_height = (_number(atmosphere, key) for key in ("Mie", "MieScaleHeight"))
         gas_height = _number(atmosphere, "RayleighScaleHeight")
-        # The sign of MieAsymmetry is that of older versions.
+        # The sign of MieAsymmetry follows older versions.
         g = _number(atmosphere, "MieHGAnisotropy")
     except KeyError as error:
         raise ParameterError(str(error.args[0]), "missing", "a key of Atmosphere") from None

@@ -57,14 +57,14 @@ FloatArray = NDArray[np.float64]
 EFFICACY: Final = 683.0
 #: Angles of the phase functions.
 _ANGLES: Final = 4096
-#: Least transmittance that is written: a ratio of two of single precision stays a number. [1]
+#: Smallest transmittance in a file: a quotient of two remains a single-precision number. [1]
 _LEAST: Final = 1e-37
-#: Points at which light is compared, and their seed.
+#: Number of points at which radiances are compared, and seed.
 _POINTS: Final = 4096
 _SEED: Final = 20250601
-#: Luminance over the star's illuminance below which light is not compared. [sr⁻¹]
+#: Luminance relative to the star's illuminance below which radiances are not compared. [sr⁻¹]
 _DARK: Final = 1e-6
-#: Points of the bake's own account, which is not kept.
+#: Number of points for the errors of the bake, which are not reported.
 _FEW: Final = 16
 
 
@@ -100,7 +100,7 @@ def fill(
     )
     star = solution.lights[0]
     weights = EFFICACY * rgb_weights(solution.wavelengths, star.spectrum)
-    weights = weights * star.irradiance[:, None]  # of light per irradiance of the star
+    weights = weights * star.irradiance[:, None]  # of radiance per irradiance of the star
     for name, values in _scattered(baked, weights).items():
         write_texture(folder / name, values)
     table = baked.light.tables["irradiance"]
@@ -203,8 +203,8 @@ def _write_paths(solution: Solution, weights: FloatArray, folder: Path) -> None:
     x, mu, length = at.r, at.mu, lines.length
     drawn = geometry.medium
     if geometry.shell is not None:
-        # A ray that would meet the ground is taken as the one that grazes it: CosmoScout cuts it
-        # off by its lowest point.
+        # A ray that would meet the ground is replaced by the grazing ray: CosmoScout ends it at its
+        # lowest point.
         x = geometry.optical_radius(at.r)
         sine = x * np.sqrt((1.0 - mu) * (1.0 + mu))
         hits = (mu < 0.0) & (sine < geometry.shell.bottom)

@@ -32,12 +32,12 @@ SETTINGS: Final = "preprocessor.json"
 #: Number of wavelengths, a multiple of three, and their range. [nm]
 COUNT: Final = 15
 RANGE: Final = (360.0, 830.0)
-#: Angles of the phase functions, and altitudes of the densities, both even.
+#: Numbers of angles of the phase functions and of altitudes of the densities, both uniform.
 ANGLES: Final = 721
 ALTITUDES: Final = 501
-#: Radius of the sun by which the preprocessor makes an angle of a distance. [m]
+#: Solar radius from which the preprocessor computes an angle by a distance. [m]
 SUN_RADIUS: Final = 696_340_000.0
-#: Orders of scattering: those that CosmoScout's own Mars takes.
+#: Orders of scattering: those of CosmoScout's Mars.
 _ORDERS: Final = 10
 _COMPONENTS: Final = ("molecules", "aerosols", "ozone")
 

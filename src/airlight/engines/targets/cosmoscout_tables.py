@@ -43,7 +43,7 @@ def require_tifffile() -> Any:
 
 
 def write_texture(path: Path, values: FloatArray) -> None:
-    """Write a texture as CosmoScout's preprocessor does: RGB, 32-bit floats, one row a strip.
+    """Write a texture as CosmoScout's preprocessor does: RGB, 32-bit floats, one strip per row.
 
     Parameters
     ----------

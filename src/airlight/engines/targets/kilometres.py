@@ -13,9 +13,9 @@ from airlight.planets.planet import RED_GREEN_BLUE, Planet
 from airlight.planets.spectral import PerWavelength
 from airlight.planets.star import Star
 
-#: Digits of a number: more than single precision has.
+#: Significant digits of a number: more than single precision has.
 _DIGITS: Final = 8
-#: Scale height written for a constituent that the planet does not have. [km]
+#: Scale height written for a missing constituent. [km]
 NO_HEIGHT: Final = 8.0
 
 

@@ -44,20 +44,20 @@ from airlight.solver.solution import Solution
 FILE: Final = "atmosphere.asset"
 #: Factor of the shader by which ozone's ``Extinction`` becomes km⁻¹.
 OZONE_UNIT: Final = 6e-7
-#: Brightness of the sun on the screen: that of OpenSpace's own Earth and Titan. [1]
+#: Brightness of the sun on the screen: that of OpenSpace's Earth and Titan. [1]
 SUN_INTENSITY: Final = 6.9
-#: Factor of the ground's colour: that of OpenSpace's own Earth. [1]
+#: Factor of the ground's colour: that of OpenSpace's Earth. [1]
 GROUND_RADIANCE: Final = 0.6
-#: Radii of what shines and of what casts a shadow, by ``Planet.body``: nodes of OpenSpace's own
+#: Radii of the light source and of the occulting bodies, by ``Planet.body``: nodes of OpenSpace's
 #: Earth. IAU 2015 Resolution B3; IAU WGCCRE 2015. [m]
 _SHADOWS: Final = {"earth": (("Sun", 695_700_000.0), ("Moon", 1_737_400.0))}
-#: Assets that bring these nodes, beside the body's own.
+#: Assets that define these nodes, besides that of the body.
 _SHADOW_NODES: Final = {
     "earth": ("scene/solarsystem/sun/sun", "scene/solarsystem/planets/earth/moon/moon"),
 }
-#: Albedos that differ by no more are one number. [1]
+#: Largest difference of albedos that are written as one number. [1]
 _EVEN: Final = 0.01
-#: Asset that brings the body, and identifier of its node, by ``Planet.body``.
+#: Asset that defines the body, and identifier of its node, by ``Planet.body``.
 _BODIES: Final = {
     "earth": ("scene/solarsystem/planets/earth/earth", "Earth"),
     "mars": ("scene/solarsystem/planets/mars/mars", "Mars"),

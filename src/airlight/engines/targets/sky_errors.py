@@ -19,16 +19,16 @@ from airlight.solver.solution import Solution
 from airlight.solver.tables.layout import Positions
 
 FloatArray = NDArray[np.float64]
-#: Radiance of the air by position, shape (n,) to (n, nl). [W m⁻² sr⁻¹ nm⁻¹]
+#: Path radiance as a function of position, shape (n,) to (n, nl). [W m⁻² sr⁻¹ nm⁻¹]
 Radiance = Callable[[Positions], FloatArray]
 
-#: Radiance per irradiance of the star below which light is not compared. [sr⁻¹]
+#: Radiance per irradiance of the star below which radiances are not compared. [sr⁻¹]
 DARK: Final = 1e-5
-#: Irradiance of level ground per the star's below which it is not compared. [1]
+#: Irradiance of horizontal ground, relative to the star's, below which it is not compared. [1]
 DARK_GROUND: Final = 1e-5
-#: Lowest cosine of the sun's zenith angle by day: 2 deg below level. [1]
+#: Lowest cosine of the sun's zenith angle by day: 2 deg below the horizontal. [1]
 DAY: Final = float(np.cos(np.radians(92.0)))
-#: Half of the points look this near to the sun, evenly in the logarithm of the angle. [deg]
+#: Range of angles from the sun of half of the views, uniform in the logarithm. [deg]
 _NEAR: Final = (0.3, 60.0)
 _POINTS: Final = 4096
 

@@ -13,7 +13,7 @@ from airlight.geometry.ephemeris.solar_time import true_solar_time
 #: Refraction at the horizon of Earth, as almanacs take it. [deg] 34', Explanatory Supplement to
 #: the Astronomical Almanac (2013), section 12.3.
 _LIFT: Final = 34.0 / 60.0
-#: Samples of a day between which crossings are sought, and precision of an event. [day]
+#: Number of samples of a day for bracketing crossings, and precision of an event. [day]
 _SAMPLES: Final = 96
 _PRECISION: Final = 1e-7
 
@@ -58,7 +58,7 @@ def _events() -> dict[str, Event]:
 
 #: Events by name, but for ``noon``.
 EVENTS: Final = _events()
-#: Words for times of a day.
+#: Names of times of day.
 WORDS: Final = (*EVENTS, "noon")
 
 
@@ -122,7 +122,7 @@ def time_of_event(name: str, place: Place, start: float, end: float) -> float:
         if values[k] < 0.0 <= values[k + 1]:
             return _root(above, times[k], times[k + 1])
         if k > 0 and values[k - 1] < values[k] > values[k + 1] and -1.0 < values[k] < 0.0:
-            # A short stay above, between two samples.
+            # A short period above the limit, between two samples.
             peak = _peak(above, times[k - 1], times[k + 1])
             if above(peak) >= 0.0:
                 return _root(above, times[k - 1], peak)

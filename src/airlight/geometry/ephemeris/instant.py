@@ -10,7 +10,7 @@ from airlight.errors import ParameterError
 if TYPE_CHECKING:
     from astronomy import Time
 
-#: Zero of the count: 2000-01-01 12:00 UTC.
+#: Epoch: 2000-01-01 12:00 UTC.
 EPOCH: Final = datetime(2000, 1, 1, 12, tzinfo=UTC)
 #: First and last year: the theory of the planets is truncated for these centuries.
 YEARS: Final = (1700, 2199)

@@ -18,7 +18,7 @@ from airlight.geometry.ephemeris.sun_formula import days_of_date, point_below_su
 
 _RADIAN: Final = math.pi / 180.0
 _ARCSECOND: Final = math.pi / 648000.0
-#: Terrestrial less universal time, as in ``sun_formula``. [day]
+#: Terrestrial minus universal time, as in ``sun_formula``. [day]
 _AHEAD: Final = 63.5 / 86400.0
 #: Radius of the Moon over that of Earth's equator; astronomical unit over the latter. [1]
 _MOON: Final = 1737.4 / 6378.137

@@ -8,7 +8,7 @@ from airlight.errors import ParameterError
 from airlight.geometry.ephemeris.sun_vector import solar_point
 from airlight.geometry.ephemeris.world import World
 
-#: Steps by which a season is found, each of which leaves a fifth of the error or less.
+#: Number of iterations for a season, each of which reduces the error to a fifth or less.
 _STEPS = 60
 _CLOSE = 1e-7
 

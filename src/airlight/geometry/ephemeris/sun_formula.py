@@ -17,14 +17,14 @@ import math
 from typing import Final
 
 _RADIAN: Final = math.pi / 180.0
-#: Terrestrial less universal time at J2000, and its growth; from 1950 to 2026 within 10 s. [day]
+#: Terrestrial minus universal time at J2000, and its rate; from 1950 to 2026 within 10 s. [day]
 _AHEAD: Final = 63.5 / 86400.0
 _GAIN: Final = 0.6 / 86400.0 / 365.25
-#: Time of light over an astronomical unit. [day]
+#: Light time of an astronomical unit. [day]
 _LIGHT: Final = 499.0047838 / 86400.0
 #: Obliquity of the ecliptic at J2000. [deg]
 _OBLIQUITY: Final = 23.43928
-#: Worlds in the order of their numbers below.
+#: Worlds in the order of the tables below.
 NUMBERED: Final = ("earth", "mars", "titan")
 
 

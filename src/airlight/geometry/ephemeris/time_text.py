@@ -16,7 +16,7 @@ from airlight.geometry.ephemeris.sky import Place
 from airlight.geometry.ephemeris.solar_time import time_of_season, true_solar_time
 from airlight.physics.units import Measure, quantity
 
-#: Zone of the sun's own clock.
+#: Time zone of local solar time.
 SOLAR: Final = "solar"
 _FORM: Final = (
     "a time with its zone, 2026-06-21T22:10+02:00 or 2026-06-21T20:10Z; without, if a zone is set; "
@@ -24,7 +24,7 @@ _FORM: Final = (
 )
 _CLOCK = re.compile(r"(?:(\d{4}-\d{2}-\d{2})[T ]+)?(\d{1,2}:\d{2}(?::\d{2}(?:\.\d+)?)?)")
 _WORD = re.compile(r"(?:(\d{4}-\d{2}-\d{2})[T ]+)?([a-z-]+)")
-#: From where a season is sought if no date says so.
+#: Start of the search for a season if no date is given.
 _FIRST_SEASON: Final = date(2000, 1, 1)
 
 
@@ -121,7 +121,7 @@ def _local(moment: datetime, zone: ZoneInfo, text: str, field: str) -> datetime:
     """Instant of a local time in a zone; the first of two when clocks are set back."""
     instant = moment.replace(tzinfo=zone).astimezone(UTC)
     if instant.astimezone(zone).replace(tzinfo=None) != moment:
-        raise ParameterError(field, text, f"times that clocks of {zone.key} show")
+        raise ParameterError(field, text, f"times that exist in {zone.key}")
     days_of(instant, field)
     return instant
 

@@ -400,13 +400,13 @@ def _check_terms(layer: LayerTerms, index: int, bottom: float, top: float) -> No
         raise ParameterError(
             f"layers[{index}].exp_scale",
             layer.exp_scale,
-            f"exp_term·exp(exp_scale·h) of at most {_LARGEST_TERM:g} within the layer",
+            f"exp_term·exp(exp_scale·h) at most {_LARGEST_TERM:g} within the layer",
         )
     if abs(layer.linear_term) * top > _LARGEST_TERM:
         raise ParameterError(
             f"layers[{index}].linear_term",
             layer.linear_term,
-            f"linear_term·h of at most {_LARGEST_TERM:g} within the layer",
+            f"linear_term·h at most {_LARGEST_TERM:g} within the layer",
         )
 
 

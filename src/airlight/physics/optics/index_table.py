@@ -129,7 +129,7 @@ def _parsed(text: str, name: str) -> IndexTable:
         raise FileError(name, f"is not a table of refractive indices: {error}") from None
     if rows.ndim != 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
         raise FileError(
-            name, "is not a table of refractive indices: it needs rows of three numbers"
+            name, "is not a table of refractive indices: it requires rows of three numbers"
         )
     nm, _, imaginary = rows.T
     if not (np.diff(nm) > 0.0).all() or not nm[0] > 0.0:

@@ -56,7 +56,7 @@ def refractivity_of(refraction: npt.ArrayLike) -> FloatArray:
         raise ParameterError(
             "(n²-1)/(n²+2)",
             float(np.max(value)),
-            f"0 to {LARGEST_REFRACTION:g}: the density is no gas's",
+            f"0 to {LARGEST_REFRACTION:g}: the density is too high for a gas",
         )
     squared = 3.0 * value / (1.0 - value)
     return np.asarray(squared / (1.0 + np.sqrt(1.0 + squared)))

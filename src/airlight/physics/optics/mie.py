@@ -159,7 +159,7 @@ def check_index(index: complex) -> None:
     if not 0.1 <= index.real <= 10.0:
         raise ParameterError("index.real", index.real, "0.1 to 10")
     if not 0.0 <= index.imag <= 10.0:
-        raise ParameterError("index.imaginary", index.imag, "0 to 10; light is only absorbed")
+        raise ParameterError("index.imaginary", index.imag, "0 to 10, without gain")
 
 
 def computed_spheres(

@@ -146,7 +146,7 @@ def _check(nodes: FloatArray, growth: FloatArray, excess: FloatArray) -> None:
             "refraction",
             "bouguer",
             f"'none' for this atmosphere: at {nodes[worst]:.4g} m d(n r)/dr is "
-            f"{growth[worst]:.3g}, less than {_LEAST_GROWTH:g}, and light would follow the ground",
+            f"{growth[worst]:.3g}, less than {_LEAST_GROWTH:g}, and rays would be ducted",
         )
     rising = int(np.argmax(np.diff(excess)))
     if np.diff(excess)[rising] > 1e-12:

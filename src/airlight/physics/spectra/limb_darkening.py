@@ -26,7 +26,7 @@ COEFFICIENTS: Final = 6
 #: Coefficients of a uniform disc.
 UNIFORM: Final = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 #: Wavelength ranges of Neckel (2005), table 2: first and last [µm], and for each power of μ the
-#: factors of 1, 1/λ and 1/λ⁵. In each range they sum to 1, 0 and 0, as L(1) is the unit there.
+#: factors of 1, 1/λ and 1/λ⁵. In each range they sum to 1, 0 and 0, as L(1) is normalised to 1.
 _NECKEL: Final = (
     (0.300, 0.37298, (
         (0.35601, -0.085217, 0.0), (1.11529, 0.085217, -0.001871), (-0.67237, 0.0, 0.003589),
@@ -38,9 +38,9 @@ _NECKEL: Final = (
         (0.75267, -0.265577, 0.0), (0.93874, 0.265577, -0.004095), (-1.89287, 0.0, 0.012582),
         (2.42234, 0.0, -0.017117), (-1.71150, 0.0, 0.011977), (0.49062, 0.0, -0.003347))),
 )  # fmt: skip
-#: Smallest temperature of the law: a polynomial does not fit the steeper ones below. [K]
+#: Smallest temperature of the law: a polynomial does not fit the steeper ones of cooler stars. [K]
 _COOLEST: Final = 2000.0
-#: Points of the integrals over depth and over emergence.
+#: Numbers of quadrature points over depth and over emergence angle.
 _DEPTHS: Final = 40
 _COSINES: Final = 24
 

@@ -197,7 +197,7 @@ class CrossSectionAbsorption(Absorber):
     def __post_init__(self) -> None:
         if (self.column is None) == (self.number_density is None):
             given = MISSING if self.column is None else self.column
-            raise ParameterError("column", given, "a column or a number_density, one of them")
+            raise ParameterError("column", given, "either a column or a number_density")
         if self.column is not None and self.fraction != 1.0:
             raise ConflictError("fraction", "cannot be combined with column")
 
@@ -248,7 +248,7 @@ class SmallParticleAbsorption(Absorber):
         Field(
             name="index",
             label="refractive index",
-            help="n + ik.",
+            help="Complex refractive index n + ik.",
             kind="table",
             table=INDICES,
             required=True,

@@ -42,7 +42,7 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Largest deviation of the sum of the fractions from 1 before they are divided by it.
+#: Largest deviation of the sum of the fractions from 1 that is corrected by division.
 FRACTION_TOLERANCE: Final = 0.01
 #: Largest relative deviation of a given refractivity from the composition's at its given state.
 REFRACTIVITY_TOLERANCE: Final = 0.1
@@ -101,7 +101,7 @@ class _Shares:
         return tuple(fractions)
 
 
-#: Key of any gas in the table ``composition``: its formula.
+#: Key of a gas in the table ``composition``: its formula.
 SHARE: Final = Field(
     name="*",
     label="share",
@@ -201,7 +201,7 @@ class GasMixture(Matter):
             replace(
                 DEPOLARISATION, note="That of a rod is 0.5; instead of the gases' King factors."
             ),
-            BeforeValidator(_depolarisation),  # the last is asked first: its error says why
+            BeforeValidator(_depolarisation),  # tried from the last: its error has the reason
         ]
         | None
     ) = None
@@ -230,7 +230,7 @@ class GasMixture(Matter):
         low, high = self.limits
         if low > high:
             raise ParameterError(
-                "composition", self.composition, "gases that are known at a common wavelength"
+                "composition", self.composition, "gases with a common wavelength range"
             )
 
     def _check_refractivity(self, refractivity: Spectral) -> None:

@@ -108,11 +108,11 @@ def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayl
     return Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=values))
 
 
-#: Keys that a mass density needs beside it.
+#: Keys required beside a mass density.
 _MASS_KEYS: Final = (
     Field(
         name="mass_density",
-        help="Mass density of the gas where its profile is 1.",
+        help="Mass density of the gas at relative density 1.",
         note="Together with the molar mass, an alternative to the number density.",
         unit="kg/m^3",
         range=(0.0, 1e6),

@@ -41,15 +41,15 @@ FloatArray = npt.NDArray[np.float64]
 _ANCHORS: Final = (440.0, 550.0, 680.0)
 #: Largest distance of nodes, in ln λ: 25 nm in the green.
 SPACING: Final = 0.0475
-#: Largest distance for particles of nearly one size, whose optics ripple with wavelength.
+#: Largest distance for nearly monodisperse particles, whose optics ripple with wavelength.
 NARROW_SPACING: Final = 0.012
-#: Effective variance below which particles are of nearly one size.
+#: Effective variance below which particles are nearly monodisperse.
 _NARROW: Final = 0.02
 #: Limits of particles of a constant refractive index. [nm]
 WIDEST: Final[Limits] = (200.0, 2500.0)
 #: Wavelength for which the angles of the phase function are chosen. [nm]
 _ANGLES_FOR: Final = 400.0
-#: Fewest radii of a distribution, and their number for each unit of the size parameter.
+#: Smallest number of radii of a distribution, and number per unit of the size parameter.
 _FEWEST_RADII: Final = 800
 _RADII_PER_SIZE: Final = 1.0
 #: Largest deviation from 1 of the integral of a computed phase function, which is divided by it:
@@ -161,7 +161,7 @@ def mie_nodes(
     """
     indices = [complex(value) for value in index.at(np.asarray(wavelengths))]
     keys = [_key(sizes, m, nm) for m, nm in zip(indices, wavelengths, strict=True)]
-    # Held here: what is remembered early in a call may be forgotten before its end.
+    # Local references: cached entries may be evicted during the call.
     found = {key: node for key in keys if (node := _load(key)) is not None}
     missing = [i for i, key in enumerate(keys) if key not in found]
 
@@ -174,7 +174,7 @@ def mie_nodes(
         work = _checked_work(sizes, [wavelengths[i] for i in missing])
         about = f"particles at {len(missing)} wavelengths"
         if announce.get() is None and (expected := expected_seconds("particles", work)) > LONG:
-            # nobody shows what is announced: as Python, which would seem to stand still
+            # no progress is shown, and the process would seem to hang
             logging.getLogger("airlight").warning(f"{about}: about {duration(expected)}")
         with timed("particles", work, about):
             run_blocks(one, len(missing), cancel=cancel, progress=progress, message="particles")

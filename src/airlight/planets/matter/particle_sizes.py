@@ -30,7 +30,7 @@ class ParticleSizes(TomlModel, ABC):
 
     @classmethod
     def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Default table with the radius of the old one; see ``TomlModel.default_table``."""
+        """Default table with the radius of the previous table; see ``TomlModel.default_table``."""
         table = super().default_table(old, thickness)
         radii = [value for name, value in old.items() if name.endswith("radius")]
         return {

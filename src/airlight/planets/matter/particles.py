@@ -135,11 +135,11 @@ class Particles(Matter):
             raise ParameterError(
                 "optical_depth",
                 self.optical_depth if both else MISSING,
-                "either it or a number_density",
+                "either optical_depth or number_density",
             )
         low, high = self.limits
         if self.optical_depth is not None and not low <= self.at <= high:
-            raise ParameterError("at", self.at, f"{low:g} to {high:g} nm, as the index is known")
+            raise ParameterError("at", self.at, f"{low:g} to {high:g} nm, the range of the index")
 
     @property
     def needs_phase(self) -> str:

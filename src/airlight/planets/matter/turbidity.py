@@ -123,14 +123,14 @@ class Turbidity(_Haze):
     def __post_init__(self) -> None:
         if (self.turbidity is None) == (self.optical_depth is None):
             given = MISSING if self.turbidity is None else self.turbidity
-            raise ParameterError("turbidity", given, "either it or an optical_depth")
+            raise ParameterError("turbidity", given, "either turbidity or optical_depth")
         if (self.turbidity is None) != (self.rayleigh_optical_depth is None):
             depth = self.rayleigh_optical_depth
             phrase = "is required with turbidity" if depth is None else "requires turbidity"
             raise ConflictError("rayleigh_optical_depth", phrase)
         if (self.junge is None) == (self.angstrom is None):
             given = MISSING if self.junge is None else self.junge
-            raise ParameterError("junge", given, "either it or angstrom, which is junge - 2")
+            raise ParameterError("junge", given, "either junge or angstrom, which is junge - 2")
 
     @property
     def limits(self) -> Limits:

@@ -128,7 +128,7 @@ def with_hint(
     said = "did you mean" in error.allowed or isinstance(error, ParameterErrors)
     if error.field.startswith(FIELD) or error.field in overrides or said:
         return error
-    if error.field == "refraction" and BOTTOM in overrides:  # bent around another ground
+    if error.field == "refraction" and BOTTOM in overrides:  # refraction with another radius
         reason = error.allowed.partition(": ")[2]
         allowed = f"a smaller radius, or straight light (refraction=none): {reason}"
         return ParameterError(BOTTOM, overrides[BOTTOM], allowed, error.file)
@@ -188,7 +188,7 @@ def _change(root: dict[str, Any], path: Any, value: Any) -> str:
     if isinstance(last, int):
         _inside(root, place, last, path)
         if value is None:
-            raise ParameterError(FIELD, path, "a value, since an item of a list cannot go")
+            raise ParameterError(FIELD, path, "a value: items of a list cannot be removed")
         place[last] = value
     elif not isinstance(place, dict):
         raise _nowhere(root, path)
@@ -221,7 +221,7 @@ def _steps(root: Mapping[str, Any], path: Any) -> list[_Step]:
         if path == name or path.startswith((f"{name}.", f"{name}[")):
             rest = path[len(name) :].removeprefix(".")
             return ["constituents", index, *(_split(root, rest) if rest else [])]
-    if re.fullmatch(r"\w+", path):  # a key of the file itself, which its reader may know
+    if re.fullmatch(r"\w+", path):  # a key of the file, which its reader may know
         return [path]
     raise _nowhere(root, path)
 

@@ -30,7 +30,7 @@ class HasPlanet(Protocol):
         """Planet that was solved."""
 
 
-#: What functions take for a planet.
+#: Accepted types of a planet.
 PlanetLike: TypeAlias = Planet | str | Path | HasPlanet
 
 
@@ -214,7 +214,7 @@ def read_tables(
     try:
         changed = tables if overrides is None else overridden(tables, overrides)
         planet = declared_planet(changed, folder)
-        # Refuse here, where the file is known.
+        # Raise the error here, where the file is known.
         Medium.from_planet(planet, wavelengths(planet), progress=progress, cancel=cancel)
         return planet
     except ParameterError as error:

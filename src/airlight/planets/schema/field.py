@@ -327,7 +327,7 @@ def key(base: Field | None = None, *, default: Any = ..., **declared: Any) -> An
 WAVELENGTHS = Field(
     name="wavelengths",
     label="wavelength",
-    help="Wavelengths of this part's lists.",
+    help="Wavelengths of the lists in this table.",
     unit="nm",
     range=(SHORTEST, LONGEST),
     slider=(300.0, 1000.0),

@@ -34,9 +34,9 @@ def converted(number: float, unit: str, shown: str) -> float:
     return float(f"{number / _factor(shown, unit):.14g}")
 
 
-#: Units of columns in words, with an example.
+#: Names of the units of columns, with an example.
 COLUMN_UNITS: Final = "'DU', 'atm-cm', 'mol/m^2' or '1/m^2': '300 DU'"
-#: Thickness of a column at 0 °C and 1 atm, in Dobson units of 10 µm: factor of each unit's name.
+#: Thickness of a column at 0 °C and 1 atm, in Dobson units of 10 µm: factor by unit name.
 _THICKNESS: Final = {"DU": 1.0, "atm-cm": 1e3, "atm cm": 1e3, "atmcm": 1e3, "matm-cm": 1.0}
 _COLUMN: Final = re.compile(rf"\s*(\S{{1,40}}?)\s*({'|'.join(_THICKNESS)})\s*")
 

@@ -51,7 +51,7 @@ class TomlModel:
         values: dict[str, Any] | None = None
         with collector:
             values = cls.read_values(section, wavelengths)
-        if values is None:  # what was not reached is no unknown key
+        if values is None:  # unread tables are no unknown keys
             section.note(key.name for key in cls.declared())
         with collector:
             section.finish()

@@ -234,7 +234,7 @@ def polarised_between(place, half_sine, turn_cosine, turn_sine, view, tables, at
 
 @inlined
 def air_between(place, half_sine, view, tables, at):
-    """Radiance from the sky-view LUT, with exact phase functions of separated ones. [sr⁻¹]
+    """Radiance from the sky-view LUT, with exact phase functions where separated. [sr⁻¹]
 
     Parameters
     ----------
@@ -314,14 +314,14 @@ def sky_view_place(ray, found, window):
 
 @inlined
 def sky_lookup(ray, found, exact, frame, work):
-    """Radiance of the air along a line of sight, and of a white ground behind it.
+    """Path radiance along a line of sight, and radiance of a white ground behind it.
 
     Parameters
     ----------
     ray, found : Vec3, ClassifiedRay
         Its direction in the observer's frame, and its classification. [1]
     exact, frame, work :
-        Arguments of ``pixel_light``; ``work.radiance`` receives the radiance of the air, of a white
+        Arguments of ``pixel_light``; ``work.radiance`` receives path radiance, radiance of a white
         Lambert ground, of the mirrored sky at ``MIRRORED`` and, with a filter, Q and U as from
         ``march``. [sr⁻¹]
 

@@ -25,7 +25,7 @@ class SceneForLight(NamedTuple):
     solution : MomentsSolution
         Solution with this light.
     air : bool
-        Whether air and ground are illuminated; otherwise only the disc is rendered.
+        Whether atmosphere and ground are illuminated; otherwise only the disc is rendered.
     light : LightPosition
         Light in the original scene.
     """

@@ -33,11 +33,11 @@ class SkyViewLayers(NamedTuple):
     Attributes
     ----------
     air, ground : array
-        Radiance of the air, and of a white Lambert ground behind it. [sr^-¼]
+        Path radiance, and radiance of a white Lambert ground behind it. [sr^-¼]
     first, second : array
         Single scattering by separated constituents, without phase function. [1]
     stokes_q, stokes_u : array
-        I + Q and I + U of the air, without these; one texel if they are not asked. [sr^-¼]
+        I + Q and I + U of the other path radiance; one texel if not requested. [sr^-¼]
     """
 
     air: Float32Array

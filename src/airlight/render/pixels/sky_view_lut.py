@@ -159,7 +159,7 @@ def star_on_ground(line, r, start_mu, nu, length, column, observer, tables):
 
 @inlined
 def look(line, mirrored, air, peaks, polarised, observer, tables, work):
-    """March one line of sight: radiance of the air, and of a white ground behind it.
+    """March one line of sight: path radiance, and radiance of a white ground behind it.
 
     Single scattering by separated constituents is included for mirrored rays only. The result is
     ``work.radiance``: the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the
@@ -221,7 +221,7 @@ def look(line, mirrored, air, peaks, polarised, observer, tables, work):
 
 @inlined
 def phases_towards(half_sine, separated_phases, table, tables, phase):
-    """Phase matrix element of all constituents; 0 for separated ones on request. [sr⁻¹]
+    """Phase matrix element of all constituents; 0 if separated, on request. [sr⁻¹]
 
     Parameters
     ----------

@@ -201,10 +201,10 @@ def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:
 
 
 def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of the colour of city lights. [sr⁻¹]
+    """Uniforms of the colour of city lights, 0 for a secondary star. [sr⁻¹]
 
-    Radiance per irradiance of the star and map value; the colour is independent of the star's.
-    City lights are part of the first light only.
+    Radiance per irradiance of the star, for a map value of 1. The colour does not depend on the
+    star's.
     """
     names = ("lamp_red", "lamp_green", "lamp_blue")
     star = solution.lights[0]

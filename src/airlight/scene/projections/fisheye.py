@@ -39,7 +39,7 @@ def fisheye_ray(x, y, width, height, field_of_view):
     across = 2.0 * x - width
     up = height - 2.0 * y
     square = across * across + up * up
-    # Both sides are whole numbers for the pixels' centres: no rounding decides on the rim.
+    # Both sides are integers for pixel centres: rounding does not matter at the rim.
     if square > diameter * diameter:
         return Vec3(0.0, 0.0, 0.0)
     distance = sqrt(square)

@@ -73,13 +73,13 @@ class Body(TomlModel):
 
     name: Annotated[
         str,
-        Field(label="name", help="Name that the scene refers to.", kind="text", range=(1, 60),
+        Field(label="name", help="Name in references of the scene.", kind="text", range=(1, 60),
             example="moon"),
     ]  # fmt: skip
     planet: (
         Annotated[
             str,
-            Field(label="planet", help="Preset or planet file, for a body with air.", kind="text",
+            Field(label="planet", help="Preset or planet file; none if airless.", kind="text",
                 range=(1, 4000), example="earth"),
         ]
         | None
@@ -87,7 +87,7 @@ class Body(TomlModel):
     radius: (
         Annotated[
             float,
-            Field(label="radius", help="Radius of a body without air.", unit="m", range=(1.0, 1e10),
+            Field(label="radius", help="Radius of an airless body.", unit="m", range=(1.0, 1e10),
                 example="1737.4 km"),
         ]
         | None
@@ -95,20 +95,20 @@ class Body(TomlModel):
     albedo: (
         Annotated[
             Spectral,
-            Field(label="albedo", help="Albedo of a body without air; geometric but for Lambert's"
+            Field(label="albedo", help="Albedo of an airless body; geometric except for Lambert's"
                 " law.", range=(0.0, 1.0), spectral=True, example="0.12"),
         ]
         | None
     ) = None  # fmt: skip
     reflection: Annotated[
         str,
-        Field(label="reflection", help="Law by which a body without air reflects.", kind="choice",
+        Field(label="reflection", help="Reflectance law of an airless body.", kind="choice",
             choices=lambda: tuple(LAWS)),
     ] = "lommel-seeliger"  # fmt: skip
     map: (
         Annotated[
             str,
-            Field(label="map", help="Picture of the surface of a body without air.", kind="text",
+            Field(label="map", help="Picture of the surface of an airless body.", kind="text",
                 range=(1, 4000), example="moon.jpg"),
         ]
         | None
@@ -129,7 +129,7 @@ class Body(TomlModel):
             str,
             Field(
                 label="ephemeris",
-                help="Body of the solar system whose place and rotation it has at the scene's"
+                help="Body of the solar system with this position and rotation at the scene's"
                 " time.",
                 kind="choice",
                 choices=lambda: tuple(name for name in BODIES if name != "sun"),
@@ -152,7 +152,7 @@ class Body(TomlModel):
             raise ParameterError("position", self.position, "three lengths")
         if self.planet is None:
             if self.radius is None:
-                raise ParameterError("radius", MISSING, "a length, for a body without planet")
+                raise ParameterError("radius", MISSING, "a length, for an airless body")
         else:
             for name in ("radius", "albedo", "map"):
                 if getattr(self, name) is not None:

@@ -68,7 +68,7 @@ class Light(TomlModel):
     ephemeris: (
         Annotated[
             str,
-            Field(label="ephemeris", help="The sun, at its place at the scene's time.",
+            Field(label="ephemeris", help="The sun, at its position at the scene's time.",
                 kind="choice", choices=lambda: ("sun",)),
         ]
         | None
@@ -86,7 +86,7 @@ class Light(TomlModel):
         Annotated[
             str,
             Field(label="corona",
-                help="Corona around the star: the sun's, as the mean of eclipses.", kind="choice",
+                help="Corona around the star: the mean solar corona.", kind="choice",
                  choices=lambda: ("baumbach",)),
         ]
         | None

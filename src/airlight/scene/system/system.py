@@ -73,7 +73,7 @@ class System:
         for used in (names, stars, names + stars):
             for name in used:
                 if used.count(name) > 1:
-                    raise ParameterError("name", name, "each name once among bodies and stars")
+                    raise ParameterError("name", name, "unique names of bodies and stars")
         if not self.bodies:
             raise ParameterError("bodies", 0, "at least 1")
         if not stars:

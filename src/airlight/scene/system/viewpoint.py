@@ -24,7 +24,7 @@ ROLL: Final = Field(
 )  # fmt: skip
 POLARISER: Final = Field(
     label="polariser", help="Axis of a polarising filter, counterclockwise from the camera's up; "
-    "no filter if left out.", unit="deg", range=(-360.0, 360.0), example="90 deg",
+    "default: no filter.", unit="deg", range=(-360.0, 360.0), example="90 deg",
 )  # fmt: skip
 PROJECTION: Final = Field(
     label="projection", help="Projection of the picture.", kind="choice",
@@ -111,7 +111,7 @@ class View(TomlModel):
     look_at: (
         Annotated[
             str,
-            Field(label="look at", help="Body or star at which the camera looks, where it is seen.",
+            Field(label="look at", help="Body or star at the centre of the picture.",
                 kind="text",
                 range=(1, 60), example="moon"),
         ]

@@ -103,8 +103,8 @@ def solve_orders(
         ratio = float((linear.sum() + from_sky.sum()) / (before.sum() + ground_before.sum()))
         if not ratio <= _TRUSTED_RATIO:
             raise ConvergenceError(
-                f"the orders of scattering do not fall: order {count} is still {ratio:.3g} of the "
-                "one before; allow more orders, or none of the tail"
+                f"the orders of scattering do not decrease: order {count} is {ratio:.3g} of the "
+                "previous one; allow more orders, or set tail=False"
             )
         total = total + _rest(linear, before)
         ground = ground + _rest(from_sky, ground_before)

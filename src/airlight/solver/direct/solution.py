@@ -56,7 +56,7 @@ class DirectSolution(Solution):
     medium : Medium
         Medium that was solved.
     parts : list of (Medium, Orders)
-        Medium and its orders; for the literal first notes one pair per scattering constituent.
+        Medium and its orders; for the literal notes 1 one pair per scattering constituent.
     seconds : float
         Wall time. [s]
     note : str
@@ -229,7 +229,7 @@ def solve(
         If the orders do not decrease.
     """
     medium, note = without_refraction(medium)
-    if medium.phase_f12(np.zeros(())).any():  # at right angles to the star
+    if medium.phase_f12(np.zeros(())).any():  # perpendicular to the direction of the star
         note = f"{note}; {SCALAR}" if note else SCALAR
     started = perf_counter()
     media = [medium]
@@ -299,7 +299,7 @@ def _from_arrays(
 
 
 def alone(medium: Medium, index: int) -> Medium:
-    """Medium with only one constituent over black ground, as in the first notes."""
+    """Medium with only one constituent over black ground, as in Atmosphere Plus notes 1."""
     only = slice(index, index + 1)
     return replace(
         medium,

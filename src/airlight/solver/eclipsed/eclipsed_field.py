@@ -119,7 +119,7 @@ def eclipsed_field(
     coarse = _empty(solution, star)
     end = float(coarse.middle * np.sinh(coarse.width))
     if coarse.axis > solution.medium.top_radius + end:
-        return coarse  # penumbra alone, in which there is no deviation
+        return coarse  # penumbra only, where there is no deviation
     stored = disk.cached(
         _key(solution, star),
         lambda: _iterate(solution, coarse, progress, cancel),
@@ -266,7 +266,7 @@ def _mirror_signs(degree: int) -> Float32Array:
 
 
 def _directions(grid: ShadowGrid) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
-    """Quadrature on either side of the horizon, in [0, 1], and number of azimuths."""
+    """Quadrature over [0, 1] on either side of the horizon, and number of azimuths."""
     up, down = gauss_legendre(grid.up), gauss_legendre(grid.down)
     return up.nodes, up.weights, down.nodes, down.weights, grid.azimuths
 

@@ -147,7 +147,7 @@ def transmittance_tabled(depths, row, places, lane, directions, narrow):
     places : array, shape (points, 8)
         Fractional indices of directions, from ``place_star_points``.
     lane : int
-        Index of the first azimuth among them.
+        Index of the first of these azimuths.
     narrow : bool
         A constant.
     """

@@ -224,7 +224,7 @@ def _mixed_moments(medium: Medium, amount: FloatArray, part: FloatArray) -> Floa
 
 @cache
 def _quadrature(degree: int) -> tuple[FloatArray, FloatArray]:
-    """Quadrature over the sphere for a peak at 1 and for moments up to a degree."""
+    """Quadrature over the sphere refined towards μ = 1, for moments up to a degree."""
     narrow = np.geomspace(1e-4, 0.04, 20)
     wide = np.linspace(0.04, pi, 2 + degree // 4)
     edges = np.concatenate([[0.0], narrow, wide[1:]])

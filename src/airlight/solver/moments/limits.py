@@ -53,7 +53,7 @@ def check_limits(optics: Optics) -> None:
             raise ParameterError(
                 f"vertical optical depth of scattering, times 1 - g, at {nm:g} nm",
                 float(f"{transport[at]:.4g}"),
-                f"0 to {deepest:.4g}, or air that absorbs more",
+                f"0 to {deepest:.4g}, or stronger absorption",
             )
         which = int(peaked[:, at].argmax())
         if peaked[which, at] > THIN:

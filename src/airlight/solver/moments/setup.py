@@ -201,9 +201,9 @@ class Setup:
 
     @property
     def column_directions(self) -> int:
-        """Number of directions of that table; more if a thin layer lies close to the top.
+        """Number of directions of the table of columns; more if a thin layer lies close to the top.
 
-        There directions even in the distance to the top would not resolve the layer.
+        There directions uniform in the distance to the top would not resolve the layer.
         """
         highest = max((layer.bottom for layer in self.optics.depths.layers), default=0.0)
         close = highest > (1.0 - _CLOSE_TO_TOP) * self.medium.thickness
@@ -211,7 +211,7 @@ class Setup:
 
     @property
     def table_shape(self) -> tuple[int, int, int]:
-        """Shape of that table."""
+        """Shape of the table of columns to the star."""
         constituents = self.medium.density.edges.shape[0]
         return self.column_radii.size, self.column_directions, constituents
 
@@ -230,7 +230,7 @@ class Setup:
 
     @cached_property
     def column_rows(self) -> FloatArray:
-        """Fractional rows of that table at the altitude nodes, shape (n,). [1]"""
+        """Fractional rows of the table of columns at the altitude nodes, shape (n,). [1]"""
         return column_rows(self.table, self.medium.density)
 
     @property

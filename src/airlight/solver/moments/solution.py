@@ -368,7 +368,7 @@ def _march_all(
             r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,
             phase[k], phase_f12[k], tables, work, work.radiance,
         )  # fmt: skip
-        for at in range(0, tables.lanes, LANES):  # in the place of the peaks
+        for at in range(0, tables.lanes, LANES):  # instead of the peaks
             found = lane_view(work.radiance, at)
             found[2] = found[0]
         if to_ground[k]:

@@ -28,7 +28,7 @@ Float32Array = NDArray[np.float32]
 _LARGEST: Final = 8
 #: Smallest number of batches for which guesses are interpolated.
 _FEWEST: Final = 2
-#: Longest step between wavelengths of one batch over the wavelength. [1]
+#: Largest step between wavelengths of one batch, relative to the wavelength. [1]
 _WIDE: Final = 0.1
 
 

@@ -151,7 +151,7 @@ class Iteration:
         self._look_ahead()
         if self.sweeps >= self.stopping.most_sweeps:
             raise ConvergenceError(
-                f"after {self.sweeps} sweeps the last still changed the light by "
+                f"after {self.sweeps} sweeps the last one still changed the radiance by "
                 f"{self.remaining_error.max():.1e}, more than the tolerance {self.tolerance:g}"
             )
         return True
@@ -225,8 +225,8 @@ class Iteration:
         stalls = measured and last > self._ahead[-1 - PROSPECT]
         if stalls or needed > self.stopping.most_sweeps - self.sweeps:
             raise ConvergenceError(
-                f"after {self.sweeps} sweeps each order of scattering still has {ratio:.3f} of the "
-                f"one before, and the remaining error {last:.1e} exceeds the tolerance "
+                f"after {self.sweeps} sweeps each order of scattering is still {ratio:.3f} of the "
+                f"previous one, and the remaining error {last:.1e} exceeds the tolerance "
                 f"{self.tolerance:g}"
             )
 

@@ -43,7 +43,7 @@ from airlight.solver.tables.layout import Axis, FloatArray, Positions, TableLayo
 
 #: Names of the mappings.
 MAPPINGS = ("linear", "power", "weighted-power")
-#: Largest power of a mapping.
+#: Largest exponent of a mapping.
 _LARGEST_POWER = 10.0
 
 
@@ -144,7 +144,7 @@ def atmosphere_plus_corners(r, mu, mu_s, to_ground, grid):
         v = cosine_coordinate(mu, p)
     w = cosine_coordinate(mu_s, grid.sun_power)
     lower, upper, share = altitude
-    if to_ground and grid.first_sky[lower] == 0:  # no texel there sees the ground: w_S0 = 0
+    if to_ground and grid.first_sky[lower] == 0:  # no texel there looks at the ground: w_S0 = 0
         share = 1.0
     altitude = lower, upper, share
     return (

@@ -37,7 +37,7 @@ def rational_mean_density(table: ColumnTable) -> FloatArray:
     r, mu, length = (np.empty(table.values.shape[:2]) for _ in range(3))
     table_rays(table.radii, table.bottom_radius, table.top_radius, r, mu, length)
     mean = table.values / np.maximum(length, 1e-9)[..., None]
-    mean[-1, 0] = mean[-1, 1]  # at the top, straight up, no distance is left
+    mean[-1, 0] = mean[-1, 1]  # at the top looking straight up, the distance is 0
     largest = mean.max(axis=(0, 1))
     scale = 1.0 / np.sqrt(np.maximum(mean + 1e-6 * largest, _LEAST))
     return np.stack([scale, mean * scale], axis=-1)

@@ -64,7 +64,7 @@ def accumulate_columns(count, rule, bottom_radius, thickness, nodes, path):
     for i in range(constituents):
         so_far = 0.0
         for first in range(0, count, n):
-            # Weight of a point over its share of the rule: the integrand on [0, 1].
+            # Value divided by the weight of the point in the rule: the integrand on [0, 1].
             whole = 0.0
             for j in range(n):
                 amount = density[i, first + j] * weight[first + j]

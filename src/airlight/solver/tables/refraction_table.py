@@ -79,7 +79,7 @@ def refraction_table(
         less that of the horizon's true direction, up to the zenith. [1]
     """
     x = vectorized(radius_from_coordinate)(np.linspace(0.0, 1.0, SHAPE[0]), bottom, top)
-    # Slightly above the horizon, so that rounding does not send the ray into the ground.
+    # Slightly above the horizon, so that rounding does not direct the ray into the ground.
     steps = np.maximum(np.linspace(0.0, 1.0, _DIRECTIONS) ** 2, 1e-12)
     lowest = vectorized(horizon_cosine)(x, bottom)[:, None]
     seen = lowest + (1.0 - lowest) * steps
@@ -90,7 +90,7 @@ def refraction_table(
         raise ParameterError(
             "refraction",
             "bouguer",
-            "'none' for this air: refraction is so uneven that a star would be visible at several "
+            "'none' for this atmosphere: a star would have several apparent "
             f"elevations from {x[sunken.argmax()] - bottom:.3g} m",
         )
     return np.stack([_inverted(*row) for row in zip(true, seen, strict=True)])

@@ -21,7 +21,7 @@ from airlight.errors import ParameterError
 from airlight.solver.tables.layout import FloatArray, Positions
 from airlight.solver.tables.table import Table
 
-#: Ways of packing the light into tables.
+#: Methods of packing scattered radiance into tables.
 PACKINGS: Final = ("separate", "combined", "rgba", "phase-included")
 
 

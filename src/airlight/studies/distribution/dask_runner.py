@@ -16,12 +16,12 @@ from airlight.errors import WorkerError
 from airlight.kernel.threads import thread_count
 from airlight.studies.distribution.runner import Name, Task
 
-#: Tasks that wait at each worker while it runs another, so that it never idles.
+#: Number of tasks queued at each worker while it runs another, so that it is never idle.
 _AHEAD: Final = 1
 #: Time to find a scheduler, and to end. [s]
 _FINDING: Final = 10
 _ENDING: Final = 5
-#: Time after which a lost scheduler is given up, and in which a busy machine starts a process. [s]
+#: Time after which a lost scheduler is abandoned, and limit for starting a process. [s]
 _LOST: Final = 10
 _STARTING: Final = 120
 

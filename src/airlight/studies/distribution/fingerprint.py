@@ -65,7 +65,7 @@ def check_code(code: str, *files: Path) -> None:
     """
     if code != code_digest(*files):
         raise WorkerError(
-            f"another airlight, or another Numba, is installed on {socket.gethostname()}"
+            f"a different version of airlight or Numba is installed on {socket.gethostname()}"
         )
 
 

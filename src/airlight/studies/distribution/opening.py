@@ -14,7 +14,7 @@ from airlight.studies.distribution.runner import Runner
 
 #: Largest number of processes on one machine.
 MOST_WORKERS: Final = 256
-#: Tasks for each process that is started by default: it takes some seconds to begin.
+#: Number of tasks per process started by default, since a start takes some seconds.
 _WORTH: Final = 6
 
 

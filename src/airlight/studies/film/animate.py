@@ -26,7 +26,7 @@ from airlight.studies.film.movie import check_movie, write_movie
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
 
-#: Maximum number of cached frame specifications; if the planet changes, each holds its own planet.
+#: Maximum number of cached frame specifications; if the planet varies, each holds a planet.
 _CACHE_SIZE: Final = 512
 #: Number of frames from which the number of a film's solutions is estimated.
 _SAMPLED: Final = 32
@@ -112,7 +112,7 @@ def animate(
     frames = FramesFolder(Path(folder), film.name, finish.suffix, film.plan.count)
     say = on_message or (lambda line: None)
     for number in {0, film.plan.count // 2, film.plan.count - 1}:
-        job.frame_spec(number)  # refuse here what a worker would refuse after some time
+        job.frame_spec(number)  # raise errors here that a worker would raise later
     if movie is not None:
         check_movie(Path(movie), "movie")
     with frames.claimed(), contextlib.ExitStack() as stack:
@@ -240,7 +240,7 @@ class _Job:
         some = [self.frame_spec(count * k // sampled) for k in range(sampled)]
         changes = distinct_solutions(some)
         cost = some[0].cost()
-        # A single solution announces itself, if it is not on disk.
+        # A single solution reports its progress if it is not on disk.
         solutions = 0.0 if changes == 1 else frames * changes / sampled
         pictures = [(kind, frames * amount) for kind, amount in cost.items() if kind != "solve"]
         announce_all(

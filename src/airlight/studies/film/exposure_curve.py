@@ -15,7 +15,7 @@ from airlight.studies.film.plan import FilmPlan
 
 FloatArray: TypeAlias = NDArray[np.float64]
 
-#: Fewest frames that are metered.
+#: Smallest number of metered frames.
 _FEWEST: Final = 7
 
 
@@ -72,7 +72,7 @@ class ExposureCurve:
     def at(self, number: int) -> float:
         """Exposure of a frame. [EV]"""
         value = float(self._values[0] if self._numbers.size == 1 else self._curve(number))
-        # What a curve leaves in the last bit is no part of a frame's definition.
+        # Rounding errors of a curve are not part of a frame's definition.
         return float(f"{value:.6f}")
 
 

@@ -11,7 +11,7 @@ from airlight.image.header import PREFIX
 
 #: Name of the checksum in the header of a file.
 CHECKSUM: Final = "frame_checksum"
-#: Text that stands there until the other bytes are known.
+#: Placeholder until the other bytes are known.
 BLANK: Final = "0" * 64
 _SIGNATURE: Final = b"\x89PNG\r\n\x1a\n"
 #: Name and text, between which PNG and OpenEXR have zeros, a type, a length.

@@ -123,28 +123,28 @@ class KeyFrames(TomlModel):
 
     path: Annotated[
         str,
-        Field(label="path", help="Number that changes: `observer.altitude`, `view.sun_zenith`,"
+        Field(label="path", help="Animated number: `observer.altitude`, `view.sun_zenith`,"
             " `haze.particles.optical_depth`.", kind="text", range=(1, 200),
             example="observer.altitude"),
     ]  # fmt: skip
     values: Annotated[
         Any,
         Field(label="values",
-            help="Values, with units as their file takes them; lists for a vector.",
+            help="Values, with units as in the file; lists for a vector.",
             listed=True, read=_read_values, example="['2 m', '400 km']"),
     ]  # fmt: skip
     at: (
         Annotated[
             tuple[float, ...],
-            Field(label="moments", help="Moment of each value as a share of the film, ascending;"
-                " evenly spaced if left out.", range=(0.0, 1.0), listed=True,
+            Field(label="moments", help="Normalised time of each value, 0 to 1, ascending;"
+                " default: equidistant.", range=(0.0, 1.0), listed=True,
                 example="[0, 0.5, 1]"),
         ]
         | None
     ) = None  # fmt: skip
     law: Annotated[
         str,
-        Field(label="law", help="Course between the values.", kind="choice",
+        Field(label="law", help="Interpolation between the values.", kind="choice",
             choices=lambda: tuple(LAWS)),
     ] = "linear"  # fmt: skip
 
@@ -152,9 +152,9 @@ class KeyFrames(TomlModel):
         numbers, _ = self._numbers()
         if self.at is not None:
             if len(self.at) != len(numbers):
-                raise ParameterError("at", self.at, f"{len(numbers)} moments, as many as values")
+                raise ParameterError("at", self.at, f"{len(numbers)} times, as many as values")
             if any(b <= a for a, b in zip(self.at, self.at[1:], strict=False)):
-                raise ParameterError("at", self.at, "ascending moments")
+                raise ParameterError("at", self.at, "ascending times")
         if self.law in LOGARITHMIC and not (numbers > 0.0).all():
             raise ParameterError("values", self.values, f"numbers above 0 by the law {self.law}")
 
@@ -169,7 +169,7 @@ class KeyFrames(TomlModel):
         numbers, unit = self._numbers()
         at = np.linspace(0.0, 1.0, len(numbers)) if self.at is None else np.array(self.at)
         row = LAWS[self.law](at, numbers, np.array([time]))[0]
-        # Fifteen digits: what a law leaves in the last bit is no part of the value.
+        # Fifteen digits: rounding errors of a law are not part of the value.
         texts = [float(f"{number:.15g}") for number in row]
         items = [f"{number!r} {unit}" if unit else number for number in texts]
         return items if isinstance(self._items()[0], list) else items[0]
@@ -177,7 +177,7 @@ class KeyFrames(TomlModel):
     def _items(self) -> list[Any]:
         if isinstance(self.values, str):
             items = [item.strip() for item in self.values.split(",")]
-            unit = _unit_of(items[-1])  # 2, 400 km: the last one's unit, as in other lists
+            unit = _unit_of(items[-1])  # 2, 400 km: the unit of the last value, as in other lists
             return [item if _unit_of(item) else f"{item} {unit}".strip() for item in items]
         return list(self.values) if isinstance(self.values, (list, tuple)) else [self.values]
 

@@ -18,8 +18,8 @@ from airlight.files.atomic_file import atomic_file, check_target
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
 
-#: Rate factor and options of x264 by which means of rows of a smooth sky stay within 1.5 of 255,
-#: and the tags of what the numbers mean: ffmpeg's own options leave two of them out.
+#: Rate factor and options of x264 with which row means of a smooth sky stay within 1.5 of 255, and
+#: colour tags, two of which ffmpeg's own options omit.
 _OUTPUT: Final = {
     "-crf": "12",
     "-preset": "medium",

@@ -38,21 +38,21 @@ class FilmPlan(TomlModel):
     ] = 120.0  # fmt: skip
     rate: Annotated[
         float,
-        Field(label="rate", help="Frames per second when it is shown.", range=(1.0, 1000.0),
+        Field(label="rate", help="Frames per second of playback.", range=(1.0, 1000.0),
             example="30"),
     ] = 30.0  # fmt: skip
     start: (
         Annotated[
             str,
-            Field(label="start", help="Time of the first frame, as `--time` takes it; of a scene"
-                " with its zone.", kind="text", range=(1, 100), example="2026-06-21T20:00Z"),
+            Field(label="start", help="Time of the first frame, as for `--time`; with its zone"
+                " for a scene.", kind="text", range=(1, 100), example="2026-06-21T20:00Z"),
         ]
         | None
     ) = None  # fmt: skip
     end: (
         Annotated[
             str,
-            Field(label="end", help="Time of the last frame, beside `start`.", kind="text",
+            Field(label="end", help="Time of the last frame; requires `start`.", kind="text",
                 range=(1, 100), example="2026-06-21T21:30Z"),
         ]
         | None

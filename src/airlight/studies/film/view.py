@@ -64,13 +64,13 @@ class PlanetView(TomlModel):
     altitude: Annotated[
         float,
         Field(label="altitude", help="Altitude of the observer; below 0, down to the planet's"
-            " deepest basin, of the floor under it. None for `orthographic`.", unit="m",
+            " deepest basin, on the floor of a basin. Not for `orthographic`.", unit="m",
             range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE), example="2 m"),
     ] = 2.0  # fmt: skip
     sun_zenith: (
         Annotated[
             float,
-            Field(label="sun zenith", help="Zenith angle of the sun; 72 deg without a clock.",
+            Field(label="sun zenith", help="Zenith angle of the sun; 72 deg without a time.",
                 unit="deg", range=(0.0, 180.0), example="85 deg"),
         ]
         | None
@@ -78,7 +78,7 @@ class PlanetView(TomlModel):
     sun_azimuth: (
         Annotated[
             float,
-            Field(label="sun azimuth", help="Compass bearing of the sun; 105 deg without a clock.",
+            Field(label="sun azimuth", help="Bearing of the sun; 105 deg without a time.",
                 unit="deg", range=(-360.0, 360.0), example="270 deg or W", read=read_bearing),
         ]
         | None
@@ -86,8 +86,8 @@ class PlanetView(TomlModel):
     look_at: (
         Annotated[
             str,
-            Field(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, by a clock `moon`, or"
-                " a bearing: `NE`, `315/20`; the horizon below the sun if left out.", kind="text",
+            Field(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, `moon` by time, or"
+                " a bearing: `NE`, `315/20`; default: the horizon below the sun.", kind="text",
                 range=(1, 40), example="W"),
         ]
         | None
@@ -123,7 +123,7 @@ class PlanetView(TomlModel):
     ] = "detailed"  # fmt: skip
     stars: Annotated[
         bool,
-        Field(label="stars", help="Stars to magnitude 6.5: by the clock, without one by the place"
+        Field(label="stars", help="Stars to magnitude 6.5, by time or by the position"
             " of the sun.", kind="switch"),
     ] = False  # fmt: skip
 

@@ -16,19 +16,19 @@ from airlight.planets.schema.measures import text_of
 
 FloatArray = NDArray[np.float64]
 
-#: Wavelengths between which the exponent is taken, AERONET's. [nm]
+#: Wavelengths that define the exponent, AERONET's. [nm]
 BETWEEN: Final = (440.0, 870.0)
-#: Wavelength at which a tilt changes nothing. [nm]
+#: Wavelength at which a tilt has no effect. [nm]
 _PIVOT: Final = 550.0
-#: Keys of a constituent that are changed together, with their units; a tilt leaves the first of
-#: them as it is at 550 nm.
+#: Keys of a constituent that are changed together, with their units; a tilt keeps the value of the
+#: first at 550 nm.
 COEFFICIENTS: Final = {
     "optical_depth": "1",
     "extinction": "1/m",
     "scattering": "1/m",
     "absorption": "1/m",
 }
-#: Range of wavelengths of a list that is made for a tilt, and its length. [nm]
+#: Range of wavelengths of a list made for a tilt, and its length. [nm]
 _SPAN: Final = (380.0, 780.0)
 _NODES: Final = 16
 

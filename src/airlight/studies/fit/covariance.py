@@ -12,7 +12,7 @@ from airlight.studies.fit.loss import Loss
 
 FloatArray = NDArray[np.float64]
 
-#: Fewest scans from whose differences error bars are estimated.
+#: Smallest number of scans from whose differences error bars are estimated.
 FEWEST_SCANS: Final = 5
 
 
@@ -102,7 +102,7 @@ def errors_of(
     free = np.flatnonzero(~at_bound)
     used = jacobian[:, free]
     _, slope, bend = loss(np.square(residuals))
-    # Second derivative of ρ(r²)/2; a robust loss bends down far out, where it counts as flat.
+    # Second derivative of ρ(r²)/2; a robust loss is concave far from 0, where it counts as flat.
     curvature = np.maximum(slope + 2.0 * bend * np.square(residuals), 0.0)
     inverse = _inverse(used.T @ (curvature[:, None] * used))
     scores = (slope * residuals)[:, None] * used

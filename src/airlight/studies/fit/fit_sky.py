@@ -42,11 +42,11 @@ FloatArray = NDArray[np.float64]
 #: Parameters of the instrument.
 SCALE, AZIMUTH, ZENITH = "scale", "pointing.azimuth", "pointing.zenith"
 RED, BLUE = "white_balance.red", "white_balance.blue"
-#: Largest offset of the pointing, either way. [deg]
+#: Largest magnitude of the pointing offset. [deg]
 MOST_TURN: Final = 10.0
-#: Range of the factor of radiances that claim to be absolute. [1]
+#: Range of the scale factor of absolute radiances. [1]
 _SCALES: Final = (0.2, 5.0)
-#: Share of the median radiance below which a relative uncertainty no longer shrinks. [1]
+#: Fraction of the median radiance below which a relative uncertainty becomes absolute. [1]
 _DARKEST: Final = 1e-3
 #: Number of wavelengths of a photograph's colours.
 _COLOUR_WAVELENGTHS: Final = 12
@@ -443,7 +443,7 @@ def _uncertainty(data: Measurements, settings: FitSettings) -> tuple[FloatArray,
         return data.uncertainty, True
     sizes = np.maximum(data.radiance, _DARKEST * float(np.median(data.radiance)))
     if not sizes.all():
-        raise ParameterError(f"radiance in {data.source}", 0.0, "values that are mostly above 0")
+        raise ParameterError(f"radiance in {data.source}", 0.0, "mostly positive values")
     if settings.uncertainty is not None:
         return settings.uncertainty * sizes, True
     return sizes, False

@@ -29,14 +29,14 @@ from airlight.studies.fit.angstrom import COEFFICIENTS, angstrom_refused, expone
 from airlight.studies.fit.parameter import FitParameter
 
 FloatArray = NDArray[np.float64]
-#: Puts a value of the parameter into the tables.
+#: Function that puts a value of the parameter into the tables.
 Write = Callable[[Tables, float], Tables]
 
 #: Wavelength of optical depths and of the ground's albedo. [nm]
 AT: Final = 550.0
-#: Largest optical depth: the densest smoke and the deepest cloud of dust. [1]
+#: Largest optical depth: that of the densest smoke and the thickest dust cloud. [1]
 _DEEPEST: Final = 30.0
-#: Exponents: coarse dust has less than 0, molecules 4. [1]
+#: Range of exponents: negative for coarse dust, 4 for molecules. [1]
 _EXPONENTS: Final = (-2.0, 4.5)
 
 
@@ -164,7 +164,7 @@ def _number(name: str, path: str, tables: Tables) -> FreeParameter:
     if given is None:
         given = key.left_out
     if given is None:
-        raise ParameterError("free", name, "a number that the planet's file has")
+        raise ParameterError("free", name, "a number in the planet's file")
     start = number_in(given, key.shown_unit, key.unit, path)
     low, high = _limits(key, start)
     unit, step = key.shown_unit, _least_step(key, start)

@@ -16,22 +16,22 @@ from airlight.studies.fit.parameter import FitParameter
 
 FloatArray = NDArray[np.float64]
 
-#: A step with fresh derivatives below this share of every error bar ends the fit. [1]
+#: Largest step, relative to every error bar, at which the fit ends after fresh derivatives. [1]
 SMALL_STEP: Final = 0.05
-#: So does one below this share of a parameter's own size, where data have hardly any noise. [1]
+#: The same relative to the parameter's magnitude, for data almost without noise. [1]
 _SMALL_SHARE: Final = 1e-4
 #: Decrease of the sum of squares, a small part of what an error bar makes, that ends a
 #: round; the sum itself is about the number of values. [1]
 _LEAST_GAIN: Final = 1e-5
 #: Most rounds.
 _MOST_ROUNDS: Final = 12
-#: First guess of a relative uncertainty that is unknown. [1]
+#: Initial guess of an unknown relative uncertainty. [1]
 _FIRST_UNCERTAINTY: Final = 0.05
-#: Least uncertainty that is estimated from residuals: the solver's own rounding. [1]
+#: Smallest uncertainty estimated from residuals: the rounding error of the solver. [1]
 _LEAST_UNCERTAINTY: Final = 1e-6
-#: Response to a parameter's whole range, over the largest value, that counts as none. [1]
+#: Response to a parameter's whole range, relative to the largest value, that counts as none. [1]
 _NO_RESPONSE: Final = 1e-7
-#: Smallest singular value of derivatives scaled to unit length, over the largest. [1]
+#: Smallest singular value of derivatives scaled to unit length, relative to the largest. [1]
 _SINGULAR: Final = 1e-4
 
 
@@ -167,7 +167,7 @@ def fit(
     worst = int(share.argmax())
     raise ConvergenceError(
         f"the fit has not converged in {_MOST_ROUNDS} rounds: {parameters[worst].name} still "
-        f"moves by {share[worst]:.2g} of its error bar"
+        f"changes by {share[worst]:.2g} of its error bar"
     )
 
 

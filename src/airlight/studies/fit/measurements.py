@@ -14,7 +14,7 @@ from airlight.physics.units import values_in
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-#: Units of what is measured, and of its directions.
+#: Units of measured quantities and of their directions.
 UNITS: Final = {
     "wavelength": "nm",
     "altitude": "m",

@@ -21,17 +21,17 @@ FloatArray = NDArray[np.float64]
 
 #: Cells along the longer side of the picture; each gives one colour.
 CELLS: Final = 28
-#: Share of a cell, from its middle, over which the colour is averaged.
+#: Width of the central part of a cell over which the colour is averaged, relative to the cell. [1]
 _MIDDLE: Final = 0.5
 #: Encoded values that count as too dark or too bright to be linear, of 8 or 16 bits. [1]
 _DARK, _BRIGHT = 0.04, 0.97
-#: Share of the largest channel that the other channels' uncertainty does not go below.
+#: Lower limit of the other channels' uncertainty, relative to the largest channel. [1]
 _LEAST_SHARE: Final = 0.2
-#: Parts of a side by which colours are grouped: neighbours err alike.
+#: Parts of a side by which colours are grouped: errors of neighbours are correlated.
 _PARTS: Final = 4
-#: Fewest directions of a photograph.
+#: Smallest number of directions of a photograph.
 FEWEST: Final = 12
-#: Encoding that leaves numbers as they are.
+#: Name of the encoding of linear values.
 LINEAR: Final = "linear"
 
 
@@ -166,7 +166,7 @@ def read_photograph(path: str | Path, shot: Shot) -> Photograph:
                 mean /= np.linalg.norm(mean)
                 found.append((linear[box].mean(axis=(0, 1)), mean, (row, column)))
     if not found:
-        raise FileError(path, "shows no sky that is neither too dark nor too bright")
+        raise FileError(path, "has no sky pixels of usable brightness")
     rgb, vectors = np.array([one[0] for one in found]), np.array([one[1] for one in found])
     place = np.array([one[2] for one in found], dtype=np.float64)
     zenith = np.degrees(np.arccos(np.clip(vectors[:, 2], -1.0, 1.0)))

@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Limits of the colours of relative differences. [%]
+#: Limit of the colour scale of relative differences. [%]
 _LEAST_LIMIT, _LARGEST_LIMIT = 2.0, 40.0
-#: Most scans that are shown as domes.
+#: Largest number of scans that are shown as domes.
 _MOST_DOMES: Final = 3
-#: Fewest directions of a scan that make a dome.
+#: Smallest number of directions of a scan for a dome.
 _DOME: Final = 12
 
 

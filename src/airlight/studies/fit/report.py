@@ -25,11 +25,12 @@ from airlight.studies.reports.html import page_html, part_html
 from airlight.studies.reports.markdown import escaped, part_lines
 from airlight.studies.reports.parts import Part, ReportPicture, ReportTable, Text, cells
 
-#: Correlation above which two parameters are named as hard to tell apart. [1]
+#: Correlation above which two parameters are reported as poorly separable. [1]
 _CLOSE: Final = 0.95
-#: Sum of squares over degrees of freedom above which the model does not reach the data. [1]
+#: Sum of squares over degrees of freedom above which the model does not fit the data. [1]
 _POOR: Final = 2.0
-#: Chance deviations of a ratio of error bars above which the scans differ by more than noise. [1]
+#: Deviation of a ratio of error bars, in standard deviations, above which scans differ by more than
+#: noise. [1]
 _WIDER: Final = 3.0
 
 
@@ -74,7 +75,7 @@ def warnings_of(sky: SkyFit) -> list[str]:
     if errors.by_scans is not None:
         free = ~errors.at_bound
         ratio = float((errors.by_scans[free] / errors.standard[free]).max()) if free.any() else 0.0
-        # The error of an error bar from n scans is 1 / √(2 (n - 1)) of it.
+        # The relative standard error of an error bar from n scans is 1 / √(2 (n - 1)).
         if ratio > 1.0 + _WIDER / np.sqrt(2.0 * (errors.groups - 1)):
             out.append(
                 f"error bars from {_groups(sky)} are up to {ratio:.2g} times those by noise: use "

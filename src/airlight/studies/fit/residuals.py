@@ -18,7 +18,7 @@ FloatArray = NDArray[np.float64]
 #: Edges of the bins of angles from the sun and from the zenith. [deg]
 SUN_EDGES: Final = (0, 4, 8, 15, 25, 35, 45, 55, 65, 75, 90, 110, 130, 180)
 ZENITH_EDGES: Final = (0, 10, 20, 30, 40, 50, 60, 70, 75, 80, 85, 90, 120, 180)
-#: Wavelengths as which a photograph's channels are shown. [nm]
+#: Wavelengths that represent a photograph's channels. [nm]
 CHANNELS: Final = (610.0, 550.0, 465.0)
 
 

@@ -29,7 +29,7 @@ from airlight.studies.fit.parameter import FitParameter
 
 FloatArray = NDArray[np.float64]
 
-#: Predictions and solutions kept in memory.
+#: Largest numbers of cached predictions and solutions.
 _MOST_PREDICTIONS: Final = 256
 _MOST_SOLUTIONS: Final = 2
 #: Tolerance of solutions: all orders, so that their number makes no jump between two neighbours.

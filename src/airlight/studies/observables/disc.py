@@ -168,7 +168,7 @@ def disc_stokes(
     values, errors = [], []
     for done, angle in enumerate(phase_angles):
         if cancel is not None and cancel():
-            raise Cancelled("stopped while the light of the disc was added up")
+            raise Cancelled("disc integration")
         if progress is not None:
             progress(done, len(phase_angles), "light of the disc")
         phase = float(np.radians(angle))

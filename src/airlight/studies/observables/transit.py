@@ -32,7 +32,7 @@ FloatArray = NDArray[np.float64]
 _PANELS: Final = 60
 _POINTS: Final = 8
 _FEWER: Final = 5
-#: Bisections of the shell for the lowest ray that meets the star.
+#: Bisections of the shell for the lowest ray that reaches the star.
 _HALVINGS: Final = 60
 
 

@@ -13,7 +13,7 @@ from airlight.studies.plots.figure import PALETTE, grid, look, new_figure, words
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Densities below this fraction of a constituent's largest are off the logarithmic panel.
+#: Densities below this fraction of a constituent's largest are not shown on the logarithmic panel.
 _FAINTEST: Final = 1e-6
 
 
@@ -33,7 +33,7 @@ def density(planet: Planet) -> Figure:
     altitude = np.linspace(0.0, planet.thickness, 1001)
     values = DensitySegments.from_rows(rows).at(altitude)
     figure = new_figure(
-        f"{planet.name}: density of the air's constituents",
+        f"{planet.name}: density of the constituents",
         "Relative density: 1 is where a constituent's coefficients are given.",
     )
     linear, logarithmic = figure.subplots(1, 2, sharey=True)

@@ -33,9 +33,9 @@ GREY: Final = "#555555"
 #: Background of swatches.
 BLACK: Final = "#000000"
 
-#: Ends of the range where the eye is reasonably sensitive. [nm]
+#: Range of wavelengths in which the eye is reasonably sensitive. [nm]
 VISIBLE: Final = (380.0, 750.0)
-#: Luminance to which a wavelength's colour is darkened, so that its line stands out on paper. [1]
+#: Luminance to which a wavelength's colour is darkened for contrast with white paper. [1]
 _INK: Final = 0.28
 
 #: File formats of a figure.
@@ -96,7 +96,7 @@ def words(text: str) -> str:
     (None, None)
     """
     shown = plain(text).replace("$", r"\$")
-    return f"\u2009{shown}" if shown.startswith("_") else shown  # a legend leaves "_…" out
+    return f"\u2009{shown}" if shown.startswith("_") else shown  # a legend omits labels with "_"
 
 
 def grid(axes: Axes) -> None:
@@ -138,7 +138,7 @@ def wavelength_ink(wavelengths: ArrayLike) -> list[tuple[float, float, float]]:
 
 
 def wavelength_strip(wavelengths: ArrayLike) -> FloatArray:
-    """Colours of wavelengths weighted by the eye's response, dark at both ends, for areas.
+    """Colours of wavelengths weighted by the eye's response, dark at both ends, for filled areas.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 SUN_ZENITHS: Final = (0.0, 30.0, 60.0, 80.0, 90.0, 96.0)
 #: Lowest tangent height as a fraction of the shell's thickness, and number of heights.
 _LOWEST, _COUNT = -0.15, 231
-#: Radiances below this fraction of a panel's largest are off it.
+#: Radiances below this fraction of a panel's largest are not shown.
 _FAINTEST: Final = 1e-8
 
 

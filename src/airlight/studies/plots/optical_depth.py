@@ -12,9 +12,9 @@ from airlight.studies.plots.figure import PALETTE, grid, look, new_figure, wavel
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Range shown of a planet that is known over a wider one. [nm]
+#: Range of wavelengths shown of a planet with more data. [nm]
 _SHOWN: Final = (300.0, 1000.0)
-#: Optical depths below this fraction of the largest are off the panel.
+#: Optical depths below this fraction of the largest are not shown.
 _FAINTEST: Final = 1e-5
 
 

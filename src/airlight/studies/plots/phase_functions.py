@@ -55,7 +55,7 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
     nm = tuple(nm[k] for k in chosen(nm, _MOST))
     scattering = [constituent for constituent in planet.constituents if constituent.scatters]
     if not scattering:
-        raise ParameterError("constituents", planet.name, "a planet whose air scatters")
+        raise ParameterError("constituents", planet.name, "a planet with a scattering constituent")
     figure = new_figure(
         f"{planet.name}: phase functions",
         f"Integral over all directions 1; at {wavelength_words(nm)} where they differ; "

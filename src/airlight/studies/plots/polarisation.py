@@ -23,9 +23,10 @@ FloatArray = NDArray[np.float64]
 _MOST: Final = 6
 #: Numbers of zenith angles and azimuths of half a dome that are solved, and that are drawn.
 _SOLVED, _DRAWN = (31, 61), (180, 360)
-#: Zenith angles of the dome: not 0, where azimuths are one, and not the horizon. [deg]
+#: Range of zenith angles of the dome, without the zenith, where azimuth is undefined, and the
+#: horizon. [deg]
 _HIGHEST, _LOWEST = 0.02, 89.9
-#: Zenith angles of the bars, and the length of one of fully polarised light. [deg]
+#: Zenith angles of the bars, and length of a bar for full polarisation. [deg]
 _BARS, _LENGTH = (15.0, 30.0, 45.0, 60.0, 75.0), 16.0
 
 
@@ -90,7 +91,7 @@ def _name(axes: Axes, point: str, places: FloatArray, sun_zenith: float) -> None
     span = "–".join(dict.fromkeys((f"{away[0]:.0f}", f"{away[-1]:.0f}")))
     low, high = axes.get_ylim()
     at = float(np.mean(places))
-    # Brewster's name is below Babinet's, which is near
+    # Brewster's label is below that of the nearby Babinet point
     down = low + (0.13 if point in ("Babinet", "Arago") else 0.03) * (high - low)
     arrow, place = {"arrowstyle": "-", "color": "#777777", "linewidth": 0.7}, (at, 0.0)
     below = (min(max(at, -76.0), 76.0), down)
@@ -200,7 +201,7 @@ def _bars(axes: Axes, dome: _Dome) -> None:
     zenith, azimuth = np.array(places).T
     stokes = dome.stokes(zenith, azimuth)
     half = 0.5 * _LENGTH * degree_of_polarisation(stokes)
-    # the vertical plane leads to the middle; counterclockwise as in the dome
+    # towards the zenith in the vertical plane; counterclockwise as in the dome
     turn = np.radians(azimuth + angle_of_polarisation(stokes))
     along = np.stack([-np.sin(turn), np.cos(turn)], axis=-1) * half[:, None]
     at = np.stack(_position(zenith, azimuth), axis=-1)

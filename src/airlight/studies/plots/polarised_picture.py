@@ -21,17 +21,17 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Luminance below which a pixel counts as dark, the eye's absolute threshold in order of magnitude.
-#: [cd m⁻²]
+#: Luminance below which a pixel counts as dark: the order of the eye's absolute threshold. [cd m⁻²]
 DARK: Final = 1e-6
-#: Luminance below which a pixel counts as dark beside the brightest polarised light of its picture,
-#: over that: moonlit ground beside sunlit. The towns of a planet's night side are fainter. [1]
+#: Luminance below which a pixel counts as dark, relative to the brightest polarised pixel: that of
+#: moonlit ground beside sunlit. City lights on a night side are fainter. [1]
 DARK_BESIDE: Final = 1e-6
-#: Degree below which colours of angles fade to black, as there is no angle. [1]
+#: Degree of polarisation below which colours of angles fade to black, as the angle is undefined.
+#: [1]
 FADING: Final = 0.02
-#: Lightness and chroma of the colours of angles: the most that sRGB holds at all hues.
+#: Lightness and chroma of the colours of angles: the largest within sRGB at all hues.
 _LIGHTNESS, _CHROMA, _FIRST_HUE = 0.75, 0.12, 20.0
-#: Height of the strip below a picture, its smallest and the picture's smallest width. [pixel]
+#: Height of the strip below a picture, its minimum and the minimum width of a picture. [pixel]
 _STRIP, _LEAST_STRIP, _LEAST_WIDTH = 0.075, 44, 240
 
 
@@ -54,7 +54,7 @@ class ColorBar(NamedTuple):
     ticks: tuple[float, ...]
 
 
-#: What can be shown: the degree in per cent, the angle in degrees.
+#: Quantities: the degree in per cent, the angle in degrees.
 COLOR_BARS: Final = {
     "dolp": ColorBar("degree of linear polarisation [%]", 0.0, 100.0, tuple(range(0, 101, 20))),
     "aolp": ColorBar(

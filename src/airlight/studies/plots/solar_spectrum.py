@@ -19,7 +19,7 @@ from airlight.studies.plots.figure import (
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Range shown of a spectrum that is known over a wider one. [nm]
+#: Range of wavelengths shown of a spectrum with more data. [nm]
 _SHOWN: Final = (280.0, 1000.0)
 
 
@@ -48,7 +48,7 @@ def solar_spectrum(planet: Planet, wavelengths: tuple[float, ...] | None = None)
     nm = np.unique([*np.arange(np.ceil(low), np.floor(high) + 1.0), low, high])
     figure = new_figure(
         f"{planet.name}: spectrum of its star",
-        f"Outside the air, on a plane that faces the star; {_words(planet)}.",
+        f"Outside the atmosphere, on a plane that faces the star; {_words(planet)}.",
     )
     axes = figure.add_subplot()
     grid(axes)

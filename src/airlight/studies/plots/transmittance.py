@@ -24,7 +24,7 @@ FloatArray = NDArray[np.float64]
 
 #: Number of altitudes, and of directions on each side of the horizon.
 _SHAPE: Final = (81, 90)
-#: Angle from the horizon at which a ray is safely on one side of it. [deg]
+#: Smallest angle of a ray from the horizon, against rounding. [deg]
 _BESIDE: Final = 1e-9
 #: Contour lines of the map. [1]
 _LEVELS: Final = tuple(round(0.1 * k, 1) for k in range(1, 10))
@@ -82,7 +82,7 @@ def _sheets(medium: Medium) -> tuple[FloatArray, tuple[FloatArray, FloatArray]]:
     """Altitudes (n, 1) [m]; zenith angles above and below the horizon, each (n, k) [deg]."""
     altitude = medium.thickness * np.linspace(0.0, 1.0, _SHAPE[0])[:, None] ** 2
     horizon = horizon_zenith(medium, altitude)
-    # Dense towards the horizon, where the valley is.
+    # Dense towards the horizon, where transmittance has its minimum.
     step = np.linspace(0.0, 1.0, _SHAPE[1]) ** 2
     above = (horizon - _BESIDE) * (1.0 - step[::-1])
     below = horizon + _BESIDE + (180.0 - horizon - _BESIDE) * step

@@ -88,7 +88,7 @@ def _table(table: ReportTable) -> str:
     body = table_html(table.columns, rows)
     note = f'<p class="quiet">{escape(table.note)}</p>' if table.note else ""
     if table.folded:
-        # A table with a missed row starts open, so that the row is seen.
+        # A table with a missed threshold is initially open.
         is_open = ' open="open"' if "fail" in marks else ""
         missed = sum(mark == "fail" for mark in marks)
         count = f"{len(rows)} row{'s' * (len(rows) != 1)}" + (

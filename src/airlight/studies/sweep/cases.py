@@ -19,7 +19,7 @@ from airlight.files.atomic_file import atomic_file, check_target
 from airlight.solver.stokes_frame import STOKES
 from airlight.studies.sweep.grid import AXES
 
-#: Columns that are read, with the smallest and largest number allowed in them.
+#: Columns that are read, with the range of allowed numbers.
 COLUMNS: Final = {f"{name}_{unit}": (low, high) for name, (low, high, unit) in AXES.items()}
 
 #: Suffixes of tables that are written.

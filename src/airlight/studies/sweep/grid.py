@@ -32,7 +32,7 @@ AXES: Final[dict[str, tuple[float, float, str]]] = {
     "view_zenith": (0.0, 180.0, "deg"),
     "azimuth": (-360.0, 360.0, "deg"),
 }
-#: Largest number of values of one axis, of planets and of radiances in all.
+#: Largest number of values of one axis, of planets and of radiances in total.
 MOST_VALUES: Final = 100_000
 MOST_PLANETS: Final = 10_000
 MOST_RADIANCES: Final = 10**12
@@ -102,7 +102,7 @@ class Grid:
                     raise ParameterError("planets", text, "each planet and each value once")
         total = math.prod(self.shape)
         if total > MOST_RADIANCES:
-            raise ParameterError("size", total, f"at most {MOST_RADIANCES} radiances in all")
+            raise ParameterError("size", total, f"at most {MOST_RADIANCES} radiances in total")
 
     @property
     def names(self) -> tuple[str, ...]:

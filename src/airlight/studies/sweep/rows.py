@@ -37,7 +37,7 @@ FloatArray = NDArray[np.float64]
 #: Rows of a block.
 BLOCK: Final = 1 << 13
 _SOURCE: Final = Path(__file__)
-#: End of the name of a hidden file: fingerprint and purpose.
+#: Suffix of the name of a hidden file: fingerprint and purpose.
 _NAME: Final = re.compile(r"[0-9a-f]{32}\.(rows|index)")
 
 
@@ -100,7 +100,7 @@ def answer_rows(
         with opened_runner(count, scheduler=scheduler, workers=workers) as runner:
             for number, values in runner.run(radiances_of_lines, tasks()):
                 found[number] = values
-                while table.blocks in found:  # blocks end in any order, and are written in theirs
+                while table.blocks in found:  # blocks end in any order, and are written in sequence
                     at = table.blocks
                     write_rows(table.stream, waiting.pop(at), found.pop(at))
                     table.end_block()
@@ -188,7 +188,7 @@ class _Table:
                     reason += f"; {table.blocks} blocks are kept, and the same command goes on"
                 raise FileError(target, reason) from error
             finally:
-                if table is None or table.blocks == 0:  # nothing to go on from
+                if table is None or table.blocks == 0:  # nothing to resume
                     part.unlink(missing_ok=True)
                     index.unlink(missing_ok=True)
 

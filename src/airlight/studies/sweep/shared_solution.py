@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
     from airlight.solver.moments.solution import MomentsSolution
 
-#: Solution of the last task, which the next one mostly shares.
+#: Solution of the last task, which the next task usually shares.
 _CACHED: Final[Cache[str, MomentsSolution]] = Cache(1)
 
 

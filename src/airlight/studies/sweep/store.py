@@ -41,9 +41,9 @@ from airlight.studies.sweep.store_layout import (
 
 #: Metadata of the group itself.
 _GROUP: Final = {"zarr_format": 2}
-#: Further size that metadata may have, of attributes that others have added. [byte]
+#: Allowance for the metadata of attributes added by others. [byte]
 _ADDED: Final = 1 << 20
-#: Smallest size that a file takes on disk. [byte]
+#: Smallest size of a file on disk. [byte]
 _SECTOR: Final = 4096
 _REMEDY: Final = (
     "the store is damaged, or not of this airlight: remove it, or choose another folder"

@@ -21,7 +21,7 @@ from airlight.planets.schema.measures import DOBSON, number_in
 from airlight.solver.named_axes import COORDINATES, WAVELENGTH
 from airlight.studies.sweep.grid import AXES, Grid
 
-#: Attribute that holds the axes, by which a later run knows its own grid.
+#: Attribute that holds the axes, by which a later run recognises its grid.
 AXES_ATTRIBUTE: Final = "airlight_axes"
 #: Name of the array with the fingerprint and the checksum of each block.
 MARKS: Final = "block_marks"

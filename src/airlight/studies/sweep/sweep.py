@@ -38,12 +38,12 @@ from airlight.studies.sweep.store_layout import POLARISED, chunk_shape
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
 
-#: Source that computes radiances: this file's imports.
+#: Source code that affects radiances: the imports of this file.
 _SOURCE: Final = Path(__file__)
-#: Size from which a store is announced. [byte]
+#: Size from which a store is reported in advance. [byte]
 _LARGE: Final = 10**9
-#: Memory of a radiance of a block, from lines of sight to the compressed chunk, and of the mark of
-#: a block. [byte]
+#: Memory per radiance of a block, from lines of sight to the compressed chunk, and per block in the
+#: array of checksums. [byte]
 _MEMORY: Final = 40
 _MEMORY_OF_A_MARK: Final = 400
 

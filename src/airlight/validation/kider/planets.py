@@ -32,7 +32,7 @@ FloatArray = NDArray[np.float64]
 
 #: File of the aerosol's phase function of that day, measured 500 km away; AERONET.
 FILE: Final = "aeronet-egbert-2013-05-27-phase-function.csv"
-#: Allowed deviation of its integral over the sphere from 4π, relative. [1]
+#: Allowed relative deviation of its integral over the sphere from 4π. [1]
 _INTEGRAL_OFF: Final = 0.05
 
 #: Pressure at sea level, and 270 m above it, the altitude of the instrument. U.S. Standard
@@ -46,7 +46,7 @@ SUN_DISTANCE: Final = 1.0133 * ASTRONOMICAL_UNIT
 DAY: Final = "2013-05-27"
 #: Full width at half height of the spectrometer's bands: an ASD FieldSpec's at 700 nm. [nm]
 BAND_WIDTH: Final = 3.0
-#: Ozone of the profile that goes with it: Anderson et al. (1986), AFGL-TR-86-0110. [DU]
+#: Ozone column of the profile used: Anderson et al. (1986), AFGL-TR-86-0110. [DU]
 OZONE: Final = 345.0
 
 
@@ -124,7 +124,7 @@ class Inputs:
 
 #: Inputs of all published models.
 PUBLISHED_INPUTS: Final = Inputs()
-#: Best known inputs of the day.
+#: Best available inputs of the day.
 BEST: Final = Inputs(
     measured_sun=True,
     measured_air=True,

@@ -24,11 +24,12 @@ RADIANCE_THRESHOLD, DEGREE_THRESHOLD = 0.1, 0.001
 #: Cosine of the star's zenith angle, and optical depth, of all values. [1]
 SUN, DEPTH = 0.2, 0.5
 _HEIGHT, _SCALE_HEIGHT = 100e3, 8e3
-#: Radius of the Earth's ground [m], and how many times as large that of flat air is. [1]
+#: Radius of the Earth's ground [m], and radii of nearly plane-parallel air relative to it. [1]
 _EARTH: Final = 6.36e6
 RADII: Final = (1_000, 10_000)
 _WAVELENGTH: Final = 550.0
-#: A line this far from the vertical has azimuths; its light is that of the vertical. [deg]
+#: Smallest angle from the vertical of a line with an azimuth; its radiance is that of the vertical.
+#: [deg]
 _TILT: Final = 0.01
 
 

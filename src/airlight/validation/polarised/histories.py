@@ -20,12 +20,12 @@ from airlight.validation.suite import Part, ReportTable, SuiteRun, Threshold, ce
 
 FloatArray = NDArray[np.float64]
 
-#: Largest share of the values that noise and tolerance do not explain. [%]
+#: Largest fraction of the values that noise and tolerance do not explain. [%]
 ALLOWED: Final = 5.0
-#: Tolerances beyond the noise: of I [1], and of Q/I and U/I [1].
+#: Tolerances in addition to the noise: of I [1], and of Q/I and U/I [1].
 TOLERANCE, DEGREE = 0.01, 0.01
-#: Cosine of the angle from the star below which a line is in the aureole, whose light is hardly
-#: polarised and a matter of the forward peak.
+#: Cosine of the angle from the star above which a line is in the aureole, which is hardly polarised
+#: and depends on the forward peak.
 AUREOLE: Final = float(np.cos(np.radians(10.0)))
 HISTORIES: Final = MonteCarloSettings(relative_error=0.003, most_histories=65_536)
 
@@ -58,7 +58,8 @@ class PolarisedPlanet:
     why: str = ""
 
 
-#: Air with molecules and a formula's aerosol; with Mie's droplets and soot; dust; thick cloud.
+#: Atmospheres with molecules and a formula's aerosol; with Mie's droplets and soot; dust; thick
+#: cloud.
 PLANETS: Final = (
     PolarisedPlanet(planet="earth"),
     PolarisedPlanet(planet="earth-hazy"),

@@ -28,7 +28,7 @@ LEVELS: Final = np.concatenate(
     [np.arange(0.0, 16e3, 1e3), np.arange(16e3, 40e3, 3e3), np.arange(40e3, 101e3, 12e3)]
 )
 SCALE_HEIGHT: Final = 8e3
-#: Radius of the ground [m], its albedo, optical depths of the air.
+#: Radius of the ground [m], its albedo, optical depths of the atmosphere.
 BOTTOM, ALBEDO = 6360e3, 0.3
 DEPTHS: Final = (0.1, 0.5)
 #: Zenith angles of the star; zenith angle and azimuth of each line of sight. [deg]
@@ -40,9 +40,10 @@ LINES: Final = (
     *product((85.0,), (60.0, 180.0)),
 )
 #: Allowed differences of I, median and 95 % [%], and of the degree of polarisation [1]. Lines near
-#: the zenith are left out: theirs is off by 0.27 of the degree one degree from it.
+#: the zenith are excluded: the reference is off by 0.27 in the degree of polarisation one degree
+#: from it.
 MEDIAN_THRESHOLD, HIGH_THRESHOLD, DEGREE_THRESHOLD = 0.3, 1.0, 0.005
-#: Histories that judge both for the same lines.
+#: Number of histories of the solution that checks both for the same lines.
 HISTORIES: Final = MonteCarloSettings(relative_error=0.002, most_histories=100_000)
 
 

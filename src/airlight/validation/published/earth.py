@@ -36,10 +36,10 @@ FloatArray = NDArray[np.float64]
 
 #: True altitudes of the sun. [deg]
 ALTITUDES: Final = (90, 60, 40, 20, 10, 5, 2, 0, -1, -3, -5, -6, -8, -10, -12)
-#: Altitudes of the sun between which the aim for the illuminance holds [deg], and that aim. [%]
+#: Altitudes of the sun to which the target of the illuminance applies [deg], and that target. [%]
 AIMED: Final = (-10.0, 5.0)
 ILLUMINANCE_AIM: Final = 25.0
-#: Depressions of the sun of the zenith's magnitude [deg], and the aim for it. [mag]
+#: Depressions of the sun for the magnitude of the zenith [deg], and its target. [mag]
 DEPRESSIONS: Final = (5.0, 6.0, 8.0, 10.0, 12.0)
 ZENITH_AIM: Final = 0.35
 #: Altitude of the sun at sunset by the almanac's convention. [deg]
@@ -50,7 +50,7 @@ DAY: Final = 45.0
 SKIES: Final = (10.0, 30.0, 60.0)
 #: Depressions of the sun with a Belt of Venus. [deg]
 BELT: Final = (1.0, 2.0, 3.0, 4.0)
-#: Elevations at which the belt is looked for. [deg]
+#: Elevations at which the belt is sought. [deg]
 _ELEVATIONS: Final = np.arange(0.25, 30.1, 0.25)
 _AMS: Final = "AMS, Glossary of Meteorology"
 

@@ -34,9 +34,9 @@ from airlight.validation.suite import SuiteRun, Threshold
 
 FloatArray = NDArray[np.float64]
 
-#: Difference from the exact albedo that counts as done. [%]
+#: Target of the difference from the exact albedo. [%]
 ALBEDO_THRESHOLD: Final = 0.5
-#: Optical depth of the gas. Below it, white ground reflects as more gas would, but for e^-16.
+#: Optical depth of the gas: white ground replaces the remaining gas with an error of e^-16.
 DEPTH: Final = 8.0
 _SCALE_HEIGHT: Final = 8e3
 _WAVELENGTH: Final = 550.0
@@ -68,7 +68,7 @@ def h_function(mu: FloatArray, weights: FloatArray, psi: FloatArray) -> FloatArr
     kernel = mu * psi * weights / (mu[:, None] + mu)
     h = np.ones_like(mu)
     for _ in range(_STEPS):
-        # Half a step: whole ones go to and fro about the solution.
+        # Half a step: whole steps oscillate about the solution.
         better = 0.5 * (h + 1.0 / (rest + kernel @ h))
         if np.abs(better - h).max() < 1e-13:
             break

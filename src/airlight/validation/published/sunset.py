@@ -20,7 +20,7 @@ from airlight.validation.published.row import PublishedRow, PublishedSection
 
 #: Angular diameter of the sun at 1 au. [deg]
 DIAMETER: Final = 2.0 * 0.2665
-#: Wavelength of the medium, which bends all light as much. [nm]
+#: Wavelength of the medium, whose refractivity is used for all. [nm]
 _NM: Final = 550.0
 
 

@@ -54,13 +54,13 @@ PARANAL: Final = 2635.0
 #: Depressions of the sun between which the fit is given. [deg]
 PATAT_RANGE: Final = (5.0, 15.0)
 _PATAT: Final = (11.84, 1.518, -0.057)
-#: V of the dark sky's zenith on Paranal, moonless. [mag arcsec⁻²]
+#: V of the zenith of the dark, moonless sky on Paranal. [mag arcsec⁻²]
 NIGHT_SKY_V: Final = 21.6
 #: V of the sun at 1 au. [mag]
 SOLAR_V: Final = -26.76
 #: Square arcseconds of a steradian.
 _SQUARE_ARCSECONDS: Final = np.degrees(3600.0) ** 2
-#: Passband of V at even steps of wavelength, for energy. [nm], [1]
+#: Passband of V at uniform steps of wavelength, for energy. [nm], [1]
 _V_WAVELENGTHS: Final = np.arange(470.0, 701.0, 10.0)
 _V_PASSBAND: Final = np.fromstring(
     "0.000 0.030 0.163 0.458 0.780 0.967 1.000 0.973 0.898 0.792 0.684 0.574 0.461 "
@@ -226,7 +226,7 @@ def v_magnitude(wavelengths: ArrayLike, relative_radiance: ArrayLike) -> float:
         Radiance over the sun's irradiance at 1 au; positive. [sr⁻¹]
     """
     nm = np.arange(_V_WAVELENGTHS[0], _V_WAVELENGTHS[-1] + 0.5)
-    # Photons are counted, but the table weights energy: the wavelength is in it already.
+    # Photons are counted, but the table weights energy and so includes the wavelength.
     weight = np.interp(nm, _V_WAVELENGTHS, _V_PASSBAND) * solar_irradiance(nm)
     ratio = between(wavelengths, relative_radiance, nm)
     mean = np.trapezoid(ratio * weight, nm) / np.trapezoid(weight, nm)

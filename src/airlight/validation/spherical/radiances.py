@@ -40,12 +40,12 @@ FloatArray = NDArray[np.float64]
 
 #: Allowed median, 95 % and largest error of each quality. [1]
 THRESHOLDS: Final = {"default": (0.003, 0.02, 0.05), "fine": (0.001, 0.007, 0.02)}
-#: Number of the referee's standard errors that counts as no error in the lists.
+#: Number of standard errors of the reference that counts as no error in the lists.
 NOISE: Final = 3.0
-#: Largest relative standard error, and lowest radiance, of the cases that count.
+#: Largest relative standard error, and smallest radiance, of the assessed cases.
 MOST_NOISE, LEAST_RADIANCE = 0.01, 1e-6
-#: Errors against Bruneton: away from the sun his tables are good to about 1 %, and we differ there
-#: by up to 3.2 %; on the sun's side they are good to 6 %.
+#: Errors relative to Bruneton: away from the sun his tables are accurate to about 1 %, and airlight
+#: differs by up to 3.2 %; on the sun's side they are accurate to 6 %.
 BRUNETON_THRESHOLDS: Final = {"away": 0.035, "towards": 0.06}
 #: Number of worst cases listed.
 WORST = 10

@@ -23,8 +23,8 @@ from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
 from airlight.viewer.session.planet_state import SolveRequest, Versions
 
-#: Time after which a preview is cancelled by a newer edit. Faster previews are finished, so that
-#: the frame keeps up during a drag. [s]
+#: Time after which a preview is cancelled by a newer edit. Faster previews are completed, so that
+#: the display follows a drag. [s]
 PATIENCE: Final = 3.0
 #: Number of cached solutions, for immediate undo and change of side.
 CACHE_SIZE: Final = 4
@@ -250,7 +250,8 @@ class SolverThread:
                 continue
             planet = self._planet(request, newer)
             wavelengths = self._wavelengths(planet, request.wavelengths)
-            # Rejects a star without light at one of them: the picture would have no colours.
+            # Raises an error for a star without light at one of them: the picture would have no
+            # colours.
             rgb_weights(wavelengths, planet.lights(wavelengths)[0].spectrum)
             solution = self._solver(
                 planet,

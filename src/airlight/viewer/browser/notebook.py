@@ -197,7 +197,7 @@ class Viewer(anywidget.AnyWidget):
         if solved is not None and solved is not self._shown:
             self._shown = solved
             numbers, tables = solution_package(solved.solution)
-            if self.drawer == "kernel":  # the browser gets pictures
+            if self.drawer == "kernel":  # the browser receives pictures
                 tables = {}
             self.picture = numbers | {
                 "version": solved.version,
@@ -224,7 +224,7 @@ class Viewer(anywidget.AnyWidget):
 
     def _show_rendered(self, rendered: dict[str, Any]) -> None:
         self.rendered = rendered
-        self._follow_solution()  # which no longer waits for what renders
+        self._follow_solution()  # which does not wait for the renderer
 
     # --- from the browser ---------------------------------------------------------------------
 
@@ -259,7 +259,7 @@ class Viewer(anywidget.AnyWidget):
     def _edit(
         self, edit: Mapping[str, Value], gesture: str | None = None, held: bool = False
     ) -> None:
-        """Apply an edit, with undo steps like those of a page's history for a browser's gesture."""
+        """Apply a browser's edit, with the same undo steps as on a page."""
         known = self.session.values
         news = {path: edit[path] for path in edit if path in known and edit[path] != known[path]}
         view = {path: value for path, value in news.items() if path.startswith("view.")}

@@ -117,7 +117,7 @@ def page_data(
     numbers, tables = solution_package(solution)
     solver = solver_data(solution)
     if solver["plan"]["tables"]["ratios"]["shape"][:3] == numbers["uniforms"]["table_columns"][1:]:
-        solver["scalars"]["ratios"] = None  # the picture has the same table
+        solver["scalars"]["ratios"] = None  # the table is already in the picture
     planet = solution.planet
     edited = () if planet is None else amounts_of(planet, MOST)
     body = None if solution.planet is None else solution.planet.body

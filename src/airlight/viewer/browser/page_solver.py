@@ -39,7 +39,7 @@ from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.browser.web_shaders import solver_shaders
 
-#: Largest amount of a constituent that a page solves, over the planet's. [1]
+#: Largest amount of a constituent that a page solves, relative to the planet's. [1]
 MOST: Final = 10.0
 #: Names in the picture of the solver plan's tables that it shares.
 SHARED: Final = {
@@ -47,9 +47,9 @@ SHARED: Final = {
     "start": "harmonic",
 }
 _TOLERANCE: Final = 2e-3
-#: Factor of the extinction of thick air for which a page's nodes and rays are placed, and beyond
-#: which it solves no edit: light under the clouds of Venus errs by 14 % where they are twice as
-#: thick as the nodes were placed for. [1]
+#: Factor of the extinction of thick atmospheres for which a page's nodes and rays are placed, and
+#: beyond which it solves no edit: radiances below the clouds of Venus have errors of 14 % at twice
+#: the optical depth for which the nodes were placed. [1]
 _HEADROOM: Final = 2.0
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 Float32Array = NDArray[np.float32]
 
-#: Binary digits kept of light and of columns: 1e-4, a tenth of a display's precision.
+#: Significant bits of radiances and of columns: 1e-4, a tenth of a display's precision.
 DIGITS: Final = 12
 
 

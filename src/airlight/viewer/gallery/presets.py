@@ -10,10 +10,10 @@ from airlight.planets.planet import Planet
 from airlight.scene import Camera, Scene
 from airlight.scene.observer import horizon_zenith
 
-#: Kinds of presets: what a planet is; what it would be otherwise; what programs or papers have.
+#: Kinds of presets: a planet; a variation of it; a planet of a program or paper.
 Kind = Literal["reference", "variation", "literature"]
 
-#: Size of the small pictures. [pixel]
+#: Size of the thumbnails. [pixel]
 WIDTH: Final = 240
 HEIGHT: Final = 135
 
@@ -73,8 +73,8 @@ class Look:
         return Scene(camera=camera, altitude=altitude, **given)
 
 
-#: Limb from above the air; air over ground from above; the low sun from the ground; a day on the
-#: ground; the sky after sunset; the whole planet, half lit.
+#: Limb from above the atmosphere; atmosphere over ground from above; low sun from the ground;
+#: daytime on the ground; the sky after sunset; the whole planet, half lit.
 _LIMB: Final = Look(12.0, 11.0, -58.0, 74.0, latitude=34.0, sun_azimuth=110.0)
 _ABOVE: Final = Look(4.0, 14.0, 60.0, 62.0)
 _SUNSET: Final = Look(2e-5, -8.0, 8.0, 86.0)
@@ -108,7 +108,7 @@ class Preset:
     look: Look
 
 
-#: All presets in the order of the gallery: by family, within one the planet itself first.
+#: All presets in the order of the gallery: by family, beginning with the planet itself.
 PRESETS: Final = (
     Preset("earth", "Earth", "Earth", "reference", _LIMB),
     Preset("earth-hazy", "hazy", "Earth", "variation", _ABOVE),

@@ -28,9 +28,9 @@ RATES: Final[Mapping[str, float]] = {
     "wheel": 100.0,  # a browser's wheel delta for one notch [pixel]
     "stop": 1.0 / 3.0,  # exposure [EV]
     "adapted": TIME_CONSTANT,  # of the automatic exposure [s]
-    "time": 1800.0,  # initial ratio of the sun's time to the clock's [1]
+    "time": 1800.0,  # initial rate of the sun's time relative to real time [1]
     "longest_step": 0.1,  # limits the distance flown after a pause [s]
-    "click": 3.0,  # a press that moves less is a click [logical pixel]
+    "click": 3.0,  # a press with a smaller movement is a click [logical pixel]
     "steps": MOST_STEPS,  # number of undo steps
     "together": TOGETHER,  # longest time between edits that are one undo step [s]
 }

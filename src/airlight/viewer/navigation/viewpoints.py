@@ -15,8 +15,8 @@ from airlight.scene.observer import horizon_zenith
 if TYPE_CHECKING:
     from airlight.viewer.session.editing import Editing
 
-#: Latitude and longitude where the viewer begins, positive north and east: the eastern coast of the
-#: Red Sea, with the sea towards the setting sun. [deg]
+#: Initial latitude and longitude, positive north and east: the eastern coast of the Red Sea, with
+#: the sea towards the setting sun. [deg]
 PLACE: Final = (27.5, 35.5)
 #: Altitude from which the camera sees a whole planet, in radii. [1]
 _FAR: Final = 2.4
@@ -77,7 +77,7 @@ VIEWPOINTS: Final = (
     Viewpoint("sunset", "the setting sun from the ground", 2e-5, -6.0, 265.0, 89.0, 265.0),
 )
 
-#: Viewpoint with which window and page begin, by name.
+#: Initial viewpoint of window and page, by name.
 FIRST: Final = next(one for one in VIEWPOINTS if one.name == "orbit")
 
 

@@ -30,7 +30,7 @@ def ground_radiance(
     color: FloatArray | None,
     clouds: tuple[float, float] | None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Reflected direct and diffuse radiance of the ground, attenuated by the air.
+    """Reflected direct and diffuse radiance of the ground, attenuated by the atmosphere.
 
     Parameters
     ----------

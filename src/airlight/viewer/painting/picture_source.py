@@ -11,7 +11,7 @@ from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.session.adaptation import Adaptation
 
-#: Orders of scattering that are shown.
+#: Options for the displayed orders of scattering.
 Orders = Literal["all", "single", "multiple"]
 
 

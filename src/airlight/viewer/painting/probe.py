@@ -165,7 +165,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     The position of the ground point neglects refraction, up to half a degree on Earth.
     """
     if not isinstance(solution, MomentsSolution):
-        raise ParameterError("solution", type(solution).__name__, "one of the moments solver")
+        raise ParameterError("solution", type(solution).__name__, "a moments solution")
     medium = solution.medium
     zenith = math.degrees(math.atan2(math.hypot(direction[0], direction[1]), direction[2]))
     azimuth = math.degrees(math.atan2(-direction[1], direction[0]))

@@ -14,7 +14,7 @@ from airlight.scene.picture_size import scaled
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_texture import Canvases
 
-#: Pause between pictures while the exposure eases. [s]
+#: Interval between pictures while the exposure adapts. [s]
 _PAUSE: Final = 1.0 / 60.0
 
 

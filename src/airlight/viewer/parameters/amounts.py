@@ -26,11 +26,11 @@ from airlight.viewer.parameters.turbidity import turbidity_of
 AMOUNTS: Final = "amounts"
 #: Wavelength of optical depths and of the ground's albedo. [nm]
 AT: Final = 550.0
-#: Path of the turbidity, which follows from the amounts.
+#: Path of the turbidity, which is derived from the amounts.
 TURBIDITY: Final = "air.turbidity"
 #: Path of the ground's albedo.
 GROUND: Final = "air.ground"
-#: Largest factor of the planet's own amount, that of ``Constituent.amount``. [1]
+#: Largest factor of a planet's amount, that of ``Constituent.amount``. [1]
 MOST: Final = 100.0
 #: Range of the factor on a slider. [1]
 _FACTORS: Final = (0.1, 10.0)
@@ -149,7 +149,7 @@ def _measure(one: Constituent, thickness: float) -> Measure:
     factor = "Amount relative to that of the planet's file."
     try:
         depth = _depth(one, thickness)
-    except AirlightError:  # unknown at 550 nm
+    except AirlightError:  # no value at 550 nm
         depth = -1.0
     if one.bends or (one.phase_function is not None and one.phase_function.molecular):
         return Measure("gas", 1.0, "×", depth, factor)
@@ -200,7 +200,7 @@ def _turbidity(found: Iterable[Amount], factor: float) -> tuple[Amount, ...]:
         Amount(
             path=TURBIDITY, label="turbidity", group=AMOUNTS,
             help="Optical depth of gas and haze over that of the gas at 550 nm: 1 is pure air, 2 "
-            "clear, 10 hazy. Moves the haze.",
+            "clear, 10 hazy. Changes the haze.",
             low=1.0, high=min(_short(max(10.0, 2.0 * present)), most), least=1.0, most=most,
             scale="log", step=1.05,
             synonyms=_SYNONYMS["turbidity"], present=present, matter="turbidity",

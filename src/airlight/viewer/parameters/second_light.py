@@ -13,20 +13,20 @@ from airlight.scene.moon_light import MoonLight
 from airlight.scene.star_light import StarLight
 from airlight.viewer.parameters.parameter import Value
 
-#: Words for what the second light is.
+#: Names of the kinds of the second light.
 NONE, MOON, STAR = KINDS = ("none", "moon", "second sun")
-#: Paths: what it is, whether the Moon goes by the date, its place and size, temperature of a star.
+#: Paths: kind, whether the Moon follows the date, position and size, temperature of a star.
 LIGHT: Final = "view.second_light"
 BY_DATE: Final = "view.moon_by_date"
 PLACED: Final = (
     "view.second_zenith", "view.second_azimuth", "view.moon_phase", "view.second_radius"
 )  # fmt: skip
 TEMPERATURE: Final = "view.second_temperature"
-#: Paths of the sun's clock that matter here.
+#: Paths of the sun's clock that are used here.
 _CLOCK: Final = "view.clock"
 _DATE: Final = ("view.year", "view.day", "view.hour")
 _SITE: Final = ("view.latitude", "view.longitude")
-#: World whose moon is known.
+#: World with a moon.
 _EARTH: Final = "earth"
 
 

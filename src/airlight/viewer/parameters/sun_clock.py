@@ -12,11 +12,11 @@ from airlight.scene.sun_time import sun_on_date
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.second_light import BY_DATE, with_moon
 
-#: Path of the switch, and those of date, place and sun.
+#: Paths of the switch, and of date, place and sun.
 CLOCK: Final = "view.clock"
 DATE: Final = ("view.year", "view.day", "view.hour")
 PLACE: Final = ("view.latitude", "view.longitude")
-#: Paths that only a planet with a ``body`` has.
+#: Paths available only for a planet with a ``body``.
 OF_DATE: Final = (CLOCK, *DATE, BY_DATE)
 SUN: Final = ("view.sun_zenith", "view.sun_azimuth")
 

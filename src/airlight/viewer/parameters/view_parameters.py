@@ -28,9 +28,9 @@ from airlight.viewer.parameters.second_light import KINDS, second_lights
 VIEW_GROUPS: Final = ("camera", "sun", "moon", "display", "light")
 #: Quality levels of the solution that follows the preview, from fast to exact.
 QUALITIES: Final = ("preview", "default", "fine")
-#: Orders of scattering that are shown.
+#: Options for the displayed orders of scattering.
 ORDERS: Final = ("all", "single", "multiple")
-#: Numbers of wavelengths that are solved, in words.
+#: Names of the numbers of wavelengths that are solved.
 WAVELENGTHS: Final = ("three", "four", "eight", "sixteen")
 
 
@@ -81,7 +81,7 @@ VIEW_VALUES: Final = (
               synonyms=("height", "elevation", "how high", "space", "orbit", "up")),
     ViewValue(path="view.latitude", label="latitude", group="camera", unit="deg", low=-90.0,
               high=90.0, least=-90.0, most=90.0, step=1.0,
-              help="Latitude of the point below, positive north.", default=27.5,
+              help="Latitude of the observer, positive north.", default=27.5,
               synonyms=("place", "position", "location", "where")),
     _turning("view.longitude", "longitude", "camera",
              "Longitude of the point below, positive east.", **_HALF_ROUND, default=35.5,
@@ -98,7 +98,7 @@ VIEW_VALUES: Final = (
              synonyms=("bank", "horizon", "tilt", "rotate")),
     ViewValue(path="view.filter", label="polarising filter", group="camera", kind="switch",
               default=False,
-              help="An ideal polarising filter before the camera; it halves unpolarised light.",
+              help="Ideal polarising filter in front of the camera; it halves unpolarised light.",
               synonyms=("polariser", "polarizer", "polarisation", "polarization", "degree",
                         "sunglasses")),
     _turning("view.polariser", "filter angle", "camera",
@@ -127,7 +127,7 @@ VIEW_VALUES: Final = (
              synonyms=("sun direction", "sun azimuth", "time of day", "hour")),
     ViewValue(path="view.clock", label="sun by date and time", group="sun", kind="switch",
               default=False,
-              help="The sun stands where it does at this place and time, on Earth, Mars and Titan.",
+              help="Sun by place and time, on Earth, Mars and Titan.",
               synonyms=("clock", "calendar", "almanac", "ephemeris", "season", "today")),
     ViewValue(path="view.year", label="year", group="sun", low=1950.0, high=2050.0, least=1950.0,
               most=2050.0, step=1.0, default=2026.0, help="Year of the date.",
@@ -146,7 +146,7 @@ VIEW_VALUES: Final = (
                       "night", "companion")),
     ViewValue(path="view.moon_by_date", label="moon by date and time", group="moon",
               kind="switch", default=True,
-              help="On Earth, while the sun goes by date and time, the Moon does.",
+              help="On Earth the Moon follows date and time with the sun.",
               synonyms=("clock", "calendar", "moonrise", "moonset", "full moon", "almanac")),
     ViewValue(path="view.second_zenith", label="moon zenith", group="moon", unit="deg", low=0.0,
               high=180.0, least=0.0, most=180.0, step=0.5, default=60.0,
@@ -162,26 +162,26 @@ VIEW_VALUES: Final = (
               synonyms=("full moon", "half moon", "crescent", "new moon", "moonlight")),
     ViewValue(path="view.second_radius", label="moon radius", group="moon", unit="deg", low=0.1,
               high=5.0, least=0.01, most=30.0, scale="log", step=1.1, default=MEAN_RADIUS,
-              help="Angular radius of the Moon or second sun, which with the temperature gives a "
-              "sun's light.",
+              help="Angular radius of the Moon or second sun, which determines the irradiance of "
+              "a sun.",
               synonyms=("size", "moon size", "second sun", "binary", "supermoon")),
     ViewValue(path="view.second_temperature", label="second sun's temperature", group="moon",
               unit="K", low=1500.0, high=40000.0, least=1500.0, most=40000.0, scale="log",
               step=1.05, default=3500.0, help="Temperature of a second sun, a black body.",
               synonyms=("colour", "color", "red dwarf", "binary", "star")),
     ViewValue(path="display.automatic", label="automatic exposure", group="display",
-              kind="switch", help="As an eye that has adapted to the picture.", default=True,
+              kind="switch", help="Automatic exposure, like an adapted eye.", default=True,
               part="display", synonyms=("auto", "brightness", "metering")),
     ViewValue(path="display.locked", label="lock exposure", group="display", kind="switch",
-              help="The automatic exposure stays as it is.", default=False, part="display",
+              help="Lock of the automatic exposure.", default=False, part="display",
               synonyms=("hold", "fix", "brightness", "ae lock")),
     ViewValue(path="display.exposure", label="exposure", group="display", unit="EV", low=-12.0,
               high=20.0, least=-100.0, most=100.0, step=0.25, default=0.0, part="display",
-              help="Radiance is multiplied by 2 to this power, on top of automatic.",
+              help="Exposure compensation, a power of 2.",
               synonyms=("brightness", "brighter", "darker", "stops", "ev", "light", "iso",
                         "aperture", "shutter")),
     ViewValue(path="display.eye", label="eye in the dark", group="display", kind="switch",
-              help="Below 4 cd/m² colours fade and turn bluish, as to an eye.", default=True,
+              help="Mesopic vision: below 4 cd/m² colours fade and turn bluish.", default=True,
               part="display", uniform="eye",
               synonyms=("night vision", "mesopic", "purkinje", "blue night", "colour", "color")),
     _choice("display.tone_map", "tone map", "display", tuple(TONE_MAPS),
@@ -190,7 +190,7 @@ VIEW_VALUES: Final = (
             synonyms=("colour", "color", "contrast", "look", "film", "curve", "saturation")),
     ViewValue(path="display.glare", label="glare", group="display", low=0.0, high=4.0, least=0.0,
               most=MOST_GLARE, step=0.1, default=1.0, part="display", uniform="glare",
-              help="Light that a lens spreads around the sun: 1 is a lens, 0 none.",
+              help="Lens glare around the sun: 1 is a typical lens, 0 none.",
               synonyms=("bloom", "glow", "halo", "lens", "flare", "sun")),
     _choice("light.orders", "orders of scattering", "light", ORDERS,
             "All light, that scattered or reflected once, or that scattered more often.",
@@ -210,7 +210,7 @@ VIEW_VALUE: Final[Mapping[str, ViewValue]] = {one.path: one for one in VIEW_VALU
 DEFAULTS: Final[Mapping[str, Value]] = {one.path: one.default for one in VIEW_VALUES}
 #: Paths of view values that need a new solution, besides the constituents' switches.
 SOLVED: Final = tuple(one.path for one in VIEW_VALUES if one.part == "planet")
-#: Exposure for the sunlit Earth when it is not automatic. [EV]
+#: Exposure for the sunlit Earth without automatic exposure. [EV]
 FIXED_EXPOSURE: Final = DEFAULT_EXPOSURE
 
 

@@ -9,11 +9,11 @@ from typing import Final
 
 from airlight.image.exposure import eased
 
-#: Time in which all but 37 % of a change is gone: in 0.4 s all but 5 %. [s]
+#: Time constant of the adaptation: after 0.4 s, 5 % of a change remain. [s]
 TIME_CONSTANT: Final = 0.13
 #: Distance at which the measured exposure counts as reached. [EV]
 _REACHED: Final = 0.02
-#: Longest time between two pictures that counts: a rest is no time to adapt in. [s]
+#: Largest interval between two pictures in the adaptation: it does not proceed during a pause. [s]
 _LONGEST: Final = 0.1
 
 

@@ -12,7 +12,7 @@ from airlight.planets.schema.measures import number_in
 from airlight.viewer.parameters.amounts import TURBIDITY, Amount, amounts_of
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
-#: Number of planets whose amounts are remembered.
+#: Number of planets whose amounts are stored.
 _MOST_KEPT: Final = 16
 
 
@@ -40,7 +40,7 @@ def _declared(plain: _Plain) -> tuple[Amount, ...]:
     try:
         return amounts_of(declared_planet(plain.tables))
     except (AirlightError, AttributeError, TypeError, KeyError, ValueError):
-        return ()  # an edit in between; ``solving`` says what is wrong with it
+        return ()  # an edit in between; ``solving`` reports the error
 
 
 def amounts_in(tables: Tables) -> tuple[Amount, ...]:
@@ -75,7 +75,7 @@ def amount_edited(tables: Tables, amount: Amount, value: float) -> Tables:
         return _with_factor(tables, now, value / now.present)
     haze = [one for one in known if one.matter == "haze"]
     before = _depth(tables, "haze")
-    # Without any haze it comes back as in the planet's file.
+    # Haze that was removed returns with the amount in the planet's file.
     old = {one.path: _factor(tables, one) if before > 0.0 else 1.0 for one in haze}
     total = sum(old[one.path] * one.depth for one in haze)
     share = haze_of(value, _depth(tables, "gas")) / total if total > 0.0 else 0.0
@@ -86,7 +86,7 @@ def amount_edited(tables: Tables, amount: Amount, value: float) -> Tables:
 
 def _with_factor(tables: Tables, amount: Amount, factor: float) -> Tables:
     factor = min(max(float(f"{factor:.9g}"), 0.0), amount.most / amount.present)
-    if factor == 1.0:  # as the file leaves it out
+    if factor == 1.0:  # as omitted from the file
         return put(tables, amount.key, None) if get(tables, amount.key) is not None else tables
     return put(tables, amount.key, factor)
 

@@ -17,8 +17,8 @@ from airlight.planets.schema.measures import text_of
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Wavelengths of the coefficients besides the planet's own: the ends and the middle of the visible
-#: range, clipped to the planet's limits. [nm]
+#: Wavelengths of the coefficients besides those of the planet: the ends and the middle of the
+#: visible range, clipped to the planet's limits. [nm]
 WAVELENGTHS: Final = (360.0, 440.0, 550.0, 680.0, 830.0)
 #: Keys of a constituent's composition.
 _MADE_OF: Final = tuple(one.keyword for one in MATTER)
@@ -51,7 +51,7 @@ def freeze_coefficients(tables: Tables, planet: Planet, index: int) -> Tables:
     old = tables["constituents"][index]
     one = planet.constituents[index]
     if not is_advanced(old):
-        raise ParameterError("constituent", one.name, "one that is given by its composition")
+        raise ParameterError("constituent", one.name, "a constituent with a composition")
     nm = _wavelengths(planet)
     scattering = one.scattering_coefficients(nm, planet.thickness)
     absorption = one.absorption_coefficients(nm, planet.thickness)

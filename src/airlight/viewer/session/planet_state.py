@@ -69,7 +69,7 @@ class PlanetState:
 
     @property
     def amounts(self) -> tuple[Amount, ...]:
-        """Amounts of the planet, see ``parameters.amounts``; ranges as of ``parameters``."""
+        """Amounts of the planet, see ``parameters.amounts``; ranges as in ``parameters``."""
         if not self._amounts:
             self._amounts.append(amounts_in(self.tables))
         return self._amounts[0]

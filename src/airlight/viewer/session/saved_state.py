@@ -19,7 +19,7 @@ from airlight.viewer.session.planet_state import PlanetState
 _PLAIN: Final = ",:[]{}\"'!*()"
 #: Keys of a state.
 _KEYS: Final = ("planet", "set", "off", "view", "air")
-#: Path of a constituent's amount on a page that solves its own edits.
+#: Path of a constituent's amount on a page that solves edits.
 _AMOUNT: Final = re.compile(r"air\.amounts\[(\d+)\]")
 
 
@@ -159,7 +159,7 @@ def from_fragment(fragment: str) -> dict[str, Any]:
     try:
         state = json.loads(unquote(fragment.removeprefix("#")))
     except (ValueError, RecursionError):
-        raise ParameterError("fragment", fragment[:60], "what to_fragment makes") from None
+        raise ParameterError("fragment", fragment[:60], "a fragment from to_fragment") from None
     if not isinstance(state, dict):
-        raise ParameterError("fragment", fragment[:60], "what to_fragment makes")
+        raise ParameterError("fragment", fragment[:60], "a fragment from to_fragment")
     return state

@@ -244,4 +244,4 @@ def _check_display(glfw: Any) -> None:
         alive = bool(glfw.init())
     if not alive:
         hint = ": is DISPLAY set?" if sys.platform.startswith("linux") else ""
-        raise WindowError(f"there is no display to open a window on{hint}")
+        raise WindowError(f"no display for a window{hint}")

@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 
 #: Zenith angle and compass bearing of the sun. [deg]
 Sun = tuple[float, float]
-#: Pictures per second. [s⁻¹]
+#: Frame rate. [s⁻¹]
 RATE: Final = 20
 #: Formats by the suffix of the file.
 _FORMATS: Final = {".webp": "WEBP", ".png": "PNG"}
-#: Largest size of all frames together, which the encoders want at once. [byte]
+#: Largest total size of the frames, which the encoders hold in memory. [byte]
 _LARGEST: Final = 1_500_000_000
-#: Quality of lossy WebP, at which contours of a sky stay below a step of 8 bits.
+#: Quality of lossy WebP, with which contours of a sky stay below a step of 8 bits.
 _QUALITY: Final = 92
 
 
@@ -122,7 +122,7 @@ def write_film(
     form = film_format(path)
     camera = scenes[0].camera
     if 3 * camera.width * camera.height * len(scenes) > _LARGEST:
-        raise FileError(path, "the film is too large; allowed: a shorter or a smaller one")
+        raise FileError(path, "the film is too large; make it shorter or smaller")
     first, *rest = _frames(picture, scenes, progress, cancel)
     more = {"quality": _QUALITY, "method": 2} if form == "WEBP" else {}
     with atomic_file(path) as place:

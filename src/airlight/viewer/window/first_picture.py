@@ -8,7 +8,7 @@ from airlight.viewer.gallery.presets import HEIGHT, WIDTH
 from airlight.viewer.window import style
 from airlight.viewer.window.picture_area import Rectangle
 
-#: Factor of the small picture's colours: it is not what will be seen. [1]
+#: Factor of the thumbnail's colours, which marks it as preliminary. [1]
 _DIMMED: Final = 0.6
 #: Width of the progress bar, and its distance from the bottom. [logical pixel]
 _BAR: Final = 360.0

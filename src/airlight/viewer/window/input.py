@@ -65,7 +65,7 @@ class WindowInput:
         canvas.add_event_handler(self._press, "pointer_down", order=-500)
         canvas.add_event_handler(self._move, "pointer_move", order=-500)
         canvas.add_event_handler(self._wheel, "wheel", order=-500)
-        # ImGui still claims the keys in the frame after a click, and would keep them.
+        # ImGui captures the keys in the frame after a click, and would keep them.
         canvas.add_event_handler(self._key, "key_down", order=-500)
 
     def _press(self, event: Mapping[str, Any]) -> None:
@@ -100,7 +100,7 @@ class WindowInput:
         if event["event_type"] == "key_up":
             self._flight.release(str(event["key"]))
             return
-        self._move(event)  # the last movement of a flick arrives with its release
+        self._move(event)  # the last movement of a drag arrives with its release
         drag, self._drag = self._drag, ""
         self._host.area.release()
         if drag:

@@ -107,7 +107,7 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
     canvas : DesktopCanvas or OffscreenCanvas
         Canvas, closed if there is an error.
     """
-    # Two sides may compile a function at the same time; the second then warns that it is done.
+    # Two sides may compile a function together; the second then warns that it is done.
     warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
     preparing = Preparing(canvas.wake)
     try:

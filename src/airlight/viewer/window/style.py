@@ -20,10 +20,10 @@ QUIET: Final = (0.62, 0.65, 0.70, 1.0)
 ACCENT: Final = (0.36, 0.66, 0.96, 1.0)
 WARNING: Final = (0.98, 0.76, 0.36, 1.0)
 ERROR: Final = (1.00, 0.50, 0.45, 1.0)
-#: Colour around the picture, dark and neutral, so that colours can be judged. [1]
+#: Colour around the picture, dark and neutral for the assessment of colours. [1]
 SURROUND: Final = (0.055, 0.055, 0.055, 1.0)
 
-#: Code points of the icon typeface.
+#: Code points of the icon font.
 UNDO: Final = "\uf2ea"
 REDO: Final = "\uf2f9"
 RESET: Final = "\uf0e2"
@@ -94,7 +94,7 @@ def _load_typeface() -> None:
         ("Roboto/Roboto-Regular.ttf", "Inconsolata-Medium.ttf", "Font_Awesome_6_Free-Solid-900.otf")
     ):
         path = folder / name
-        if not path.is_file():  # another build of the package: use its built-in typeface
+        if not path.is_file():  # another build of the package: use its built-in font
             if index == 0:
                 return
             continue

@@ -39,7 +39,7 @@ FloatArray = NDArray[np.float64]
 MOLECULES: Final = "molecules"
 PARTICLES: Final = "particles"
 ABSORBER: Final = "absorber"
-#: Optical depth that is no absorption. [1]
+#: Optical depth below which absorption is ignored. [1]
 _NOTHING: Final = 1e-12
 
 

@@ -23,11 +23,11 @@ from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 
-#: Largest ``|g|`` of a fit: where a planet file ends too.
+#: Largest ``|g|`` of a fit, the limit of planet files.
 LARGEST_G: Final = 0.999
-#: Angles nearer to the star are left out of the comparison: the lobe of diffraction. [deg]
+#: Angles from the star below which the fit is not compared: the diffraction peak. [deg]
 AUREOLE: Final = 10.0
-#: Nodes of the comparison, evenly over the solid angle.
+#: Nodes of the comparison, uniform in solid angle.
 _NODES: Final = 2001
 
 

@@ -23,17 +23,18 @@ from airlight.solver.solve import solve
 
 FloatArray = NDArray[np.float64]
 
-#: Zenith angles of the sun and of views, and azimuths, of the skies that are compared. [deg]
+#: Zenith angles of the sun and of views, and azimuths, of the skies in the comparison. [deg]
 _SUNS: Final = (20.0, 45.0, 70.0, 85.0)
 _VIEWS: Final = (10.0, 35.0, 60.0, 80.0)
 _AROUND: Final = (20.0, 90.0, 180.0)
-#: Wavelengths by which the colours are known: within 0.1 of those of sixteen (delta E 2000).
+#: Number of wavelengths of the colours: within 0.1 (delta E 2000) of those with sixteen.
 _COUNT: Final = "four"
 #: Radiance per irradiance below which a sky is not compared. [sr⁻¹]
 _DARK: Final = 1e-6
-#: Largest logarithm of a factor over Bruneton's: a sky without blue does not tell blue's.
+#: Largest logarithm of a factor relative to Bruneton's: a sky without blue does not determine
+#: blue's.
 _FAR: Final = 0.5
-#: Bruneton's power of the wavelength.
+#: Bruneton's exponent of the wavelength.
 _POWER: Final = -3.0
 
 
@@ -98,7 +99,7 @@ def fit_sky_colour(solution: Solution) -> SkyColour:
     nm = solution.wavelengths
     source = solution.lights[0]
     spectrum = on_eye_grid(source.spectrum)
-    # The samples may differ from the spectrum, whose shape alone counts.
+    # The samples may differ from the spectrum, of which only the shape matters.
     scale = irradiance_at(nm, source.spectrum) / source.irradiance
     sun, sky = (
         channel_factors(nm, spectrum, power) * scale / scale.mean() for power in (0.0, _POWER)

@@ -22,15 +22,15 @@ from airlight.physics.optics.phase_functions import cornette_shanks, rayleigh
 FloatArray = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-#: Angles at which the light is known, over each of the texels' intervals.
+#: Number of angles at which the radiance is known, per interval between texels.
 STEP: Final = 4
-#: Angles between the sun and the first of these, where the peaks are. [deg]
+#: Angles between the sun and the first of these, for forward peaks. [deg]
 _AHEAD: Final = (0.3, 1.0, 2.0, 3.5, 5.5, 8.0, 11.0, 14.0, 18.0)
-#: Weight of the start against the mean square of the relative errors.
+#: Weight of the deviation from the start, relative to the mean square of the relative errors.
 _RIDGE: Final = 1e-5
-#: Light below this share of the brightest is not fitted relatively.
+#: Radiances below this fraction of the brightest have absolute errors in the fit.
 _DIM: Final = 1e-9
-#: Passes in which numbers below 0 are left out.
+#: Number of passes that remove negative values.
 _PASSES: Final = 2
 _ROWS: Final = 8192
 
@@ -53,7 +53,7 @@ class TexelFit:
         first = float(np.degrees(np.arccos(fine[-2])))
         ahead = np.array([one for one in _AHEAD if one < first])
         nu = np.concatenate([fine[:-1], np.cos(np.radians(ahead))])
-        # the light of the fine table at these angles: linear in the angle ahead of its last but one
+        # radiance of the fine table at these angles: linear in the angle ahead of its last but one
         self._reading = np.zeros((nu.size, fine.size))
         self._reading[: fine.size - 1, :-1] = np.eye(fine.size - 1)
         self._reading[fine.size - 1 :, -2] = ahead / first

@@ -25,14 +25,14 @@ from airlight.physics.optics.phase_functions import cornette_shanks, rayleigh
 
 FloatArray = NDArray[np.float64]
 
-#: Angles between view and sun at which functions are compared: NEAREST at first, then denser the
-#: nearer to the sun. [deg]
+#: Angles between view and sun at which functions are compared: NEAREST first, then denser towards
+#: the sun. [deg]
 NEAREST: Final = 0.3
 _NODES: Final = 240
-#: Range of the lobe's g, and steps of the first search.
+#: Range of the lobe's g, and number of steps of the first search.
 _G: Final = (0.2, 0.98)
 _STEPS: Final = 14
-#: Passes over the row of weights and its factors, in turn, and limits of a factor.
+#: Number of alternating passes over the row of weights and its factors, and limits of a factor.
 _TURNS: Final = 3
 _FACTORS: Final = (0.05, 20.0)
 
@@ -151,7 +151,7 @@ def hat_functions(nu: FloatArray, angles: int) -> FloatArray:
 def _solve(
     g: float, nu: FloatArray, hats: FloatArray, goal: FloatArray, *, smooth: bool = True
 ) -> tuple[FloatArray, FloatArray]:
-    """Weights (kinds, nl, columns) and relative errors (kinds, nl, n) of one g."""
+    """Weights (kinds, nl, columns) and relative errors (kinds, nl, n) for a value of g."""
     lobe: Any = vectorized(cornette_shanks)
     columns = [hats * lobe(nu, g)[:, None]]
     if smooth:

@@ -18,9 +18,9 @@ from airlight.planets.spectral import Spectral
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Largest ``|g|``: beyond it the forward lobe is narrower than the sun's disc.
+#: Largest ``|g|``: beyond, the forward lobe is narrower than the sun's disc.
 LARGEST_ASYMMETRY: Final = 0.999
-#: Asymmetry of a newly made phase function of particles.
+#: Default asymmetry parameter of a new phase function of particles.
 INITIAL_ASYMMETRY: Final = 0.7
 
 

@@ -22,16 +22,17 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Largest deviation from 1 of the integral of a phase function.
 INTEGRAL_TOLERANCE: Final = 1e-3
-#: Largest deviation of a formula from the straight logarithm between two tabulated angles. [1]
+#: Largest deviation of a formula's logarithm from linear interpolation between tabulated angles.
+#: [1]
 _TABLE_TOLERANCE: Final = 1e-5
 #: Number of angles of the first table, and of halvings of its widest steps.
 _FIRST_ANGLES: Final = 181
 _MOST_HALVINGS: Final = 24
-#: Digits of a parameter that is written into a planet file.
+#: Number of digits of a parameter in a planet file.
 _DIGITS: Final = 6
-#: Points between two angles of a table in the integrals of its polarisation.
+#: Points between tabulated angles in the integrals of polarisation.
 _STEPS_A_CELL: Final = 4
-#: Number of formulas and parameters whose polarising elements are kept: edits change few of them.
+#: Largest number of cached polarising elements, by formula and parameters.
 _CACHE_SIZE: Final = 512
 
 

@@ -35,7 +35,7 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-#: What f12² + f33² + f34² may exceed 1 by, as rounded in a file. [1]
+#: Largest excess of f12² + f33² + f34² over 1, for values rounded in a file. [1]
 _ROUNDING: Final = 1e-3
 
 

@@ -123,7 +123,7 @@ class Layers(Profile):
             raise ParameterError("altitudes[0]", bases[0], "0 m, the ground")
         else:
             ascending(bases, "altitudes", "m")
-        _ = self.air  # refuses air that would be colder than nothing at a base
+        _ = self.air  # raises an error for temperatures below 0 K at a base
 
     @property
     def air(self) -> HydrostaticLayers:

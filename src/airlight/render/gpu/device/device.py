@@ -194,7 +194,7 @@ def _wgpu() -> Any:
         import wgpu
     except ImportError as error:
         raise NoDevice("wgpu is not installed: pip install 'airlight[view]'") from error
-    except Exception as error:  # its library does not load here, with one of several errors
+    except Exception as error:  # its library cannot be loaded here, with one of several errors
         raise NoDevice(f"wgpu cannot be loaded: {_last_line(error)}") from error
     _know_types()
     _leave_out_opengl()
@@ -240,7 +240,7 @@ def _leave_out_opengl() -> None:
         from wgpu.backends.wgpu_native.extras import set_instance_extras
 
         set_instance_extras(backends=("Primary",))
-    except (ImportError, RuntimeError):  # an earlier request in this process keeps its choice
+    except (ImportError, RuntimeError):  # the adapter of an earlier request in this process is used
         return
 
 
@@ -251,14 +251,14 @@ def _adapter(wgpu: Any, choice: str) -> Any:
         if fitting:
             return fitting[0]
         there = "; there are: " + ", ".join(one.summary for one in found) if found else ""
-        raise NoDevice(f"no adapter's name has {choice!r} in it ({CHOICE}){there}")
+        raise NoDevice(f"no adapter's name contains {choice!r} ({CHOICE}){there}")
     try:
         adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
     except RuntimeError:
         adapter = None
     if adapter is None:
         raise NoDevice(
-            "no adapter answers (on Debian, for one in software: "
+            "no adapter found (software adapter on Debian: "
             "apt-get install libvulkan1 mesa-vulkan-drivers)"
         )
     return adapter

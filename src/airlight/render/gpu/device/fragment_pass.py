@@ -87,7 +87,7 @@ def _layout(found: re.Match[str], filtered: bool, source: str, label: str) -> di
     line = source.count("\n", 0, found.start()) + 1
     raise ShaderError(
         label, line, source.splitlines()[line - 1],
-        "a pass of fragments reads uniforms, samplers and sampled textures",
+        "only uniforms, samplers and sampled textures are supported",
     )  # fmt: skip
 
 
@@ -260,7 +260,7 @@ class FragmentPass:
 
 def _resource(resources: Mapping[str, Any], wanted: Binding) -> Any:
     if wanted.name not in resources:
-        raise ParameterError("resources", sorted(resources), f"{wanted.name} among them")
+        raise ParameterError("resources", sorted(resources), f"a list with {wanted.name}")
     given = resources[wanted.name]
     if "buffer" in wanted.layout:
         return {"buffer": given, "offset": 0, "size": given.size}

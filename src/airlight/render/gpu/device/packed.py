@@ -16,8 +16,8 @@ from airlight.render.gpu.emit.shader_types import PACKED_WIDTH
 #: Format of ``airlight.image.texels``. That by which a device decodes sRGB itself is off by up to
 #: 2.5 % in Mesa's software renderer.
 PACKED_FORMAT: Final = "rgba8unorm"
-#: Rows that are handed over at a time: the device holds a copy of what it has not yet taken, and
-#: keeps that memory, as large as the whole texture if it were handed over at once.
+#: Rows uploaded together: the device holds a copy of pending data and keeps that memory, as large
+#: as the whole texture if it were uploaded together.
 _BAND: Final = 64
 
 

@@ -40,7 +40,7 @@ class PassTimes:
         import wgpu
 
         if not device.measures_time:
-            raise ParameterError("device", device.name, "a device with clocks for passes")
+            raise ParameterError("device", device.name, "a device with timestamp queries")
         if not 0 < most <= _MOST_PASSES:
             raise ParameterError("most", most, f"1 to {_MOST_PASSES}")
         self.device = device

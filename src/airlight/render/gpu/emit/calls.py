@@ -51,7 +51,7 @@ class Calls(Scope, ABC):
         try:
             return self.cast(text, found, wanted)
         except SubsetError:
-            raise self.refuse(node, f"is no {wanted.name}") from None
+            raise self.refuse(node, f"is not {wanted.name}") from None
 
     def number(self, node: ast.AST, found: Value | None) -> Scalar:
         """Scalar type of an expression; an error if it has none."""
@@ -100,7 +100,7 @@ class Calls(Scope, ABC):
         """Emit a call."""
         called = self.bound(node.func)
         if node.keywords:
-            raise self.refuse(node, "takes no names for arguments")
+            raise self.refuse(node, "takes no keyword arguments")
         if called is min or called is max:
             return self.extreme(node, called)
         if called is abs:
@@ -116,12 +116,12 @@ class Calls(Scope, ABC):
         if called is np.empty:
             size = self.fold(node.args[0])
             if not isinstance(size, int):
-                raise self.refuse(node, "the size of an array is a constant")
+                raise self.refuse(node, "the size of an array must be constant")
             return "", LocalArray(size)
         if called is lane_module.lane_array:
             size = self.fold(node.args[0])
             if not isinstance(size, int):
-                raise self.refuse(node, "the size of an array is a constant")
+                raise self.refuse(node, "the size of an array must be constant")
             return "", LocalArray(size, VEC4)
         if _is(called, self.dialect.mathematics):
             if called is math.isfinite:
@@ -140,7 +140,7 @@ class Calls(Scope, ABC):
             return self.dialect.tuple_expr(kind, [self.as_scalar(*pair) for pair in pairs]), kind
         if inspect.isfunction(getattr(called, "py_func", called)):
             return self.kernel_call(node, called)
-        raise self.refuse(node, "is not known here")
+        raise self.refuse(node, "is unknown")
 
     def extreme(self, node: ast.Call, called: Any) -> tuple[str, Value]:
         """Emit ``min`` or ``max`` of two or more arguments."""
@@ -177,7 +177,7 @@ class Calls(Scope, ABC):
                 if name == "load":
                     return place, VEC4
                 return f"{place} = {self.as_scalar(node.args[2], VEC4)}", None
-        raise self.refuse(node, "lanes have no such thing on the GPU")
+        raise self.refuse(node, "is not supported for lanes on the GPU")
 
     def channel(self, node: ast.Call) -> tuple[str, Value]:
         """Emit a channel of a texel; sRGB is decoded here, as GPUs' own decoding differs."""
@@ -188,7 +188,7 @@ class Calls(Scope, ABC):
             if channel == CHANNELS - 1:
                 return value, F32
             return f"{self.emitter.add(srgb_curve_inverse, F32).name}({value})", F32
-        raise self.refuse(node, "is a texel of a table, and a channel known beforehand")
+        raise self.refuse(node, "needs a texel of a table and a constant channel")
 
     def kernel_call(self, node: ast.Call, called: Any) -> tuple[str, Value | None]:
         """Emit a kernel for the types of its arguments, and a call of it."""
@@ -200,7 +200,7 @@ class Calls(Scope, ABC):
                 if not all(
                     isinstance(item, (ShaderTable, UniformValue, Constant)) for item in members
                 ):
-                    raise self.refuse(one, "a tuple argument may hold only tables and uniforms")
+                    raise self.refuse(one, "a tuple argument may contain only tables and uniforms")
                 values.append(StructValue({str(i): item for i, item in enumerate(members)}))
                 texts.append("")
                 continue
@@ -212,7 +212,7 @@ class Calls(Scope, ABC):
                 continue
             text, found = self.write(one)
             if found is None:
-                raise self.refuse(one, "is nothing")
+                raise self.refuse(one, "has no value")
             if isinstance(found, LocalArray):
                 text = self.array_argument(one)
             if isinstance(found, ShaderTable):

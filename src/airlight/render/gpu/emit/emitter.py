@@ -98,7 +98,7 @@ class Emitter:
         if key in self.emitted:
             return self.emitted[key]
         if plain in self._in_progress:
-            raise SubsetError(f"{plain.__module__}.{plain.__name__}: calls itself")
+            raise SubsetError(f"{plain.__module__}.{plain.__name__}: recursion is not supported")
         self._in_progress.add(plain)
         tree = _syntax_tree(plain)
         wanted = name or plain.__name__.strip("_")

@@ -62,7 +62,7 @@ class Expressions(Calls):
                 return self.element(node)
             case ast.Call():
                 return self.call(node)
-        raise self.refuse(node, f"{type(node).__name__} has no translation")
+        raise self.refuse(node, f"{type(node).__name__} is not supported")
 
     def name(self, node: ast.Name | ast.Attribute) -> tuple[str, Value]:
         """Emit a variable, parameter or struct field."""
@@ -87,7 +87,7 @@ class Expressions(Calls):
             text, owner = self.write(node.value)
             assert isinstance(owner, TupleType)
             return self.dialect.part(text, owner.fields.index(node.attr), owner), found
-        raise self.refuse(node, "is not known here")
+        raise self.refuse(node, "is unknown")
 
     def operation(self, node: ast.BinOp) -> tuple[str, Value]:
         """Emit an arithmetic operation."""
@@ -98,13 +98,13 @@ class Expressions(Calls):
         first, second = self.number(node.left, left_type), self.number(node.right, right_type)
         if isinstance(node.op, (ast.FloorDiv, ast.Mod)):
             if (first, second) != (I32, I32):
-                raise self.refuse(node, "is for whole numbers only")
+                raise self.refuse(node, "requires integers")
             if isinstance(node.op, ast.FloorDiv):
                 return self.dialect.quotient(left, right), I32
             return self.dialect.modulo(left, right), I32
         sign = _OPERATORS.get(type(node.op))
         if sign is None:
-            raise self.refuse(node, "has no translation")
+            raise self.refuse(node, "is not supported")
         kind = joined(first, second)
         if kind == I32 and sign == "/":
             kind = F32
@@ -129,7 +129,7 @@ class Expressions(Calls):
         for op, right in zip(node.ops, node.comparators, strict=True):
             sign = COMPARISONS.get(type(op))
             if sign is None:
-                raise self.refuse(node, "has no translation")
+                raise self.refuse(node, "is not supported")
             first, first_type = self.write(left)
             second, second_type = self.write(right)
             kinds = self.number(left, first_type), self.number(right, second_type)

@@ -39,7 +39,7 @@ class LaneViews(ast.NodeTransformer):
             if not isinstance(target, ast.Name) or isinstance(array, ast.Call):
                 return self.generic_visit(node)
             if ast.dump(self.arrays.setdefault(target.id, array)) != ast.dump(array):
-                raise SubsetError(f"{target.id}: a name for views of several arrays")
+                raise SubsetError(f"{target.id}: is assigned views of several arrays")
         return ast.copy_location(ast.Pass(), node)
 
     def visit_Name(self, node: ast.Name) -> ast.expr:

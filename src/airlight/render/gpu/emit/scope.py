@@ -152,7 +152,7 @@ class Scope:
         if isinstance(value, (int, np.integer)):
             return str(int(value))
         if not math.isfinite(value) or abs(value) > self.dialect.largest:
-            raise self.refuse(node, "is not a number of single precision")
+            raise self.refuse(node, "is out of the range of single precision")
         if 0.0 < abs(value) < 1.2e-38:
             return "0.0"
         text = repr(float(value))

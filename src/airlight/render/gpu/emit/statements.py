@@ -198,7 +198,7 @@ class FunctionBody:
             case ast.Return():
                 self.return_statement(node, depth)
             case _:
-                raise self.refuse(node, f"{type(node).__name__} has no translation")
+                raise self.refuse(node, f"{type(node).__name__} is not supported")
 
     def condition(self, test: ast.expr) -> str:
         """Condition of ``if`` and ``while``."""
@@ -227,7 +227,7 @@ class FunctionBody:
             and not node.orelse
         )
         if not plain:
-            raise self.refuse(node, "a loop runs over range(…)")
+            raise self.refuse(node, "a loop must iterate over range(…)")
         assert isinstance(call, ast.Call)
         assert isinstance(target, ast.Name)
         ends = [self.expressions.as_scalar(one, I32) for one in call.args]
@@ -346,16 +346,16 @@ class FunctionBody:
     def bind(self, target: ast.Name, text: str, found: Value | None, depth: int) -> None:
         """Bind a name to an expression, at run time or at emission."""
         if found is None:
-            raise self.refuse(target, "nothing to assign")
+            raise self.refuse(target, "has no value to assign")
         if isinstance(found, (ShaderTable, StructValue)):
             self.expressions.declare(target, target.id, found)
             return
         kind = run_time(found)
         if isinstance(kind, TupleType) and not kind.label:
-            raise self.refuse(target, "a tuple is taken apart where it is made")
+            raise self.refuse(target, "a tuple must be unpacked where it is created")
         if isinstance(kind, LocalArray):
             if text:
-                raise self.refuse(target, "an array has one name")
+                raise self.refuse(target, "an array cannot be assigned to another name")
             if self.dialect.module_arrays and not kind.variable:
                 name = f"{self.made.name}_{target.id}"
                 kind = self.expressions.emitter.module_array(name, kind)
@@ -371,7 +371,7 @@ class FunctionBody:
         """Emit an unpacking assignment."""
         if isinstance(value, ast.Tuple):
             if len(value.elts) != len(target.elts):
-                raise self.refuse(target, "another number of values")
+                raise self.refuse(target, "a different number of values")
             written = [self.expressions.write(one) for one in value.elts]
             fixed: list[tuple[str, Value | None]] = []
             for text, found in written:
@@ -381,7 +381,7 @@ class FunctionBody:
                 self.temporaries += 1
                 now, kind = f"now_{self.temporaries}", run_time(found)
                 if isinstance(kind, LocalArray):
-                    raise self.refuse(target, "an array has one name")
+                    raise self.refuse(target, "an array cannot be assigned to another name")
                 self.add_line(depth, self.dialect.let(now, kind, text))
                 fixed.append((now, kind))
             for one, (text, found) in zip(target.elts, fixed, strict=True):
@@ -390,7 +390,7 @@ class FunctionBody:
         text, found = self.expressions.write(value)
         if isinstance(found, StructValue):
             if len(found.fields) != len(target.elts):
-                raise self.refuse(target, f"{len(found.fields)} fields")
+                raise self.refuse(target, f"the value has {len(found.fields)} fields")
             for one, member in zip(target.elts, found.fields.values(), strict=True):
                 written_member = ""
                 if isinstance(member, UniformValue):
@@ -400,7 +400,7 @@ class FunctionBody:
                 self.assign_element(one, written_member, member, depth)
             return
         if not isinstance(found, TupleType) or len(found.items) != len(target.elts):
-            raise self.refuse(target, "another number of values")
+            raise self.refuse(target, "a different number of values")
         self.temporaries += 1
         several = f"several_{self.temporaries}"
         self.add_line(depth, self.dialect.let(several, found, text))

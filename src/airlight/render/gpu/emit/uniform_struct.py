@@ -254,7 +254,7 @@ class UniformStruct:
             out[where["tables"][name] :][:4] = (*place, 0, 0, 0)[:4]
         if not np.isfinite(out).all():
             wrong = next(name for name, i in where["numbers"].items() if not np.isfinite(out[i]))
-            raise ParameterError(wrong, values[wrong], "a number of single precision")
+            raise ParameterError(wrong, values[wrong], "a number within single precision")
         return out
 
 

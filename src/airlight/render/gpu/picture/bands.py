@@ -34,7 +34,9 @@ class Band(NamedTuple):
 def bands(
     scene: Scene, lowest_up: float, star: tuple[float, float, float], reach: float
 ) -> list[Band]:
-    """Bands of a frame by what may be visible in them, conservatively.
+    """Bands of rows of a frame and which of ground, star and edge each may show.
+
+    An element may be listed although no pixel shows it, but not the reverse.
 
     Parameters
     ----------

@@ -106,7 +106,7 @@ def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
 
 @cache
 def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Sky-view LUT shader: radiance of the air, and of a white Lambert ground behind it.
+    """Sky-view LUT shader: path radiance, and radiance of a white Lambert ground behind it.
 
     Parameters
     ----------
@@ -124,7 +124,7 @@ def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def sky_polarised_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Sky-view LUT shader: I + Q and I + U of the air."""
+    """Sky-view LUT shader: I + Q and I + U of the path radiance."""
     return _sky_shader(
         dialect, "sky_polarised", "polarised_texel", (4, 5), air=True, polarised=True
     )

@@ -41,7 +41,7 @@ def largest_of(index, sizes, count, values):
 def highest(index, sizes, light):
     """Largest mean radiance, or irradiance, of all gathering radii under one star. [1]
 
-    Numbers (mean radiance or irradiance, sun, lane).
+    Indices of the element: (mean radiance or irradiance, sun, lane).
     """
     return largest_of(index, sizes, sizes.radii, light)
 
@@ -56,7 +56,7 @@ def highest_level(index, sizes, fine):
 def floor(index, sizes, heights):
     """Threshold of darkness, from ``highest``. [1]
 
-    Numbers (mean radiance or irradiance, lane).
+    Indices of the element: (mean radiance or irradiance, lane).
     """
     lane = index % WAVELENGTHS
     first = index // WAVELENGTHS * sizes.sun_angles
@@ -122,7 +122,7 @@ def four_levels(values, start, step, i, part, dark, radii):
 def refined(index, sizes, tables, light, floors):
     """Radiance field at all levels from the radii of the sweep; see ``levels.refine``. [1]
 
-    Numbers (level, sun, moment, lane), and after them irradiances (level, sun, lane).
+    Elements: moments (level, sun, moment, lane), then irradiances (level, sun, lane).
     """
     lane = index % WAVELENGTHS
     number = index // WAVELENGTHS

@@ -17,12 +17,12 @@ _POPUP: Final = "gallery of planets"
 #: Largest size of the popup, and its distance from the window's edges. [logical pixel]
 _LARGEST: Final = (860.0, 640.0)
 _MARGIN: Final = 24.0
-#: Width of a picture, and distance of two. [logical pixel]
+#: Width of a picture, and gap between pictures. [logical pixel]
 _TILE: Final = 184.0
 _GAP: Final = 10.0
 #: Factor of the pixels per side by which a small picture is enlarged smoothly to fill the window.
 ENLARGED: Final = 4
-#: Heading of the presets that programs and papers have.
+#: Heading of the presets of programs and papers.
 LITERATURE: Final = "models of the literature"
 
 

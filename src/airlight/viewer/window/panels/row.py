@@ -212,7 +212,7 @@ def _needed(parameter: Parameter, value: Value) -> float:
     if parameter.kind == "choice":  # with its arrow; all options, so that the row keeps its form
         widest = max(imgui.calc_text_size(one).x for one in (*parameter.options, str(value)))
         return float(widest + padding + imgui.get_frame_height())
-    return 0.0  # a text scrolls, a switch has none
+    return 0.0  # a text scrolls, a switch does not
 
 
 def _choice(parameter: Parameter, value: str) -> tuple[bool, str]:

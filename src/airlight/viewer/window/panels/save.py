@@ -18,7 +18,7 @@ from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.window import style
 from airlight.viewer.window.film import RATE, Sun, film_format, sunlit, write_film
 
-#: Sizes in which a picture can be saved, by name; None is the window's. [pixel]
+#: Sizes for saving a picture, by name; None is the window's. [pixel]
 SIZES: Final[tuple[tuple[str, tuple[int, int] | None], ...]] = (
     ("as in the window", None),
     ("1280 × 720", (1280, 720)),
@@ -28,7 +28,7 @@ SIZES: Final[tuple[tuple[str, tuple[int, int] | None], ...]] = (
     ("4096 × 2048", (4096, 2048)),
     ("8192 × 4096", (8192, 4096)),
 )
-#: What the dialog says of each kind of file.
+#: Text of the dialog for each kind of file.
 _WORDS: Final = {
     "picture": ".png: as it is shown.  .exr: linear light, untouched.",
     "film": f".webp or .png with {RATE} pictures a second, at the exposure that is shown.",

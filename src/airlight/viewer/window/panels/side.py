@@ -20,7 +20,7 @@ from airlight.viewer.window.panels.status import fixed_window_flags
 from airlight.viewer.window.panels.values import PanelValues
 from airlight.viewer.window.picture_area import Rectangle
 
-#: Menu of what can be kept of the picture: words and action.
+#: Menu for saving the picture: label and action.
 _MENU = (
     ("picture …  Ctrl+S", "save picture"),
     ("film of the moving sun …  O", "film"),
@@ -28,7 +28,7 @@ _MENU = (
     ("copy link  U", "copy link"),
     ("fullscreen  F", "fullscreen"),
 )
-#: Speeds of the sun to choose from, relative to real time. [1]
+#: Options for the rate of the sun's time, relative to real time. [1]
 SPEEDS = (60.0, 600.0, 1800.0, 3600.0, 14400.0)
 
 

@@ -15,7 +15,7 @@ from airlight.viewer.window.picture_area import Rectangle
 
 #: Gap between two texts.
 _GAP: Final = "    "
-#: Width of the line that no text takes. [logical pixel]
+#: Width of the line that is reserved for its margins. [logical pixel]
 _MARGINS: Final = 48.0
 
 
@@ -139,7 +139,7 @@ def draw_status(status: StatusLine, into: Rectangle) -> None:
     imgui.pop_style_var()
     left = "    ".join(one for one in (status.place, status.exposure) if one)
     said = status.error or status.message or left
-    # What matters least leaves first, so that nothing is cut where there is little room.
+    # The least important texts are dropped first, so that none is cut off in a narrow window.
     parts = [one for one in (status.solver, status.picture, status.frame) if one]
     while parts and _width(said) + _width(_GAP.join(parts)) > into.width - _MARGINS:
         parts.pop()
