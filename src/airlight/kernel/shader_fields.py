@@ -146,14 +146,7 @@ def shader_fields(bundle: Any) -> list[ShaderField]:
 
 
 def scalars_of(bundle: Any, numbers: Mapping[str, float]) -> dict[str, Any]:
-    """Values of the numbers and vectors among the fields of a NamedTuple.
-
-    Parameters
-    ----------
-    bundle : type
-        NamedTuple.
-    numbers : mapping
-        Numbers by their names in a struct.
+    """Values of the numbers and vectors among the fields of a NamedTuple, from those of a struct.
 
     Examples
     --------

@@ -38,14 +38,9 @@ def camera_frame(zenith: float, azimuth: float, roll: float) -> tuple[Vec3, Vec3
 
 
 def rolled(axis: Vec3, other: Vec3, angle: float) -> Vec3:
-    """Axis, turned by an angle away from another one that is perpendicular to it. [1]
+    """Axis, turned by ``angle`` degrees away from another one that is perpendicular to it. [1]
 
-    Parameters
-    ----------
-    axis, other : Vec3
-        Unit vectors, as a camera's up and right for the axis of a polarising filter.
-    angle : float
-        Angle. [deg]
+    A camera's up, turned away from its right, is the axis of a polarising filter.
     """
     cosine, sine = math.cos(angle * _RADIAN), math.sin(angle * _RADIAN)
     return Vec3(

@@ -39,6 +39,7 @@ def moved_on(end, ray, cosine, angle, bottom):
 
     Examples
     --------
+    >>> from airlight.geometry.vectors import Vec3
     >>> moved_on(Vec3(0.0, 0.0, 2.0), Vec3(1.0, 0.0, 0.0), 0.0, 0.5 * pi, 2.0).x  # a quarter turn
     2.0
     """
@@ -62,6 +63,7 @@ def latitude_longitude(point):
 
     Examples
     --------
+    >>> from airlight.geometry.vectors import Vec3
     >>> latitude_longitude(Vec3(0.0, -1.0, 0.0))  # 90° west
     (0.0, -1.5707963267948966)
     """

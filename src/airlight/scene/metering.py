@@ -80,13 +80,13 @@ def metering_weight(projection, x, y, width, height, field_of_view, sun, cosine)
 
 
 @compiled_loop
-def _fill(projection, x, y, width, height, field_of_view, suns, cosines, out, light):
+def _fill(projection, x, y, width, height, field_of_view, suns, out, light):
     for row in range(y.size):
         for column in range(x.size):
             for sun in range(suns.shape[0]):
                 weight = metering_weight(
                     projection, x[column], y[row], width, height, field_of_view,
-                    Vec3(suns[sun, 0], suns[sun, 1], suns[sun, 2]), cosines[sun],
+                    Vec3(suns[sun, 0], suns[sun, 1], suns[sun, 2]), suns[sun, 3],
                 )  # fmt: skip
                 if sun == 0 or weight < 0.0:
                     out[row, column] = weight
@@ -125,15 +125,16 @@ def metering_weights(
     assert camera.field_of_view is not None
     x = np.arange(camera.left, camera.left + camera.columns, step) + 0.5
     y = np.arange(camera.top, camera.top + camera.rows, step) + 0.5
-    suns = np.array([one.direction for one in scene.lights]) @ camera.axes.T
+    towards = np.array([one.direction for one in scene.lights]) @ camera.axes.T
     pixel = step * camera.pixel_angle
     cosines = np.array([left_out(one.radius(angular_radius), pixel) for one in scene.lights])
     if camera.parallel:  # no disc is rendered
         cosines[:] = math.inf
+    suns = np.column_stack([towards, cosines])
     out, light = np.zeros((2, y.size, x.size))
     _fill(
         list(PROJECTIONS).index(camera.projection), x, y, float(camera.width),
-        float(camera.height), math.radians(camera.field_of_view), suns, cosines, out, light,
+        float(camera.height), math.radians(camera.field_of_view), suns, out, light,
     )  # fmt: skip
     return out, light
 

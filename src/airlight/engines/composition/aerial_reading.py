@@ -73,7 +73,7 @@ class AerialTables(NamedTuple):
 
 @inlined
 def texel_towards(x, y, z, columns, rows, tables):
-    """First of the four texels to interpolate for a direction.
+    """``TexelPlace`` of a direction.
 
     Parameters
     ----------
@@ -83,10 +83,6 @@ def texel_towards(x, y, z, columns, rows, tables):
         Numbers of azimuths and of rows per hemisphere.
     tables : AerialTables
         Tables with their horizon.
-
-    Returns
-    -------
-    TexelPlace
     """
     sine = sqrt(x * x + y * y)
     angle = angle_above_horizon(z, sine, tables.horizon_mu, tables.horizon_sine)

@@ -78,12 +78,7 @@ def under_clouds(seen, shaded, albedo, ground):
     albedo : float
         Albedo A of the clouds. [1]
     ground : GroundFactors
-        Factors of the ground in clear sky. [1]
-
-    Returns
-    -------
-    GroundFactors
-        The same with clouds. [1]
+        Factors of the ground in clear sky; the result has those with clouds. [1]
 
     Examples
     --------

@@ -82,7 +82,7 @@ class MoonPhase(NamedTuple):
 
 
 class DiscPowers(NamedTuple):
-    """Means of the powers of μ, from 0, over a part of a disc; see ``disc_powers``."""
+    """Means of μ^k, k = 0 to 5, over a part of a disc, times a radiance per irradiance. [sr⁻¹]"""
 
     p0: float
     p1: float
@@ -132,7 +132,7 @@ def whole_powers(share):
 
 @kernel
 def disc_powers(share, apart, radius, pixel, along, phased, phase):
-    """Means of the powers of μ over the part of a disc in a pixel, times ``share``.
+    """Means of μ^k over the part of a disc in a pixel, times ``share`` and ``moon_shade``. [sr⁻¹]
 
     Two-point Gauss rule in the squared radius between the inner and outer edge of the pixel,
     clipped at the rim.
@@ -149,11 +149,6 @@ def disc_powers(share, apart, radius, pixel, along, phased, phase):
         Whether the disc is a moon's.
     phase : MoonPhase
         Its phase.
-
-    Returns
-    -------
-    DiscPowers
-        Mean of μ^k for k = 0 to 5, times ``share`` and, for a moon, ``moon_shade``. [sr⁻¹]
     """
     inner = min(max(apart - 0.5 * pixel, 0.0) / radius, 1.0)
     outer = min((apart + 0.5 * pixel) / radius, 1.0)

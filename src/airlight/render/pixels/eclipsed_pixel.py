@@ -93,7 +93,7 @@ def eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result
     if tables.ground.wet:
         _mirrored_sky(Vec3(px, py, pz), along, mu_r, tables, shadow, work, scratch, found)
         work.radiance[MIRRORED] = found[0]
-    factors = ground_reflectances(ray, sine, refraction, observer, view, tables, work, color)
+    factors = ground_reflectances(ray, sine, refraction, frame, work, color)
     eclipsed_ground_light(px, py, pz, TOTAL, tables, shadow, work, scratch)
     if view.overlaid:
         columns_to_ground(ray.z, sine, observer, tables, work.columns_total, work.columns_so_far)

@@ -31,7 +31,7 @@ GROUND_VALUES: Final = 11
 
 
 @inlined
-def ground_color(ray, sine, angle, observer, view, tables, color):
+def ground_color(ray, sine, angle, frame, color):
     """Map values at the end of a line of sight, into ``color`` (11,). [1]
 
     Parameters
@@ -40,13 +40,14 @@ def ground_color(ray, sine, angle, observer, view, tables, color):
         Direction in the observer's frame. [1]
     sine, angle : float
         Sine of its zenith angle [1]; angle of refraction [rad].
-    observer, view, tables : Observer, ViewUniforms, MarchTables
-        Observer, camera with its maps, and tables of the solution.
+    frame : FrameTables
+        What the pixels read.
     color : array, shape (11,)
         Receives linear sRGB reflectance and water fraction of the map, four values of the overlay,
         the noise factor, and the cloud cover on the line of sight and on the path to the star;
         values of absent maps are unchanged. [1]
     """
+    observer, view, tables = frame.observer, frame.camera, frame.tables
     cosine = ground_cosine(ray.z, sine, observer, tables)
     _across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)
     # the distance as a quotient, of which single precision keeps all digits near the observer
@@ -74,7 +75,7 @@ def ground_color(ray, sine, angle, observer, view, tables, color):
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         if view.clouded:
-            cloud_cover(end, ray, cosine, level, observer, view, tables, color)
+            cloud_cover(end, ray, cosine, level, frame, color)
         map_color(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, color, 4,
@@ -85,7 +86,7 @@ def ground_color(ray, sine, angle, observer, view, tables, color):
 
 
 @inlined
-def cloud_cover(end, ray, cosine, level, observer, view, tables, color):
+def cloud_cover(end, ray, cosine, level, frame, color):
     """Cloud cover on a line of sight and on the path from its end to the star. [1]
 
     Refraction between ground and layer is neglected.
@@ -98,9 +99,10 @@ def cloud_cover(end, ray, cosine, level, observer, view, tables, color):
         Its direction, and cosine of the zenith angle of the way back. [1]
     level : float
         Level of the overlay. [1]
-    observer, view, tables, color :
+    frame, color :
         Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
     """
+    observer, view, tables = frame.observer, frame.camera, frame.tables
     mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
     back = layer_distance(cosine, tables.bottom, view.cloud_altitude)
     out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
@@ -121,23 +123,20 @@ def cloud_cover(end, ray, cosine, level, observer, view, tables, color):
 
 
 @inlined
-def ground_reflectances(ray, sine, angle, observer, view, tables, work, color):
-    """Map values and reflectance factors at the end of a line of sight.
+def ground_reflectances(ray, sine, angle, frame, work, color):
+    """Map values and ``GroundFactors`` at the end of a line of sight.
 
     Parameters
     ----------
-    ray, sine, angle, observer, view, tables, color :
+    ray, sine, angle, frame, color :
         Arguments of ``ground_color``; ``color`` is filled if there is a map.
     work : MarchWorkspace
         Workspace; ``irradiance`` receives direct and diffuse irradiance, except for a Lambert
         ground without water and clouds.
-
-    Returns
-    -------
-    GroundFactors
     """
+    observer, view, tables = frame.observer, frame.camera, frame.tables
     if view.mapped or view.overlaid or view.detailed:
-        ground_color(ray, sine, angle, observer, view, tables, color)
+        ground_color(ray, sine, angle, frame, color)
     else:
         color[8] = 1.0
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0

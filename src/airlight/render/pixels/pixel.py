@@ -169,10 +169,8 @@ def between_texels(table, place):
 
     Parameters
     ----------
-    table : lanes, shape (texels,)
-        Layer of fourth roots.
-    place : TexelPlace
-        Place.
+    table, place : lanes of shape (texels,), TexelPlace
+        Layer of fourth roots, and place in it.
     """
     e, f = np.float32(place.right), np.float32(place.down)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
@@ -262,19 +260,7 @@ def air_between(place, half_sine, view, tables, at):
 
 @inlined
 def classify_ray(ray, observer, tables):
-    """Classification of a line of sight, and its row in the sky-view LUT.
-
-    Parameters
-    ----------
-    ray : Vec3
-        Direction in the observer's frame; zero outside the projection. [1]
-    observer, tables : Observer, MarchTables
-        Observer, and tables of the solution.
-
-    Returns
-    -------
-    ClassifiedRay
-    """
+    """``ClassifiedRay`` of a direction in the observer's frame; zero outside the projection."""
     sine = sqrt(ray.x * ray.x + ray.y * ray.y)
     shown = ray.x != 0.0 or ray.y != 0.0 or ray.z != 0.0
     if observer.outside:
@@ -290,17 +276,7 @@ def classify_ray(ray, observer, tables):
 
 @inlined
 def sky_view_place(ray, found, window):
-    """Place of a line of sight in a window of the sky-view LUT.
-
-    Parameters
-    ----------
-    ray, found : Vec3, ClassifiedRay
-        Its direction in the observer's frame, and its classification. [1]
-
-    Returns
-    -------
-    TexelPlace
-    """
+    """``TexelPlace`` of a line of sight in a window of the sky-view LUT; ``found`` is its class."""
     last = window.first_column + window.column_count - 1
     azimuth = atan2(abs(ray.y), ray.x) / pi * (window.columns - 1)
     column, right = texel_before(azimuth, window.first_column, last)
@@ -402,9 +378,7 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
     if through_air:
         refraction = sky_lookup(ray, found, exact, frame, work)
         if to_ground:
-            factors = ground_reflectances(
-                ray, found.sine, refraction, observer, view, tables, work, color
-            )
+            factors = ground_reflectances(ray, found.sine, refraction, frame, work, color)
             if view.overlaid:
                 columns_to_ground(
                     ray.z, found.sine, observer, tables, work.columns_total, work.columns_so_far
@@ -432,7 +406,7 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
         apart = 2.0 * half_sine_between(ray, observer.seen_x, observer.seen_z)
         powers = whole_powers(0.0)
         if apart < frame.reach:
-            powers = star_disc(px, py, ray, observer, view, tables, work.columns_total)
+            powers = star_disc(px, py, ray, frame, work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
                 transmittance = transmittance_columns(

@@ -152,8 +152,8 @@ def covered(apart, radius, pixel):
 
 
 @inlined
-def star_disc(px, py, ray, observer, view, tables, columns):
-    """Unattenuated radiance of the disc in a pixel, per irradiance.
+def star_disc(px, py, ray, frame, columns):
+    """Unattenuated ``DiscPowers`` of the disc in a pixel, per irradiance; 0 off the disc. [sr⁻¹]
 
     Parameters
     ----------
@@ -161,18 +161,14 @@ def star_disc(px, py, ray, observer, view, tables, columns):
         Position of the pixel. [pixel]
     ray : Vec3
         Its viewing direction; zero vector for none. [1]
-    observer, view, tables : Observer, ViewUniforms, MarchTables
-        Observer, camera with its maps, and tables of the solution.
+    frame : FrameTables
+        What the pixels read.
     columns : array, shape (nc,)
         Receives the columns along the line of sight. [m]
-
-    Returns
-    -------
-    DiscPowers
-        Weights of the powers of the emergence cosine, see ``disc_powers``; 0 off the disc. [sr⁻¹]
     """
     if ray.x == 0.0 and ray.y == 0.0 and ray.z == 0.0:
         return DiscPowers(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    observer, view, tables = frame.observer, frame.camera, frame.tables
     left, free = leaving_air(ray, observer, tables, columns)
     apart = 2.0 * half_sine_between(left, observer.sun_x, observer.sun_z)
     pixel = view.pixel_angle
@@ -181,7 +177,7 @@ def star_disc(px, py, ray, observer, view, tables, columns):
         return DiscPowers(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     part = covered(apart, tables.star_radius, pixel) * view.disc
     if tables.star_radius < SMALL * pixel:
-        part = _point_like(px, py, part, observer, view, tables, columns)
+        part = _point_like(px, py, part, frame, columns)
         return whole_powers(part)
     if view.occulter_radius > 0.0:
         away = minus(left, view.occulter)
@@ -203,8 +199,9 @@ def _step(steps, place):
 
 
 @inlined
-def _point_like(px, py, otherwise, observer, view, tables, columns):
+def _point_like(px, py, otherwise, frame, columns):
     """Unattenuated radiance of a small disc in a pixel, per irradiance. [sr⁻¹]"""
+    observer, view, tables = frame.observer, frame.camera, frame.tables
     steps = np.empty(_NUMBERS)
     fits = np.empty(_PLACES)
     # The pixel itself last: its columns are kept.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Final
 
@@ -19,7 +20,6 @@ from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.physics.spectra.blackbody import planck_radiance
 from airlight.planets.light_source import Occulter
 from airlight.render.pixels.disc_shading import OCCULTER, shading_uniforms
-from airlight.render.pixels.observer_uniforms import observer_uniforms
 from airlight.render.pixels.occulted_light import disc_factor
 from airlight.render.pixels.pixel import ViewUniforms
 from airlight.render.pixels.polarising_filter import CAMERA, NONE
@@ -107,6 +107,46 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     return uniforms
 
 
+def observer_uniforms(
+    r: float, bottom: float, sun_x: float, sun_y: float, seen: float, star_radius: float
+) -> tuple[float, float, float, float, float]:
+    """Uniforms derived from the positions of observer and star; also emitted as JavaScript.
+
+    Parameters
+    ----------
+    r, bottom : float
+        Optical radii of observer and ground. [m]
+    sun_x, sun_y : float
+        Horizontal components of the direction towards the star. [1]
+    seen : float
+        Cosine of the apparent zenith angle of the star. [1]
+    star_radius : float
+        Angular radius of the star. [rad]
+
+    Returns
+    -------
+    horizon_mu, horizon_sine : float
+        Cosine and sine of the horizon's zenith angle. [1]
+    sun_level, seen_x : float
+        Horizontal component of the true and of the apparent direction of the star. [1]
+    disc : float
+        Radiance of the star's disc per irradiance; 0 for a point. [sr⁻¹]
+
+    Examples
+    --------
+    >>> observer_uniforms(2.0, 1.0, 0.6, 0.0, 0.8, 0.0)[1:]
+    (0.5, 0.6, 0.6, 0.0)
+    """
+    half = math.sin(0.5 * star_radius)
+    return (
+        -math.sqrt(max((r - bottom) * (r + bottom), 0.0)) / r,
+        bottom / r,
+        math.hypot(sun_x, sun_y),
+        math.sqrt(max((1.0 - seen) * (1.0 + seen), 0.0)),
+        1.0 / (4.0 * math.pi * half * half) if star_radius > 0.0 else 0.0,
+    )
+
+
 def _vector(name: str, values: FloatArray) -> dict[str, float]:
     """Uniforms of a ``Vec3``."""
     return {f"{name}_{c}": float(value) for c, value in zip("xyz", values, strict=True)}
@@ -145,7 +185,7 @@ def cpu_view_uniforms(
     layers : SkyViewLayers
         Layers of a window of the sky-view LUT.
     """
-    uniforms = uniforms | map_uniforms(ground) | overlay_size_uniforms(overlay)
+    uniforms = uniforms | size_uniforms(ground, overlay)
     uniforms |= {"width": camera.width, "height": camera.height, "sky_columns": 0, "sky_rows": 0}
     uniforms["separated_phases"] = len(layers.first) > 1
     return ViewUniforms(
@@ -161,26 +201,20 @@ def cpu_view_uniforms(
     )
 
 
-def map_uniforms(ground: SurfaceMap | None) -> dict[str, int]:
-    """Uniforms of the size of a ground map.
+def size_uniforms(ground: SurfaceMap | None, overlay: SurfaceMap | None) -> dict[str, int]:
+    """Uniforms of the sizes of maps.
 
     Parameters
     ----------
-    ground : SurfaceMap
-        Map; None without a map.
+    ground, overlay : SurfaceMap
+        Map of the ground; city lights and clouds; None without these.
     """
-    if ground is None:
-        return {"mapped": 0, "map_rows": 1, "map_columns": 1, "map_levels": 1}
-    size = {"map_rows": ground.rows, "map_columns": ground.columns}
-    return {"mapped": 1, **size, "map_levels": len(ground.levels)}
-
-
-def overlay_size_uniforms(overlay: SurfaceMap | None) -> dict[str, int]:
-    """Uniforms of the size of an overlay."""
-    if overlay is None:
-        return {"overlaid": 0, "over_rows": 1, "over_columns": 1, "over_levels": 1}
-    size = {"over_rows": overlay.rows, "over_columns": overlay.columns}
-    return {"overlaid": 1, **size, "over_levels": len(overlay.levels)}
+    uniforms = {"mapped": int(ground is not None), "overlaid": int(overlay is not None)}
+    for name, image in (("map", ground), ("over", overlay)):
+        size = (1, 1, 1) if image is None else (image.rows, image.columns, len(image.levels))
+        sides = (f"{name}_rows", f"{name}_columns", f"{name}_levels")
+        uniforms |= dict(zip(sides, size, strict=True))
+    return uniforms
 
 
 def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:

@@ -26,9 +26,9 @@ from airlight.render.gpu.emit.shader_types import (
     Value,
 )
 from airlight.render.pixels.disc_shading import OCCULTER, SHADING, phase_shading
-from airlight.render.pixels.light_visibility import light_visibility
-from airlight.render.pixels.observer_uniforms import observer_uniforms
 from airlight.render.pixels.occulted_light import disc_factor, light_left
+from airlight.render.pixels.scenes_by_light import light_visibility
+from airlight.render.pixels.view_uniforms import observer_uniforms
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of, rolled
 from airlight.scene.metering import left_out, metering_weight

@@ -2,7 +2,8 @@
 
 A kernel is specialised for its argument types; tables, constants and NamedTuples are bound at
 emission. The Python subset: numbers, ``+ - * / // % **``, comparisons, ``and or not``, ``x if c
-else y``, ``if``, ``for … in range(…)``, ``while``, tuples as results, ``math``, other kernels,
+else y``, ``if``, ``for … in range(…)``, ``while``, tuples as results, NamedTuples of numbers (of
+which ``Vec3`` is a vector of the language), ``math``, other kernels,
 tables (``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``lane_array``), and
 ``lane_view`` and the lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything
 else raises an error with file and line.
@@ -126,13 +127,7 @@ class Emitter:
         return self.tuples.setdefault(several.name, several)
 
     def record_type(self, kind: Any) -> TupleType:
-        """Struct that represents a NamedTuple.
-
-        Parameters
-        ----------
-        kind : type
-            NamedTuple of numbers, and of NamedTuples of such.
-        """
+        """Struct that represents a NamedTuple of numbers and of NamedTuples of such."""
         items = tuple(
             self.record_type(one.kind) if one.is_group else SCALARS[one.kind]
             for one in shader_fields(kind)

@@ -19,11 +19,7 @@ from airlight.render.gpu.picture.uniforms import FRAME
 from airlight.render.gpu.solver.solver import fields_on
 from airlight.render.pixels.capacity import check_capacity
 from airlight.render.pixels.render_tables import pack_texels, render_tables
-from airlight.render.pixels.view_uniforms import (
-    map_uniforms,
-    overlay_size_uniforms,
-    overlay_uniforms,
-)
+from airlight.render.pixels.view_uniforms import overlay_uniforms, size_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
 from airlight.solver.moments.march_tables import MarchTables
@@ -136,7 +132,7 @@ class SolutionTextures:
             textures["overlay"] = packed_texture(device, texels, "overlay")
             release(texels)
         textures["overlay of"] = over
-        sizes = map_uniforms(found) | overlay_size_uniforms(overlay)
+        sizes = size_uniforms(found, overlay)
         uniforms = made.uniforms | {key: float(n) for key, n in sizes.items()}
         uniforms |= overlay_uniforms(solution)
         return cls(uniforms, made.places, textures)
