@@ -100,7 +100,7 @@ def levels(cache: Path) -> list[Path]:
 
 @pytest.mark.parametrize(
     ("level", "mode"),
-    [(0, 0o770), (0, 0o707), (0, 0o1777), (1, 0o770), (2, 0o770), (3, 0o770), (4, 0o702)],
+    [(0, 0o770), (0, 0o1777), (2, 0o770), (4, 0o702)],
 )
 def test_a_folder_that_others_can_write_to_is_left_alone(level: int, mode: int, used: Path) -> None:
     folder = levels(used / "cache")[::-1][level]

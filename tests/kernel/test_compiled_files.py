@@ -57,13 +57,7 @@ def used(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize(
-    "damage",
-    [
-        flip_each_hundredth,
-        lambda content: content[: len(content) // 2],
-        lambda content: b"",
-        lambda content: b"x" * 1000,
-    ],
+    "damage", [flip_each_hundredth, lambda content: content[: len(content) // 2]]
 )
 @pytest.mark.parametrize("suffix", ["nbc", "nbi"])
 def test_a_damaged_file_is_compiled_again(

@@ -19,7 +19,12 @@ SAMPLED = MonteCarloSettings(relative_error=0.004, exact_first_order=False)
 
 
 @pytest.mark.parametrize(
-    "disc", [0.0, *(pytest.param(x, marks=pytest.mark.slow) for x in (0.27, 1.0))]
+    "disc",
+    [
+        0.0,
+        pytest.param(0.27, marks=pytest.mark.validation),
+        pytest.param(1.0, marks=pytest.mark.slow),
+    ],
 )
 @pytest.mark.parametrize(
     "profile", [Exponential(scale_height=8e3), Tent(center=25e3, half_width=15e3)]
@@ -91,7 +96,11 @@ def test_thin_air_scatters_once(one_air: Callable[..., Planet]) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("albedo", "phase"), [(1.0, Rayleigh()), (0.3, HenyeyGreenstein(asymmetry=0.7))]
+    ("albedo", "phase"),
+    [
+        pytest.param(1.0, Rayleigh(), marks=pytest.mark.validation),
+        (0.3, HenyeyGreenstein(asymmetry=0.7)),
+    ],
 )
 def test_conservative_air_returns_what_the_ground_does_not_take(
     albedo: float, phase: Rayleigh | HenyeyGreenstein, one_air: Callable[..., Planet],
