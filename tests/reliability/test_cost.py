@@ -186,8 +186,8 @@ def test_a_sweep_and_a_table_of_observers_are_announced_before_they_begin(
         "altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg\n" + "0,60,30,90\n" * 70
     )
     with pytest.raises(KeyboardInterrupt):
-        rows.answer_rows(grid.planet((0, 0)), str(table), str(tmp_path / "out.csv"),
-                         wavelengths=[550.0])  # fmt: skip
+        lines = rows.Lines(planet=grid.planet((0, 0)), wavelengths=(550.0,))
+        rows.answer_rows(lines, str(table), str(tmp_path / "out.csv"))
     assert announced[-1].startswith("70 lines of sight: about ")
 
 

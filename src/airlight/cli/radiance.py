@@ -302,7 +302,7 @@ def _long_table(
 ) -> None:
     """Answer the rows of a file block by block."""
     from airlight.studies.sweep.cases import case_blocks, radiance_columns
-    from airlight.studies.sweep.rows import answer_rows
+    from airlight.studies.sweep.rows import Lines, answer_rows
 
     assert observers.input_ is not None
     with case_blocks(observers.input_, 1) as (head, _):
@@ -311,10 +311,9 @@ def _long_table(
     if not given_options(distribution):
         parallel["workers"] = 1
     with shown_progress() as report, distribution.named():
-        kept = answer_rows(
-            planet, observers.input_, observers.output, wavelengths=nm, stokes=solve.stokes,
-            progress=report, **solve.keywords(), **parallel,
-        )  # fmt: skip
+        listed = tuple(float(one) for one in nm)
+        lines = Lines(planet=planet, wavelengths=listed, stokes=solve.stokes, **solve.keywords())
+        kept = answer_rows(lines, observers.input_, observers.output, progress=report, **parallel)
     if kept:
         note(f"{kept} rows had been computed before")
 

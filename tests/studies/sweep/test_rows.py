@@ -18,7 +18,7 @@ from airlight.errors import FileError, ParameterError
 from airlight.files.output_lock import output_lock
 from airlight.planets import load_planet
 from airlight.studies.sweep import rows
-from airlight.studies.sweep.rows import answer_rows
+from airlight.studies.sweep.rows import Lines, answer_rows
 
 PLANET, NM = "earth-atmosphere-plus", (680.0, 550.0, 440.0)
 HEADER = "site,altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg\n"
@@ -37,9 +37,8 @@ def table(path: Path, count: int) -> Path:
 
 
 def answered(source: Path, target: Path, **options: object) -> int:
-    return answer_rows(
-        load_planet(PLANET), str(source), str(target), wavelengths=NM, quality="preview", **options
-    )  # type: ignore[arg-type]
+    lines = Lines(planet=load_planet(PLANET), wavelengths=tuple(NM), quality="preview")
+    return answer_rows(lines, str(source), str(target), **options)  # type: ignore[arg-type]
 
 
 def hidden(folder: Path) -> list[str]:

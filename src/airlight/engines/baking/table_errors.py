@@ -8,7 +8,7 @@ searched for, so that the worst that is written is near the worst there is.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -230,10 +230,7 @@ def above_horizon(positions: Positions, medium: Medium) -> Positions:
     """The same radii with views between the horizon and the zenith, evenly in angle."""
     horizon = np.arccos(vectorized(horizon_cosine)(positions.r, medium.bottom_radius))
     mu = np.cos(horizon * (np.arccos(positions.mu) / np.pi) * (1.0 - 1e-9))
-    return Positions.of(
-        positions.r, mu, positions.mu_s, positions.nu,
-        bottom_radius=medium.bottom_radius, to_ground=False,
-    )  # fmt: skip
+    return replace(positions, mu=mu, to_ground=np.zeros(len(mu), bool))
 
 
 class Compared(NamedTuple):

@@ -6,7 +6,7 @@ import contextlib
 import hashlib
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, TextIO
@@ -34,6 +34,7 @@ from airlight.studies.sweep.shared_solution import shared_solution
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
@@ -46,7 +47,7 @@ _NAME: Final = re.compile(r"[0-9a-f]{32}\.(rows|index)")
 
 @dataclass(frozen=True, kw_only=True)
 class Lines:
-    """Lines of sight of one block.
+    """Lines of sight of one block, or those of a table without their values.
 
     Attributes
     ----------
@@ -60,29 +61,24 @@ class Lines:
         Whether light is polarised, and whether I, Q and U, degree and angle are wanted.
     cache : bool
         Whether the solution is kept on disk.
-    values : array, shape (n, 4)
+    values : array, shape (n, 4), or None
         Altitude, zenith angles of sun and view, azimuth. [m, deg, deg, deg]
     """
 
     planet: Planet
     wavelengths: tuple[float, ...]
-    quality: str
-    polarisation: bool
-    stokes: bool
-    cache: bool
-    values: FloatArray
+    quality: str = "default"
+    polarisation: bool = True
+    stokes: bool = False
+    cache: bool = True
+    values: FloatArray | None = None
 
 
 def answer_rows(
-    planet: Planet,
+    lines: Lines,
     source: str,
     target: str,
     *,
-    wavelengths: Sequence[float],
-    quality: str = "default",
-    polarisation: bool = True,
-    stokes: bool = False,
-    cache: bool = True,
     scheduler: str | None = None,
     workers: int | None = 1,
     progress: Progress | None = None,
@@ -95,22 +91,12 @@ def answer_rows(
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
+    lines : Lines
+        What is asked for: planet, wavelengths and settings.
     source : str
         Path of a CSV as ``case_blocks`` reads it. It is read twice: first every cell is checked.
     target : str
         Path of the new CSV; ``-`` is the standard output, which keeps nothing.
-    wavelengths : sequence of float
-        Wavelengths. [nm]
-    quality : str
-        Quality as for ``airlight.solve``.
-    polarisation : bool
-        Whether light is polarised, as for ``airlight.solve``.
-    stokes : bool
-        Whether I, Q and U, degree and angle of polarisation are appended.
-    cache : bool
-        Whether the solution is looked for on disk, and kept there.
     scheduler, workers : optional
         See ``distribution.opened_runner``; one process, with all its threads, by default.
     progress : callable, optional
@@ -133,29 +119,21 @@ def answer_rows(
     check_table(target, (".csv",))
     with case_blocks(source, BLOCK) as (head, blocks):
         total = sum(len(block.rows) for block in blocks)
-    nm = tuple(float(one) for one in wavelengths)
-    shared_solution(planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress)
+    nm, stokes = lines.wavelengths, lines.stokes
+    _solution(lines, progress)
     code = code_digest(_SOURCE)
-    mark = digest((planet, nm, quality, polarisation, stokes, code), (Path(source),))
+    asked = (lines.planet, nm, lines.quality, lines.polarisation, stokes, code)
+    mark = digest(asked, (Path(source),))
     with _Table.opened(target, mark) as table, case_blocks(source, BLOCK) as (head, blocks):
         if not table.blocks:
             write_head(table.stream, head, radiance_columns(nm, stokes=stokes))
         waiting: dict[int, Cases] = {}
-        how = Lines(
-            planet=planet,
-            wavelengths=nm,
-            quality=quality,
-            polarisation=polarisation,
-            stokes=stokes,
-            cache=cache,
-            values=np.empty((0, 4)),
-        )
 
         def tasks() -> Iterator[tuple[int, tuple[Lines, str]]]:
             for number, block in enumerate(blocks):
                 if number >= table.kept:
                     waiting[number] = block
-                    yield number, (replace(how, values=block.values), code)
+                    yield number, (replace(lines, values=block.values), code)
 
         rest = total - min(table.kept * BLOCK, total)
         amount = float(rest * len(nm) * (3 if stokes else 1))
@@ -185,15 +163,25 @@ def radiances_of_lines(lines: Lines, code: str) -> FloatArray:
         Hash of the source of the process that sent them.
     """
     check_code(code, _SOURCE)
-    polarisation, cache = lines.polarisation, lines.cache
-    solution = shared_solution(
-        lines.planet, lines.wavelengths, lines.quality, polarisation=polarisation, cache=cache
-    )
+    solution = _solution(lines)
+    assert lines.values is not None
     altitude, sun, view, azimuth = lines.values.T
     found = solution.radiance(
         altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth, stokes=lines.stokes
     )
     return polarised_answers(found) if lines.stokes else np.asarray(found, float)
+
+
+def _solution(lines: Lines, progress: Progress | None = None) -> MomentsSolution:
+    """Solution shared by all blocks."""
+    return shared_solution(
+        lines.planet,
+        lines.wavelengths,
+        lines.quality,
+        polarisation=lines.polarisation,
+        cache=lines.cache,
+        progress=progress,
+    )
 
 
 class _Table:
