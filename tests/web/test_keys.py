@@ -196,7 +196,9 @@ def test_keys_that_do_something_once(page: Any) -> None:
     press("o")
     assert page.evaluate("airlight.studies.film !== null")
     page.keyboard.down("l")
-    until(page, "(airlight.film.recorder.requestData(), airlight.film.parts.length)")
+    until(
+        page, "(airlight.studies.film.recorder.requestData(), airlight.studies.film.parts.length)"
+    )
     page.keyboard.up("l")
     with page.expect_download() as download:
         page.keyboard.press("o")

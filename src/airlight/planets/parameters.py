@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Iterable
-from typing import Annotated, Any, TypeVar, dataclass_transform
+from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
 import pydantic
@@ -33,7 +33,7 @@ MISSING = _Missing()
 def parameters(cls: Class) -> Class:
     """Decorator for frozen, keyword-only pydantic dataclasses that raise ``ParameterError``.
 
-    Fields carry their range as an annotation (``Length``, ``between(0.0, 1.0)``); relations
+    Fields carry their range as an annotation, ``between(0.0, 1.0)``, or a declaration; relations
     between fields are checked in ``__post_init__``.
     """
     config = pydantic.ConfigDict(extra="forbid", arbitrary_types_allowed=True)
@@ -192,11 +192,3 @@ def one_of(*words: str) -> BeforeValidator:
         return value
 
     return BeforeValidator(check)
-
-
-#: Heights and widths within a shell. [m]
-Length = Annotated[float, between(0.0, 1e9, "m")]
-#: Scale heights: thinner layers than a metre are surfaces. [m]
-ScaleHeight = Annotated[float, between(1.0, 1e9, "m")]
-#: Fraction of a whole. [1]
-Fraction = Annotated[float, between(0.0, 1.0)]

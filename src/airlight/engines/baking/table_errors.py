@@ -7,7 +7,7 @@ and for a low sun, with a search for the largest error in each region.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -224,10 +224,7 @@ def above_horizon(positions: Positions, medium: Medium) -> Positions:
     """Points at the same radii with views uniform in angle between horizon and zenith."""
     horizon = np.arccos(vectorized(horizon_cosine)(positions.r, medium.bottom_radius))
     mu = np.cos(horizon * (np.arccos(positions.mu) / np.pi) * (1.0 - 1e-9))
-    return Positions.of(
-        positions.r, mu, positions.mu_s, positions.nu,
-        bottom_radius=medium.bottom_radius, to_ground=False,
-    )  # fmt: skip
+    return replace(positions, mu=mu, to_ground=np.zeros(len(mu), bool))
 
 
 class Compared(NamedTuple):

@@ -321,10 +321,8 @@ def _smooth_and_mie(
     flat = (-1, *exact.shape[-2:])
     # in front of a surface the program omits M while the sun is below the horizon
     signed = layout.positions().mu_s.reshape(layout.shape)[..., 0].ravel() > _LEFT_OUT
-    found = fit.fitted(
-        exact.reshape(flat), [one.reshape(flat) for one in once],
-        start.reshape(-1, *start.shape[-2:]), signed=signed,
-    ).reshape(start.shape)  # fmt: skip
+    lights, rows = [one.reshape(flat) for one in once], start.reshape(-1, *start.shape[-2:])
+    found = fit.fitted(exact.reshape(flat), lights, rows, signed=signed).reshape(start.shape)
     return lobe, found[..., : layout.angles, :], found[..., layout.angles :, :]
 
 

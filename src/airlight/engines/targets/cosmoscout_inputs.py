@@ -116,8 +116,8 @@ def planet_from_inputs(folder: str | Path, star: Star, name: str) -> Planet:
         for component in _COMPONENTS:
             files = settings[component]
             density = _read_rows(root / files["density"])[1][:, 0]
-            spectra = {key: _read_spectrum(root / files[key]) for key in ("betaSca", "betaAbs")
-                       if key in files}  # fmt: skip
+            keys = [key for key in ("betaSca", "betaAbs") if key in files]
+            spectra = {key: _read_spectrum(root / files[key]) for key in keys}
             if not any(values.any() for _, values in spectra.values()):
                 continue
             nm, absorption = spectra["betaAbs"]

@@ -44,11 +44,9 @@ def write_spectrum(path: str | Path, data: xarray.Dataset) -> None:
 def _write_csv(path: Path, data: xarray.Dataset) -> None:
     dims = [str(name) for name in data.sizes if name != "wavelength"] + ["wavelength"]
     columns = [*dims, *(str(name) for name in data.data_vars if data[name].ndim)]
-    grids = {
-        name: data[name].broadcast_like(data.wavelength).broadcast_like(
-            data[dims[0]]).transpose(*dims).to_numpy().ravel()
-        for name in columns
-    }  # fmt: skip
+    axes = data.wavelength, data[dims[0]]
+    whole = [data[name].broadcast_like(axes[0]).broadcast_like(axes[1]) for name in columns]
+    grids = [one.transpose(*dims).to_numpy().ravel() for one in whole]
     with path.open("w", encoding="utf-8", newline="") as stream:
         stream.write(f"# {plain(data.attrs['title'])}\n# airlight {version()}\n")
         for name in ("solver", "notes"):
@@ -61,5 +59,5 @@ def _write_csv(path: Path, data: xarray.Dataset) -> None:
             stream.write(f"# unit of {name}: {data[name].attrs['units']}\n")
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(columns)
-        for row in np.stack(list(grids.values()), axis=-1):
+        for row in np.stack(grids, axis=-1):
             writer.writerow([f"{value:.8g}" for value in row])

@@ -100,8 +100,8 @@ def check_room(path: Path, needed: int) -> None:
         for entry in os.scandir(path / name)
     )
     if needed > free + taken:
-        raise FileError(path, f"needs up to {in_words(needed - taken)}, and the disk has "
-                        f"{in_words(free)} free: choose fewer values, or another disk")  # fmt: skip
+        have = f"needs up to {in_words(needed - taken)}, and the disk has {in_words(free)} free"
+        raise FileError(path, f"{have}: choose fewer values, or another disk")
 
 
 def in_words(size: float) -> str:
