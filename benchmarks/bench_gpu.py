@@ -45,8 +45,12 @@ def device() -> Device:
 
 
 @pytest.fixture(scope="module")
-def pictures(device: Device, earth: Any) -> Any:
-    solution = solve(earth, few_wavelengths(4, *earth.wavelength_limits), cache=False)
+def solution(earth: Any) -> Any:
+    return solve(earth, few_wavelengths(4, *earth.wavelength_limits), cache=False)
+
+
+@pytest.fixture(scope="module")
+def pictures(device: Device, solution: Any) -> Any:
     made = GpuRenderer(device)
     made.set_solution(solution)
     return made
@@ -119,12 +123,13 @@ def test_tables(benchmark: Any, device: Device, way: str) -> None:
 @pytest.mark.parametrize("table", [QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE], ids=["moving", "resting"])
 @pytest.mark.parametrize("place", PLACES)
 def test_drawn_frame(
-    benchmark: Any, device: Device, pictures: Any, place: str, table: Any, size: Any, tell: Any
+    benchmark: Any, device: Device, solution: Any, place: str, table: Any, size: Any, tell: Any
 ) -> None:
     # sky-view LUT, pixels and tone map, into a texture as in the window; the smaller LUT is that of
     # software GPUs while the view moves
     view, following = target(device, size).create_view(), scenes(place, size)
-    pictures.sky_view_size = table
+    pictures = GpuRenderer(device, table)
+    pictures.set_solution(solution)
     spent: list[float] = []
 
     def frame() -> None:
@@ -136,7 +141,6 @@ def test_drawn_frame(
     frame()  # compiles the shaders
     spent.clear()
     benchmark.pedantic(frame, rounds=15)
-    pictures.sky_view_size = SKY_VIEW_SIZE
     rate = 1.0 / benchmark.stats.stats.median
     tell(
         f"{device}, {place}, {size}, table {table}: {rate:.1f} frames a second, "

@@ -8,7 +8,6 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet, solve
 from airlight.render import render
-from airlight.render.cpu_renderer import color_weights
 from airlight.solver.montecarlo.settings import MonteCarloSettings
 
 SEA = {"ground.law": "water", "ground.albedo": 0.02, "ground.wind": "5 m/s"}
@@ -29,7 +28,7 @@ def test_the_sea_is_as_bright_as_by_monte_carlo(sun: float, most: float) -> None
         planet, nm, solver="montecarlo",
         quality=MonteCarloSettings(relative_error=0.02, most_histories=100_000),
     )  # fmt: skip
-    green = float(color_weights(solution)[0, 1])
+    green = float(solution.lights[0].colors()[0, 1])
     for altitude, view, azimuth in LINES:
         camera = Camera(width=4, height=4, field_of_view=0.2, look_zenith=view,
                         look_azimuth=azimuth)  # fmt: skip

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.refraction import apparent_sun
-from airlight.render.sun_disc import leaving_direction, straight_lines, sun_solid_angle
+from airlight.render.through_air import leaving_direction, straight_lines, sun_solid_angle
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.tables.columns import columns

@@ -14,7 +14,6 @@ from airlight.physics.optics.layer_edges import layer_edges
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Tent
 from airlight.render import render
-from airlight.render.cpu_renderer import color_weights
 from airlight.render.pixels import march_points
 from airlight.render.pixels.march_points import MarchPoints
 from airlight.solver.moments.solution import MomentsSolution
@@ -42,7 +41,7 @@ def test_a_picture_has_the_radiance_of_queries_under_a_layer(lit: Lit) -> None:
     zenith = np.degrees(np.arccos(camera.directions(slice(0, 90))[:, 1, 2]))
     sky = solution.radiance(altitude=0.0, sun_zenith=60.0, view_zenith=zenith, azimuth=90.0)
     relative = np.asarray(sky) / solution.medium.solar_irradiance
-    assert_allclose(rgb, relative @ color_weights(solution), rtol=5e-3)
+    assert_allclose(rgb, relative @ solution.lights[0].colors(), rtol=5e-3)
 
 
 def test_a_layer_has_the_column_that_its_profile_has(lit: Lit) -> None:

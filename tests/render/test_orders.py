@@ -47,7 +47,6 @@ def test_a_picture_of_single_light_is_the_radiance_of_the_first_order(
 ) -> None:
     # A second method: the query marches with twice as many points. Away from the star's glow, where
     # the haze just above the ground counts most, the two differ by less than 0.2 %.
-    from airlight.render.cpu_renderer import color_weights
 
     camera = Camera(width=24, height=12, field_of_view=90.0, look_zenith=95.0, look_azimuth=120.0)
     here = Scene(camera=camera, altitude=2.0, sun_zenith=70.0)
@@ -61,7 +60,7 @@ def test_a_picture_of_single_light_is_the_radiance_of_the_first_order(
         order=1,
     )
     relative = np.asarray(radiance) / earth.medium.solar_irradiance
-    assert_allclose(rgb, relative @ color_weights(earth), rtol=2e-3)
+    assert_allclose(rgb, relative @ earth.lights[0].colors(), rtol=2e-3)
 
 
 def test_other_orders_are_refused(earth: MomentsSolution) -> None:

@@ -11,7 +11,6 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, ParameterError, Scene, load_planet, render, replace, solve
 from airlight.image.xyz import luminance
-from airlight.render.cpu_renderer import color_weights
 from airlight.solver.moments.solution import MomentsSolution
 
 
@@ -39,7 +38,7 @@ def test_a_picture_of_q_and_u_has_those_of_its_lines(solution: MomentsSolution) 
             altitude=200.0, sun_zenith=65.0, view_zenith=np.degrees(np.arccos(z)),
             azimuth=np.degrees(np.arctan2(-y, x)), stokes=True,
         )  # fmt: skip
-        weights = color_weights(solution) / solution.lights[0].irradiance[:, None]
+        weights = solution.lights[0].colors() / solution.lights[0].irradiance[:, None]
         wanted = lines.values @ weights
         got = np.stack([frame.rgb[5, 7], *frame.polarised[:, 5, 7]])
         assert_allclose(got, wanted, atol=2e-3 * np.abs(wanted[0]).max())
@@ -54,7 +53,7 @@ def test_a_filter_sees_the_stokes_parameters_of_its_line(
     lines = solution.radiance(
         altitude=200.0, sun_zenith=65.0, view_zenith=70.0, azimuth=azimuth, stokes=True
     )
-    weights = color_weights(solution) / solution.lights[0].irradiance[:, None]
+    weights = solution.lights[0].colors() / solution.lights[0].irradiance[:, None]
     i, q, u = lines.values @ weights
     for angle in (0.0, 30.0, 75.0, 130.0):
         camera = Camera(

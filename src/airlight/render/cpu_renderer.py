@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import KW_ONLY, dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -31,6 +33,7 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 
+@dataclass(eq=False)
 class CpuRenderer:
     """Renderer of a scene under one light, row by row.
 
@@ -55,30 +58,33 @@ class CpuRenderer:
         Window of the sky-view LUT; None where every pixel is marched.
     """
 
-    def __init__(
-        self,
-        solution: MomentsSolution,
-        scene: Scene,
-        *,
-        orders: str = "all",
-        exact: bool = False,
-        disc: bool = True,
-        samples: int = 1,
-        edges: bool = True,
-        air: bool = True,
-        stokes: bool = False,
-    ) -> None:
-        camera, tables = scene.camera, solution.tables
-        uniforms = view_uniforms(scene, solution) | {"orders": order_number(orders)}
-        uniforms["draws_disc"] = float(disc and orders == "all" and uniforms["disc"] > 0.0)
-        uniforms["draws_air"] = float(air)
-        uniforms |= overlay_uniforms(solution)
-        uniforms |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
+    solution: MomentsSolution
+    scene: Scene
+    _: KW_ONLY
+    orders: str = "all"
+    exact: bool = False
+    disc: bool = True
+    samples: int = 1
+    edges: bool = True
+    air: bool = True
+    stokes: bool = False
+
+    def __post_init__(self) -> None:
+        solution, camera = self.solution, self.scene.camera
+        tables, uniforms = solution.tables, view_uniforms(self.scene, solution)
+        uniforms |= {
+            "orders": order_number(self.orders),
+            "draws_disc": float(self.disc and self.orders == "all" and uniforms["disc"] > 0.0),
+            "draws_air": float(self.air),
+            **overlay_uniforms(solution),
+            "samples": float(checked_samples(self.samples)),
+            "edges": float(self.edges),
+        }
         self._uniforms, self._camera = uniforms, camera
-        self._polarised = stokes or uniforms["filter"] != NONE
+        self._polarised = self.stokes or uniforms["filter"] != NONE
         self._observer = observer_from(uniforms)
-        self.window = None
-        if not exact and air:
+        self.window: SkyViewWindow | None = None
+        if not self.exact and self.air:
             self.window = sky_view_window(camera, self._observer, tables.bottom, tables.top)
         resolution = march_points(solution)
         self._tables = render_tables(
@@ -152,20 +158,9 @@ class CpuRenderer:
         return FrameTables(self._reach, window, self._observer, view, self._tables)
 
 
-def color_weights(solution: MomentsSolution) -> FloatArray:
-    """Linear sRGB per radiance of unit irradiance at each wavelength.
-
-    Returns
-    -------
-    array, shape (nl, 3)
-        Weights. [W m⁻² sr⁻¹ sr]
-    """
-    return solution.lights[0].colors()
-
-
 def _lane_weights(solution: MomentsSolution) -> Float32Array:
     """Weights as the rows read them: shape (3, w), zero in lanes without a wavelength."""
-    weights = color_weights(solution)
+    weights = solution.lights[0].colors()
     padded = np.zeros((3, solution.tables.lanes), np.float32)
     padded[:, : weights.shape[0]] = weights.T
     return padded

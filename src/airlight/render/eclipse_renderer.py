@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.geometry.vectors import Vec3
 from airlight.kernel.threads import Cancel, Progress
-from airlight.render.cpu_renderer import CpuRenderer, color_weights
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.pixels.eclipsed_pixel import render_eclipsed
 from airlight.scene import Scene
 from airlight.solver.eclipsed.shadow_tables import new_shadow_workspace
@@ -45,7 +45,7 @@ class EclipseRenderer(CpuRenderer):
         super().__init__(eclipsed.solution, scene, exact=True, disc=False)
         self._shadow = eclipsed.shadow
         self._turn = tuple(Vec3(*row) for row in (eclipsed.axes @ local.T).tolist())
-        self._colors = color_weights(eclipsed.solution)
+        self._colors = eclipsed.solution.lights[0].colors()
 
     def fill_sky_view(
         self, *, cancel: Cancel | None = None, progress: Progress | None = None

@@ -15,11 +15,11 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.light_source import LightSource
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.eclipse_renderer import EclipseRenderer, check_unfiltered
-from airlight.render.local_frame import camera_angles, level_axes
 from airlight.render.render import add_rendered
 from airlight.render.scene_lights import SceneLights
 from airlight.render.through_air import AirAround
 from airlight.scene import Camera, Scene
+from airlight.scene.directions import camera_angles, level_axes
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
 from airlight.solver.eclipsed.solution import EclipsedSolution

@@ -26,7 +26,6 @@ from airlight.render.pixels.sky_view_window import is_always_read
 from airlight.render.rendering_gpu import Choice, rendering_gpu
 from airlight.render.solve_planet import solve_planet
 from airlight.render.star_points import add_catalogue, check_stars
-from airlight.scene.basin import on_basin_floor
 from airlight.scene.frame import Frame
 
 if TYPE_CHECKING:
@@ -149,7 +148,7 @@ class Renderer:
                 metadata = {"colour": "from four wavelengths, fitted to the star"}
         if scene.altitude < 0.0:
             requested = scene.altitude
-            planet, scene = on_basin_floor(planet, scene)
+            planet, scene = scene.on_basin_floor(planet)
             metadata["solved_floor"] = f"ground lowered to {requested - scene.altitude:.10g} m"
         with _compiling(device is None and not self.exact and is_always_read(camera), cancel):
             solution = solve_planet(

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -23,14 +24,15 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.light_source import LightSource
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.corona import OUTERMOST, corona
-from airlight.render.local_frame import metered_scene
 from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
 from airlight.render.render_scene import CPU, color_wavelengths
 from airlight.render.scene_lights import SceneLights
 from airlight.render.solve_planet import solve_planet
 from airlight.render.star_points import add_shown
 from airlight.scene import Camera, Scene
+from airlight.scene.directions import camera_angles, level_axes, zenith_azimuth
 from airlight.scene.frame import Frame
+from airlight.scene.light_position import LightPosition
 from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections.projected import projected_rays
 from airlight.scene.surface_map import surface_map
@@ -156,8 +158,17 @@ class _BodyTracer:
 
     def _metered(self) -> Scene | None:
         """Scene with the visible stars alone, for metering; None if no star is visible."""
-        seen = [one.towards(self.eye) for one in self.lights.stars if one.name in self._seen]
-        return metered_scene(self.camera, self.axes, seen) if seen else None
+        stars = [one.towards(self.eye) for one in self.lights.stars if one.name in self._seen]
+        if not stars:
+            return None
+        local = level_axes(np.array([0.0, 0.0, 1.0]), stars[0])
+        zenith, azimuth, roll = camera_angles(self.axes @ local.T)
+        first, *others = (zenith_azimuth(local @ one) for one in stars)
+        return Scene(
+            camera=replace(self.camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
+            sun_zenith=first[0],
+            secondary_lights=tuple(LightPosition(zenith=z, azimuth=a) for z, a in others),
+        )
 
     def _rays(self, first: int, last: int, across: float, down: float) -> FloatArray:
         """Unit vectors in the frame of the scene, shape (rows, width, 3). [1]"""
@@ -311,10 +322,7 @@ class _BodyTracer:
         """Colour of a body's map over its mean luminance, shape (n, 3). [1]"""
         if body.map is None:
             return np.ones((len(normal), 3))
-        folder = self.system.folder
-        own_file = None if folder is None else folder / body.map
-        path = str(own_file) if own_file is not None and own_file.is_file() else body.map
-        picture = surface_map(path)
+        picture = surface_map(self.system.path_of(body.map))
         x, y, z = (normal @ self.system.axes(body).T).T
         footprint = length * self.camera.pixel_angle / self.system.radius(body)
         colors = picture.sample(

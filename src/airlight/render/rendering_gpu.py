@@ -1,7 +1,7 @@
 """Choice of the GPU for solving and rendering, with the reason of a fallback to the CPU.
 
 Still frames use a software GPU only on request. Live frames use it, as the CPU renders their final
-frame (``Renderer``) and solves (``solve_planet``).
+frame (``LiveRenderer``) and solves (``solve_planet``).
 """
 
 from __future__ import annotations
@@ -18,19 +18,6 @@ if TYPE_CHECKING:
 
 #: Requested device.
 Choice = Literal["auto", "cpu", "gpu"]
-
-
-def live_gpu(choice: Choice, device: Device | None) -> Device | None:
-    """GPU for the frames and solutions of a session; None for the CPU.
-
-    Parameters
-    ----------
-    choice : "auto", "cpu" or "gpu"
-        ``cpu`` ignores the GPU.
-    device : Device or None
-        Open GPU, if any.
-    """
-    return None if choice == "cpu" else device
 
 
 def any_gpu() -> Device | None:

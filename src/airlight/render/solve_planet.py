@@ -23,7 +23,7 @@ from airlight.planets.medium import Medium
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.planets.planet import Planet
-from airlight.render.rendering_gpu import Choice, fits, live_gpu
+from airlight.render.rendering_gpu import Choice, fits
 from airlight.scene.local_ground import local_ground
 from airlight.solver.moments.settings import MomentsSettings, settings_for
 
@@ -113,13 +113,13 @@ def live_solver(
     Parameters
     ----------
     choice : "auto", "cpu" or "gpu"
-        Device as for ``live_gpu``; a software GPU does not solve.
+        ``cpu`` ignores the GPU; a software GPU does not solve.
     device : Device, optional
         GPU from ``open_device``, if any.
     keeps : callable
         Whether the current solution is read from and stored on disk.
     """
-    gpu = live_gpu(choice, device)
+    gpu = None if choice == "cpu" else device
 
     def solve(*arguments: Any, **options: Any) -> MomentsSolution:
         return solve_planet(*arguments, device=gpu, cache=keeps(), **options)

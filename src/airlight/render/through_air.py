@@ -1,7 +1,8 @@
-"""Air around an observer: transmittance and refraction towards points at infinity."""
+"""Lines of sight through the air to space: refraction, transmittance, and solid angle of discs."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Final, Protocol
 
@@ -9,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.refraction import apparent_sun_cosine
-from airlight.render.sun_disc import leaving_direction
-from airlight.solver.lines_of_sight import enter_shell
+from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.tables.columns import columns
 
@@ -18,6 +18,83 @@ FloatArray = NDArray[np.float64]
 
 #: Iterations for the apparent direction of a point behind refracting air.
 _BENDS: Final = 4
+
+
+def straight_lines(
+    directions: FloatArray, solution: MomentsSolution, altitude: float
+) -> LinesOfSight:
+    """Unrefracted lines of sight from the observer.
+
+    Parameters
+    ----------
+    directions : array, shape (n, 3)
+        Unit vectors in the local frame.
+    solution : MomentsSolution
+        Solution of the planet.
+    altitude : float
+        Altitude of the observer. [m]
+
+    Returns
+    -------
+    LinesOfSight
+        Lines of sight inside the shell.
+    """
+    medium = solution.medium
+    bottom, top = medium.bottom_radius, medium.top_radius
+    mu = np.clip(directions[:, 2], -1.0, 1.0)
+    sine = np.hypot(directions[:, 0], directions[:, 1])
+    r = np.full(mu.shape, bottom + altitude)
+    return solution.geometry.optical_lines(
+        enter_shell(r, mu, sine, mu, np.ones_like(mu), bottom, top)
+    )
+
+
+def leaving_direction(
+    directions: FloatArray, solution: MomentsSolution, altitude: float
+) -> FloatArray:
+    """Refracted directions of lines of sight outside the atmosphere.
+
+    Parameters
+    ----------
+    directions : array, shape (n, 3)
+        Unit vectors in the local frame; zero vectors remain zero.
+    solution : MomentsSolution
+        Solution of the planet.
+    altitude : float
+        Altitude of the observer. [m]
+
+    Returns
+    -------
+    array, shape (n, 3)
+        Unit vectors; unchanged for lines that meet the ground.
+    """
+    if solution.geometry.shell is None or len(directions) == 0:
+        return directions
+    lines = straight_lines(directions, solution, altitude)
+    free = ~lines.to_ground & (lines.length > 0.0)
+    angle = np.zeros(len(directions))
+    angle[free] = solution.geometry.refraction_angle(lines.r[free], lines.mu[free])
+    level = np.hypot(directions[:, 0], directions[:, 1])
+    height = np.arctan2(directions[:, 2], level) - angle
+    scale = np.divide(np.cos(height), level, out=np.ones_like(level), where=level > 0.0)
+    bent = np.stack([directions[:, 0] * scale, directions[:, 1] * scale, np.sin(height)], axis=-1)
+    return np.asarray(np.where(np.any(directions != 0.0, axis=-1)[:, None], bent, 0.0))
+
+
+def sun_solid_angle(angular_radius: float) -> float:
+    """Solid angle of a disc. [sr]
+
+    Parameters
+    ----------
+    angular_radius : float
+        Angular radius of the disc. [rad]
+
+    Examples
+    --------
+    >>> f"{sun_solid_angle(0.2678 * math.pi / 180):.3e}"
+    '6.863e-05'
+    """
+    return 4.0 * math.pi * math.sin(0.5 * angular_radius) ** 2
 
 
 class SeenThrough(Protocol):
@@ -99,17 +176,9 @@ class AirAround:
     def behind(self, rays: FloatArray) -> tuple[FloatArray, FloatArray]:
         """See ``SeenThrough``; the transmittance is 0 where a line ends on the ground."""
         solution, directions = self.solution, rays @ self.axes.T
-        medium, geometry = solution.medium, solution.geometry
-        r = np.full(len(directions), medium.bottom_radius + self.altitude)
-        mu = np.clip(directions[:, 2], -1.0, 1.0)
-        sine = np.hypot(directions[:, 0], directions[:, 1])
-        zero = np.zeros_like(mu)
-        lines = geometry.optical_lines(
-            enter_shell(r, mu, sine, zero, zero, medium.bottom_radius, medium.top_radius)
-        )
-        transmittance = np.ones((len(mu), solution.wavelengths.size))
+        lines, drawn = straight_lines(directions, solution, self.altitude), solution.geometry.medium
+        transmittance = np.ones((len(directions), solution.wavelengths.size))
         crossing = np.flatnonzero((lines.length > 0.0) & ~lines.to_ground)
-        drawn = geometry.medium
         if crossing.size:
             depth = columns(
                 lines.r[crossing], lines.mu[crossing], lines.length[crossing], drawn.bottom_radius,

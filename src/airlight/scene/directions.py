@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 
 from airlight.geometry.vectors import Vec3
 
+FloatArray = NDArray[np.float64]
+
 _RADIAN = math.pi / 180.0
 
 
@@ -50,7 +52,7 @@ def rolled(axis: Vec3, other: Vec3, angle: float) -> Vec3:
     )
 
 
-def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
+def direction(zenith: float, azimuth: float) -> FloatArray:
     """Unit vector from zenith angle and azimuth. [1]
 
     Parameters
@@ -73,7 +75,7 @@ def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
     return np.array(direction_of(zenith, azimuth))
 
 
-def camera_axes(zenith: float, azimuth: float, roll: float) -> NDArray[np.float64]:
+def camera_axes(zenith: float, azimuth: float, roll: float) -> FloatArray:
     """Right, up and forward of the camera in the observer's local frame.
 
     Parameters
@@ -98,3 +100,34 @@ def camera_axes(zenith: float, azimuth: float, roll: float) -> NDArray[np.float6
            [ 1.,  0.,  0.]])
     """
     return np.array(camera_frame(zenith, azimuth, roll))
+
+
+def camera_angles(axes: FloatArray) -> tuple[float, float, float]:
+    """Zenith angle, azimuth and roll of a camera; inverse of ``camera_axes``. [deg]
+
+    Parameters
+    ----------
+    axes : array, shape (3, 3)
+        Right, up and forward in the local frame, as rows. [1]
+    """
+    right, _, forward = axes
+    zenith, azimuth = zenith_azimuth(forward)
+    level, upright, _ = camera_axes(zenith, azimuth, 0.0)
+    return zenith, azimuth, math.degrees(math.atan2(-right @ upright, right @ level))
+
+
+def zenith_azimuth(towards: FloatArray) -> tuple[float, float]:
+    """Zenith angle and azimuth of a direction in the local frame. [deg]"""
+    x, y, z = (float(one) for one in towards)
+    return math.degrees(math.atan2(math.hypot(x, y), z)), math.degrees(math.atan2(-y, x))
+
+
+def level_axes(up: FloatArray, towards: FloatArray | None = None) -> FloatArray:
+    """Axes of the local frame as rows: x horizontally towards a light, z to the zenith. [1]"""
+    flat = np.zeros(3)
+    if towards is not None:
+        flat = towards - (towards @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
+    x = flat / np.linalg.norm(flat)
+    return np.stack([x, np.cross(up, x), up])

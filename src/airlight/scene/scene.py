@@ -266,6 +266,34 @@ class Scene:
             ),
         )
 
+    def on_basin_floor(self, planet: Planet) -> tuple[Planet, Scene]:
+        """Planet with its ground lowered to an observer at negative altitude, and the scene there.
+
+        Both are unchanged for altitudes of 0 or more.
+
+        Parameters
+        ----------
+        planet : Planet
+
+        Raises
+        ------
+        ParameterError
+            If the altitude is below the planet's deepest basin.
+
+        Examples
+        --------
+        >>> from airlight.planets import load_planet
+        >>> planet, scene = Scene(altitude=-7e3).on_basin_floor(load_planet("mars"))
+        >>> planet.bottom_radius, scene.altitude
+        (3382498.0, 2.0)
+        """
+        if self.altitude >= 0.0:
+            return planet, self
+        from airlight.planets.lowered_ground import stands_on_floor
+
+        planet, height = stands_on_floor(planet, self.altitude)
+        return planet, replace(self, altitude=height)
+
     def north_up(self) -> Scene:
         """Scene of a nadir-looking camera with north up.
 

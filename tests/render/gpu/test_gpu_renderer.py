@@ -31,14 +31,13 @@ from airlight.image.display import to_display
 from airlight.image.exposure import automatic_exposure
 from airlight.image.four_wavelengths import four_wavelengths
 from airlight.planets import Constituent
-from airlight.render.cpu_renderer import color_weights
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture import gpu_renderer as pictures_module
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.render.gpu.picture.uniforms import LAYERS
 from airlight.render.pixels import march_points
-from airlight.render.sun_disc import leaving_direction
+from airlight.render.through_air import leaving_direction
 from airlight.solver.moments.solution import MomentsSolution
 
 NM = (440.0, 500.0, 560.0, 620.0)
@@ -327,7 +326,7 @@ def disc_total(pictures: GpuRenderer, seen: Scene) -> np.ndarray:
 def cpu_total(solution: MomentsSolution, seen: Scene) -> np.ndarray:
     """Contribution of the disc by samples. [W m⁻²]"""
     rgb = np.zeros((seen.camera.height, seen.camera.width, 3), np.float32)
-    add_sun_disc(rgb, solution, seen, color_weights(solution))
+    add_sun_disc(rgb, solution, seen, solution.lights[0].colors())
     return np.asarray((rgb * solid_angles(seen.camera)[..., None]).sum(axis=(0, 1)))
 
 

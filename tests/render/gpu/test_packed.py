@@ -8,9 +8,14 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
 from airlight.render.gpu.device.device import Device
-from airlight.render.gpu.device.flat import MAX_ROWS, empty_flat_texture, read_flat
+from airlight.render.gpu.device.flat import (
+    MAX_ROWS,
+    empty_flat_texture,
+    packed_rows,
+    packed_texture,
+    read_flat,
+)
 from airlight.render.gpu.device.fragment_pass import FragmentPass
-from airlight.render.gpu.device.packed import packed_rows, packed_texture
 from airlight.render.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
 from airlight.render.gpu.emit.texture_table import TextureTable
 from airlight.render.gpu.emit.wgsl import WGSL

@@ -10,8 +10,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import FileError, ParameterError
+from airlight.planets.reading.reader import nested_tables
 from airlight.scene.system import is_scene_file, load_system, system_names
-from airlight.scene.system.reading import read_system
+from airlight.scene.system.reading import changed_system
+from airlight.scene.system.system import System
 
 WHOLE = """
 name = "Two"
@@ -33,6 +35,10 @@ altitude = "2 m"
 [camera]
 look_at = "moon"
 """
+
+
+def read_system(text: str, file: str) -> System:
+    return changed_system(nested_tables(text, file), file, None, {})
 
 
 @pytest.mark.parametrize("name", system_names())

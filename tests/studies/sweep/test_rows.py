@@ -18,7 +18,7 @@ from airlight.errors import FileError, ParameterError
 from airlight.files.output_lock import output_lock
 from airlight.planets import load_planet
 from airlight.studies.sweep import rows
-from airlight.studies.sweep.rows import Lines, answer_rows
+from airlight.studies.sweep.rows import answer_rows
 from airlight.studies.sweep.shared_solution import RadianceTask
 
 PLANET, NM = "earth-atmosphere-plus", (680.0, 550.0, 440.0)

@@ -14,7 +14,7 @@ from airlight.errors import ParameterError
 from airlight.physics.units import Measure, Measured, measured
 from airlight.scene import Camera, Scene
 from airlight.scene.compass import bearing
-from airlight.scene.directions import camera_axes
+from airlight.scene.directions import camera_angles
 from airlight.scene.limits import HIGHEST_ALTITUDE, within
 from airlight.scene.observer import planet_frame
 
@@ -205,7 +205,7 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
     wide = 2.0 * max(centre_x, camera.width - centre_x)
     tall = 2.0 * stretch * max(centre_y, camera.height - centre_y)
     width, height = max(1, math.ceil(wide)), max(1, math.ceil(tall))
-    zenith, azimuth, roll = _angles(local)
+    zenith, azimuth, roll = camera_angles(local)
     scene = Scene(
         camera=Camera(
             width=width, height=height, look_zenith=zenith, look_azimuth=azimuth, roll=roll,
@@ -234,11 +234,3 @@ def _coordinates(place: Placement, up: FloatArray, sun: FloatArray) -> tuple[flo
     longitude = math.degrees(math.atan2(y, x))
     north, west, _ = planet_frame(latitude, longitude, 0.0).T @ to_planet @ turned(sun)
     return latitude, longitude, math.degrees(math.atan2(-west, north))
-
-
-def _angles(axes: FloatArray) -> tuple[float, float, float]:
-    """Zenith angle, azimuth and roll of a camera from its axes. [deg]"""
-    right, _, (x, y, z) = axes
-    zenith, azimuth = math.degrees(math.atan2(math.hypot(x, y), z)), math.degrees(math.atan2(-y, x))
-    level, upright, _ = camera_axes(zenith, azimuth, 0.0)
-    return zenith, azimuth, math.degrees(math.atan2(-(right @ upright), right @ level))

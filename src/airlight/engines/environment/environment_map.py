@@ -18,7 +18,6 @@ from airlight.errors import ConflictError, ParameterError
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.render.render_scene import Renderer
-from airlight.scene.basin import on_basin_floor
 from airlight.scene.camera import Camera
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -157,7 +156,7 @@ def environment_map(
         raise ConflictError("camera.polariser", "does not apply to an environment map")
     planet = load_planet(planet, progress=progress, cancel=cancel)
     camera = map_camera(consumer, scene.camera.width, scene.camera.height, scene.sun_azimuth)
-    planet, scene = on_basin_floor(planet, replace(scene, camera=camera))
+    planet, scene = replace(scene, camera=camera).on_basin_floor(planet)
     if placed and local:
         planet = local_ground(
             planet, latitude=scene.latitude, longitude=scene.longitude, altitude=scene.altitude

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.physics.spectra.color_matching import cie_1931
 from airlight.planets.parameters import replace
-from airlight.render.sun_disc import straight_lines
+from airlight.render.through_air import straight_lines
 from airlight.solver.moments.solution import MomentsSolution
 
 if TYPE_CHECKING:

@@ -91,12 +91,16 @@ def load_system(name_or_path: str | Path, changes: Mapping[str, Any] | None = No
 def changed_system(
     tables: Mapping[str, Any], file: str, folder: Path | None, changes: Mapping[str, Any]
 ) -> System:
-    """Scene with overrides of its tables.
+    """Read a scene from the nested tables of a scene file, with overrides.
 
     Parameters
     ----------
-    tables, file, folder :
-        Arguments of ``read_system_tables``.
+    tables : mapping
+        Tables from ``nested_tables``; not modified. A table ``film`` is ignored.
+    file : str
+        Name in errors.
+    folder : Path or None
+        Folder that paths in the tables refer to.
     changes : mapping
         From path to value, as in a file: ``observer.altitude``; ``moon.position``, a key of the
         body of that name; or ``earth.ground.albedo``, a path in its planet file. None removes a
@@ -117,7 +121,12 @@ def changed_system(
         else:
             raise ParameterError(FIELD, path, f"a key of the body {first}")
     changed = overridden(tables, own) if own else tables
-    return read_system_tables(changed, file, folder, of_planets)
+    try:
+        return _read(TomlTable(dict(changed), folder=folder), of_planets)
+    except ParameterError as error:
+        if error.file is not None:
+            raise
+        raise error.in_file(file) from None
 
 
 def system_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
@@ -142,46 +151,6 @@ def system_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
         names = suggestion(str(name_or_path), system_names())
         raise ParameterError("scene", str(name_or_path), f"{names}; or the path to a TOML file")
     return file_text(path), str(path), path.parent
-
-
-def read_system(text: str, file: str, folder: Path | None = None) -> System:
-    """Read a scene from the text of a scene file.
-
-    Parameters
-    ----------
-    text : str
-        Text in TOML.
-    file : str
-        Name in errors.
-    folder : Path, optional
-        Folder that paths in the text refer to.
-    """
-    return read_system_tables(nested_tables(text, file), file, folder)
-
-
-def read_system_tables(
-    tables: Mapping[str, Any],
-    file: str,
-    folder: Path | None = None,
-    changes: Mapping[str, Mapping[str, Any]] | None = None,
-) -> System:
-    """Read a scene from the nested tables of a scene file.
-
-    Parameters
-    ----------
-    tables : mapping
-        Tables from ``nested_tables``; not modified. A table ``film`` is ignored.
-    file, folder
-        See ``read_system``.
-    changes : mapping, optional
-        Overrides of planet files, see ``System``.
-    """
-    try:
-        return _read(TomlTable(dict(tables), folder=folder), changes or {})
-    except ParameterError as error:
-        if error.file is not None:
-            raise
-        raise error.in_file(file) from None
 
 
 def _read(file: TomlTable, changes: Mapping[str, Mapping[str, Any]]) -> System:

@@ -101,15 +101,19 @@ class System:
         """Body by name."""
         return next(body for body in self.bodies if body.name == name)
 
+    def path_of(self, name: str) -> str:
+        """Path of a file that the scene names: beside the scene file if it is there."""
+        own = None if self.folder is None else self.folder / name
+        return str(own) if own is not None and own.is_file() else name
+
     @cached_property
     def planets(self) -> dict[str, Planet]:
         """Planets of bodies with an atmosphere, by body name."""
         found = {}
         for body in self.bodies:
             if body.planet is not None:
-                beside = None if self.folder is None else self.folder / body.planet
-                there = beside is not None and beside.suffix == ".toml" and beside.is_file()
-                named = beside if there and beside else body.planet
+                own_file = body.planet.endswith(".toml")
+                named = self.path_of(body.planet) if own_file else body.planet
                 found[body.name] = load_planet(named, self.changes.get(body.name))
         return found
 

@@ -15,7 +15,6 @@ from airlight.planets.reading.overrides import FIELD
 from airlight.planets.reading.reader import read_tables
 from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.schema.toml_table import TomlTable
-from airlight.scene.basin import on_basin_floor
 from airlight.scene.system.reading import changed_system
 from airlight.scene.system.system import System
 from airlight.studies.film.frame_spec import FrameSpec, PlanetFrameSpec, Quality, SystemFrameSpec
@@ -72,7 +71,7 @@ class Film:
             view, planet = self._planet_at(changes)
             time = self._time(number, view, planet)
             scene = view.scene(planet, time, how.width, how.height)
-            planet, scene = on_basin_floor(planet, scene)
+            planet, scene = scene.on_basin_floor(planet)
             return PlanetFrameSpec(planet=planet, scene=scene, how=how, stars=view.stars)
         system = self._system_at(changes, self._time(number))
         system.check_distances()

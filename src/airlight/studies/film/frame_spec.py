@@ -237,11 +237,7 @@ class SystemFrameSpec:
         """See ``FrameSpec``."""
         found = [file for one in self.system.planets.values() for file in _ground_files(one)]
         maps = [body.map for body in self.system.bodies if body.map is not None]
-        beside = self.system.folder
-        for name in maps:
-            own = None if beside is None else beside / name
-            found += [own] if own is not None and own.is_file() else [map_file(name)]
-        return tuple(found)
+        return (*found, *(map_file(self.system.path_of(name)) for name in maps))
 
     def metadata(self) -> dict[str, str]:
         """See ``FrameSpec``."""

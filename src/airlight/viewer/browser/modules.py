@@ -14,8 +14,7 @@ from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
-from airlight.render.gpu.device.flat import FORMATS
-from airlight.render.gpu.device.packed import PACKED_FORMAT
+from airlight.render.gpu.device.flat import FORMATS, PACKED_FORMAT
 from airlight.render.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
 from airlight.render.pixels.polarising_filter import ALONG, ASLANT, NONE
 from airlight.render.pixels.render_tables import WAVELENGTHS

@@ -6,8 +6,13 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.image.display import to_display
 from airlight.image.exposure import DEFAULT_EXPOSURE
 from airlight.scene import Scene
+from airlight.scene.frame import Frame
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.session.adaptation import Adaptation
 
@@ -53,6 +58,13 @@ class Request:
     glare: float = 1.0
     orders: Orders = "all"
     uniforms: Mapping[str, float] = field(default_factory=dict)
+
+    def displayed(self, frame: Frame, exposure: float) -> NDArray[np.uint8]:
+        """Pixels of a frame of the request at an exposure [EV], shape (height, width, 3)."""
+        return to_display(
+            frame.rgb, exposure, self.tone_map, eye=bool(self.uniforms.get("eye", False)),
+            glare=self.glare, **frame.lens,
+        )  # fmt: skip
 
     def same_light(self, other: Request | None) -> bool:
         """Whether both requests have the same radiance."""

@@ -17,13 +17,13 @@ from airlight.errors import ParameterError
 from airlight.image.texels import CHANNELS
 from airlight.image.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.physics.constants import LUMINOUS_EFFICACY
-from airlight.render.cpu_renderer import color_weights
 from airlight.render.pixels.disc_shading import MoonPhase, disc_powers, shading_uniforms
 from airlight.render.pixels.occulted_light import DARKEST
 from airlight.render.pixels.scenes_by_light import scenes_by_light
-from airlight.render.sun_disc import leaving_direction, sun_solid_angle
+from airlight.render.through_air import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
 from airlight.scene.camera import Camera
+from airlight.scene.directions import zenith_azimuth
 from airlight.scene.ground_place import map_color
 from airlight.scene.light_position import LightPosition
 from airlight.scene.surface_map import surface_map
@@ -167,8 +167,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     if not isinstance(solution, MomentsSolution):
         raise ParameterError("solution", type(solution).__name__, "a moments solution")
     medium = solution.medium
-    zenith = math.degrees(math.atan2(math.hypot(direction[0], direction[1]), direction[2]))
-    azimuth = math.degrees(math.atan2(-direction[1], direction[0]))
+    zenith, azimuth = zenith_azimuth(direction)
     pictures = scenes_by_light(scene, solution)
     by_light = [
         one.solution.lines_of_sight(
@@ -186,7 +185,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     rgb, luminances = np.zeros(3), list[FloatArray]()
     for lines, (_, lit, air, light) in zip(by_light, pictures, strict=True):
         source = lit.lights[0]
-        weights = color_weights(lit) / source.irradiance[:, None]
+        weights = source.colors() / source.irradiance[:, None]
         star = _star(lit, scene.altitude, light, direction, transmittance, bool(drawn.to_ground[0]))
         clouds = probed_clouds(solution, scene, direction, seen[0], light)
         parts = _spectra(lit, lines, seen[3], clouds) if air else []

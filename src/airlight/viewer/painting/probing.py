@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
-from airlight.errors import Cancelled
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.solve_planet import solve_planet
-from airlight.viewer.background.error_line import one_line
+from airlight.viewer.background.latest_thread import LatestThread
 from airlight.viewer.painting.picture_source import Request
 from airlight.viewer.painting.probe import Probe, probe_pixel
 
@@ -40,8 +38,8 @@ class ProbeResult:
     place: tuple[float, float]
 
 
-class Probing:
-    """Thread that evaluates the latest query.
+class Probing(LatestThread[tuple[Request, tuple[float, float]]]):
+    """Thread that evaluates the latest query: a picture's request, and a point of it as fractions.
 
     Parameters
     ----------
@@ -52,26 +50,18 @@ class Probing:
     ----------
     reading : ProbeResult or None
         Newest result; None before the first, and outside a fisheye's circle.
-    working, error : str
-        Status and error, one line each; empty if idle, or without an error.
     """
 
     def __init__(self, wake: Callable[[], None]) -> None:
-        self._wake = wake
-        self._news = threading.Condition()
-        self._asked: tuple[Request, tuple[float, float]] | None = None
-        self._closing = False
         self._finer: tuple[Any, Any] = (None, None)  # solution shown, finer solution
+        self._doing = ""
         self.reading: ProbeResult | None = None
-        self.working = ""
-        self.error = ""
-        self._thread = threading.Thread(target=self._work, name="airlight-probing", daemon=True)
-        self._thread.start()
+        super().__init__("airlight-probing", wake)
 
     @property
-    def busy(self) -> bool:
-        """Whether a result is pending."""
-        return bool(self.working)
+    def working(self) -> str:
+        """Status in one line; empty if idle."""
+        return self._doing if self.busy else ""
 
     def ask(self, request: Request, place: tuple[float, float]) -> None:
         """Probe a point of a picture; replaces an older query.
@@ -83,40 +73,12 @@ class Probing:
         place : (float, float)
             Position, as fractions of the picture's width and height. [1]
         """
-        with self._news:
-            self._asked = (request, place)
-            self.working = "reading …"
-            self._news.notify()
+        self._doing = "reading …"
+        self.want((request, place))
 
-    def close(self) -> None:
-        """End the thread and wait for it."""
-        with self._news:
-            self._closing = True
-            self._news.notify()
-        self._thread.join()
-
-    def _work(self) -> None:
-        served: Any = None
-        while True:
-            with self._news:
-                while not self._closing and self._asked is served:
-                    self._news.wait()
-                if self._closing:
-                    return
-                served = self._asked
-            try:
-                self._answer(*served)
-                self.error = ""
-            except Cancelled:
-                pass
-            except Exception as failure:
-                self.error = one_line(failure)
-            with self._news:
-                if self._asked is served:
-                    self.working = ""
-            self._wake()
-
-    def _answer(self, request: Request, place: tuple[float, float]) -> None:
+    def serve(self, query: tuple[Request, tuple[float, float]]) -> None:
+        """Probe a point with the displayed solution, then with a finer spectrum."""
+        request, place = query
         camera, shown = request.scene.camera, request.solution
         x, y = place[0] * camera.width, place[1] * camera.height
         found = probe_pixel(shown, request.scene, x, y)
@@ -128,7 +90,7 @@ class Probing:
         known = self._finer[1] if self._finer[0] is shown else None
         if known is None and count < FINER:
             self.reading = ProbeResult(probe=found, spectrum=found, quality=words, place=place)
-            self.working = f"{count} wavelengths as shown; {FINER} follow …"
+            self._doing = f"{count} wavelengths as shown; {FINER} follow …"
             self._wake()
             known = self._solved(request)
             self._finer = (shown, known)
@@ -147,7 +109,7 @@ class Probing:
             return None
 
         def newer() -> bool:
-            asked = self._asked
+            asked = self._wanted
             return self._closing or (
                 asked is not None and asked[0].solution is not request.solution
             )

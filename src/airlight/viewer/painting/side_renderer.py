@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 from time import perf_counter, sleep
 from typing import Any, Final
 
-from airlight.image.display import to_display
 from airlight.image.exposure import MOST_EXPOSURE
 from airlight.render.renderer import LiveFrame, LiveRenderer
 from airlight.scene.metering import METERED, scene_exposure
@@ -64,13 +63,7 @@ class SideRenderer:
             )  # fmt: skip
             texture.wait()
         else:
-            texture.write(
-                to_display(
-                    step.frame.rgb, exposure, request.tone_map,
-                    eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
-                    **step.frame.lens,
-                )
-            )  # fmt: skip
+            texture.write(request.displayed(step.frame, exposure))
         return Picture(
             view=texture.view,
             width=camera.width,

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Final
 
 from airlight.errors import Cancelled, FileError
 from airlight.files.atomic_file import atomic_file
-from airlight.image.display import to_display
 from airlight.image.exposure import eased
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.parameters import replace
@@ -144,8 +143,5 @@ def _frames(
         frame = render_solution(request.solution, scene, orders=request.orders, cancel=cancel)
         if request.automatic and not request.held:
             exposure = eased(exposure, frame.exposure + request.exposure, 1.0 / RATE, TIME_CONSTANT)
-        tone_map, eye = request.tone_map, bool(request.uniforms.get("eye", False))
-        light, glare = frame.rgb, request.glare
-        shown = to_display(light, exposure, tone_map, eye=eye, glare=glare, **frame.lens)
-        yield Image.fromarray(shown)
+        yield Image.fromarray(request.displayed(frame, exposure))
         progress(index + 1, len(scenes), "filming")

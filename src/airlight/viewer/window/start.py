@@ -17,7 +17,7 @@ from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.planets.reading.reader import read_tables
 from airlight.render.gpu.device.device import Device, NoDevice, open_device
 from airlight.render.renderer import LiveRenderer
-from airlight.render.rendering_gpu import Choice, live_gpu
+from airlight.render.rendering_gpu import Choice
 from airlight.render.solve_planet import live_solver
 from airlight.scene import look_at
 from airlight.viewer.background.preparing import Preparing
@@ -182,7 +182,8 @@ def renderer_by(
     """Factory of picture sources on the GPU or the CPU."""
 
     def make() -> PictureSource:
-        return SideRenderer(device.device, LiveRenderer(live_gpu(choice, device), ahead))
+        gpu = None if choice == "cpu" else device
+        return SideRenderer(device.device, LiveRenderer(gpu, ahead))
 
     return make
 

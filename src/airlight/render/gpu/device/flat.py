@@ -1,4 +1,4 @@
-"""Flat textures: 1-D arrays in rows of ``FLAT_WIDTH`` texels, read by ``textureLoad``."""
+"""Flat textures: 1-D arrays in rows, read by ``textureLoad``; floats, or packed sRGB texels."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
+from airlight.image.texels import CHANNELS
 from airlight.render.gpu.device.device import Device
-from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.render.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
 
 Float32Array = NDArray[np.float32]
 
@@ -17,8 +18,14 @@ Float32Array = NDArray[np.float32]
 MAX_ROWS: Final = 8192
 #: Format of a flat texture by number of channels.
 FORMATS: Final = {1: "r32float", 4: "rgba32float"}
+#: Format of ``airlight.image.texels``. That by which a device decodes sRGB itself is off by up to
+#: 2.5 % in Mesa's software renderer.
+PACKED_FORMAT: Final = "rgba8unorm"
+#: Rows that are handed over at a time: the device holds a copy of what it has not yet taken, and
+#: keeps that memory, as large as the whole texture if it were handed over at once.
+_BAND: Final = 64
 #: Type and number of channels of the formats that can be read back.
-_CHANNELS: Final = {
+_READABLE: Final = {
     "r32float": (np.float32, 1),
     "rg32float": (np.float32, 2),
     "rgba32float": (np.float32, 4),
@@ -131,6 +138,77 @@ def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> N
         done += take
 
 
+def packed_rows(count: int) -> int:
+    """Number of rows of a packed texture of ``count`` texels, never a power of two.
+
+    Software GPUs recompile a shader, which takes them seconds to minutes, when a texture's
+    height becomes a power of two or ceases to be one.
+
+    Parameters
+    ----------
+    count : int
+        Number of texels.
+
+    Examples
+    --------
+    >>> packed_rows(1), packed_rows(4096 * 4), packed_rows(4096 * 4 + 1)
+    (3, 5, 5)
+    """
+    rows = max(3, -(-count // PACKED_WIDTH))
+    return rows if rows & (rows - 1) else rows + 1
+
+
+def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -> Any:
+    """Packed texture from an array, zero-padded to full rows.
+
+    Parameters
+    ----------
+    device : Device
+        Device from ``open_device``.
+    texels : array of uint8, shape (4·n,)
+        Texels of ``airlight.image.texels``, one after another.
+    label : str
+        Label in messages of the device.
+
+    Returns
+    -------
+    wgpu.GPUTexture
+        ``rgba8unorm``, ``PACKED_WIDTH`` wide.
+
+    Raises
+    ------
+    ParameterError
+        If they exceed the capacity of a texture (33.5 million texels).
+    """
+    import wgpu
+
+    count = texels.size // CHANNELS
+    rows = packed_rows(count)
+    if rows > MAX_ROWS:
+        raise ParameterError("count", count, f"at most {PACKED_WIDTH * MAX_ROWS} texels")
+    use = wgpu.TextureUsage
+    texture = device.device.create_texture(
+        label=label,
+        size=(PACKED_WIDTH, rows, 1),
+        format=PACKED_FORMAT,
+        usage=use.TEXTURE_BINDING | use.COPY_DST,
+    )
+    whole = count // PACKED_WIDTH
+    bands = [(first, min(_BAND, whole - first), PACKED_WIDTH) for first in range(0, whole, _BAND)]
+    for first, height, width in [*bands, (whole, 1, count - whole * PACKED_WIDTH)]:
+        if height * width == 0:
+            continue
+        start = CHANNELS * first * PACKED_WIDTH
+        device.device.queue.write_texture(
+            {"texture": texture, "origin": (0, first, 0)},
+            np.ascontiguousarray(texels[start : start + CHANNELS * height * width]),
+            {"bytes_per_row": CHANNELS * width, "rows_per_image": height},
+            (width, height, 1),
+        )
+        device.device.queue.submit([])
+    return texture
+
+
 def read_texture(device: Device, texture: Any) -> Float32Array:
     """Read back a two-dimensional texture.
 
@@ -144,9 +222,9 @@ def read_texture(device: Device, texture: Any) -> Float32Array:
     array, shape (height, width, channels)
         Values; 8-bit values are divided by 255 and stay encoded; red always comes first.
     """
-    if texture.format not in _CHANNELS:
-        raise ParameterError("texture.format", texture.format, ", ".join(_CHANNELS))
-    kind, channels = _CHANNELS[texture.format]
+    if texture.format not in _READABLE:
+        raise ParameterError("texture.format", texture.format, ", ".join(_READABLE))
+    kind, channels = _READABLE[texture.format]
     width, height = texture.size[:2]
     row_bytes = width * channels * np.dtype(kind).itemsize
     # The queue pads rows to the 256 bytes that a copy needs and removes the padding again.

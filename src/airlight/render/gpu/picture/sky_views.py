@@ -86,11 +86,15 @@ class SkyViews:
     ) -> None:
         """Set the solution, which invalidates all contents."""
         self._solution, self._tables, self._textures = solution, tables, textures
-        for number in range(len(self._by_light)):
+        for number in range(max(len(self._by_light), 1)):
             self._read(number, None)
 
     def _read(self, number: int, law: NDArray[np.float32] | None) -> None:
         """Bind the tables of the solution, and the limb darkening of a light, to its passes."""
+        if number == len(self._by_light):
+            count = 3 * self.size[0] * self.size[1]
+            layers = {one: empty_flat_texture(self._device, count, 4, one) for one in LAYERS}
+            self._by_light.append(SkyView(layers))
         sky = self._by_light[number]
         textures = {**self._textures.textures, **sky.layers}
         if law is not None:
@@ -101,10 +105,7 @@ class SkyViews:
     def _of(self, number: int, lit: MomentsSolution) -> SkyView:
         """Sky-view LUT of a light."""
         while len(self._by_light) <= number:
-            count = 3 * self.size[0] * self.size[1]
-            layers = {one: empty_flat_texture(self._device, count, 4, one) for one in LAYERS}
-            self._by_light.append(SkyView(layers))
-            self._read(len(self._by_light) - 1, None)
+            self._read(len(self._by_light), None)
         sky, law = self._by_light[number], None
         if lit is not self._solution:
             law = pack_texels(lit.tables.darkening, lit.wavelengths.size)

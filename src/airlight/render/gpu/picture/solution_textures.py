@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from airlight.image.texels import CHANNELS
 from airlight.kernel.large_arrays import release
 from airlight.render.gpu.device.device import Device
-from airlight.render.gpu.device.flat import MAX_ROWS, flat_rows, flat_texture
-from airlight.render.gpu.device.packed import packed_texture
+from airlight.render.gpu.device.flat import MAX_ROWS, flat_rows, flat_texture, packed_texture
 from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.render.gpu.emit.uniform_struct import Place
 from airlight.render.gpu.picture.uniforms import FRAME

@@ -75,44 +75,51 @@ class Saving:
             Width and height, by default the window's; a panorama or a cube strip takes the
             largest size of its aspect ratio that fits. [pixel]
         """
+        request, scene = picture.request, picture.request.scene
+        if size is not None:
+            scene = resized(scene, *size)
+        self._start(
+            f"saving {path}",
+            lambda: picture_suffix(path),
+            lambda: self._write(path, request, scene, picture.exposure),
+        )
+
+    def _start(self, message: str, check: Callable[[], object], work: Callable[[], str]) -> None:
+        """Check a path, then work on a thread; does nothing while busy."""
         if self.busy:
             return
         self.message, self.error = "", ""
         try:
-            picture_suffix(path)
+            check()
         except AirlightError as error:
             self.error = str(error)
             return
-        request, scene = picture.request, picture.request.scene
-        if size is not None:
-            scene = resized(scene, *size)
-        self.message = f"saving {path}"
-        self._thread = threading.Thread(
-            target=self._write,
-            args=(path, request, scene, picture.exposure),
-            name="airlight-saving",
-            daemon=True,
-        )
+        self.message = message
+
+        def run() -> None:
+            try:
+                self.message = work()
+            except Exception as failure:
+                self.message, self.error = "", one_line(failure)
+            self._wake()
+
+        self._thread = threading.Thread(target=run, name="airlight-saving", daemon=True)
         self._thread.start()
 
-    def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> None:
-        try:
-            frame = render_solution(
-                request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
-                progress=self._progress,
-            )  # fmt: skip
-            planet = request.solution.planet
-            metadata = {"planet": planet.name if planet else "", **scene.metadata()}
-            metadata |= {"orders": request.orders}
-            written = write_picture(
-                path, frame, metadata, exposure=exposure, tone_map=request.tone_map,
-                eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
-            )  # fmt: skip
-            size = f"{scene.camera.width}×{scene.camera.height}"
-            self.message = f"saved {written.path}  {size}  {written.size / 1e3:.0f} kB"
-        except Exception as failure:
-            self.message, self.error = "", one_line(failure)
-        self._wake()
+    def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> str:
+        frame = render_solution(
+            request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
+            progress=self._progress,
+        )  # fmt: skip
+        planet = request.solution.planet
+        metadata = {"planet": planet.name if planet else "", **scene.metadata()}
+        metadata |= {"orders": request.orders}
+        written = write_picture(
+            path, frame, metadata, exposure=exposure, tone_map=request.tone_map,
+            eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
+        )  # fmt: skip
+        size = f"{scene.camera.width}×{scene.camera.height}"
+        return f"saved {written.path}  {size}  {written.size / 1e3:.0f} kB"
 
     def film(
         self, path: str, picture: Picture, size: tuple[int, int] | None, suns: tuple[Sun, ...]
@@ -130,31 +137,19 @@ class Saving:
         suns : tuple of (float, float)
             Zenith angle and compass bearing of the sun, frame by frame. [deg]
         """
-        if self.busy:
-            return
-        self.message, self.error = "", ""
-        try:
-            film_format(path)
-        except AirlightError as error:
-            self.error = str(error)
-            return
         scene = picture.request.scene
         scenes = sunlit(scene if size is None else resized(scene, *size), suns)
-        self.message = f"filming {path}"
-        self._thread = threading.Thread(
-            target=self._film, args=(path, picture, scenes), name="airlight-saving", daemon=True
+        self._start(
+            f"filming {path}",
+            lambda: film_format(path),
+            lambda: self._film(path, picture, scenes),
         )
-        self._thread.start()
 
-    def _film(self, path: str, picture: Picture, scenes: tuple[Scene, ...]) -> None:
-        try:
-            written = write_film(
-                path, picture, scenes, progress=self._progress, cancel=lambda: self._cancelled
-            )
-            self.message = f"saved {path}  {len(scenes)} frames  {written / 1e6:.1f} MB"
-        except Exception as failure:
-            self.message, self.error = "", one_line(failure)
-        self._wake()
+    def _film(self, path: str, picture: Picture, scenes: tuple[Scene, ...]) -> str:
+        written = write_film(
+            path, picture, scenes, progress=self._progress, cancel=lambda: self._cancelled
+        )
+        return f"saved {path}  {len(scenes)} frames  {written / 1e6:.1f} MB"
 
     def _progress(self, done: int, total: int, message: str) -> None:
         self.message = f"saving: {100.0 * done / max(total, 1):.0f} %"
