@@ -1,19 +1,15 @@
-"""Comparison of two sides: their differences, and one of them as its solver thread sees it."""
+"""Differences of two sides."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
 from airlight.viewer.parameters.view_parameters import view_parameters
-from airlight.viewer.session.planet_state import PlanetState, SolveRequest, Versions
+from airlight.viewer.session.planet_state import PlanetState
 from airlight.viewer.session.side import Side
-
-if TYPE_CHECKING:
-    from airlight.viewer.session.session import Session
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,30 +83,3 @@ def _by_words(state: PlanetState) -> dict[tuple[str, str], Parameter]:
         inside = one.path.partition("]")[2] if one.path.startswith("constituents[") else one.path
         found[one.group, inside] = one
     return found
-
-
-class SessionSide:
-    """Solve requests of a session for one side, independent of the side shown.
-
-    Parameters
-    ----------
-    session : Session
-        Session that holds the sides.
-    side : str
-        Side, ``A`` or ``B``.
-    """
-
-    def __init__(self, session: Session, side: str) -> None:
-        self._session = session
-        self._side = side
-
-    @property
-    def solve_request(self) -> SolveRequest:
-        """Request to solve; that of the current side while there is only one."""
-        if self._session.showing == self._side:
-            return self._session.solve_request
-        return self._session.solve_request_other or self._session.solve_request
-
-    def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
-        """See ``Session.subscribe``."""
-        return self._session.subscribe(observer)

@@ -6,7 +6,7 @@ planets.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -173,3 +173,30 @@ class Session(Editing):
         """Show a state made by ``to_state``, as one undo step."""
         planet, view = saved_state.read_state(state, self.planet)
         self._changed(self._side.change("state", Change(planet=planet, view=view)))
+
+
+class SessionSide:
+    """Solve requests of a session for one side, independent of the side shown.
+
+    Parameters
+    ----------
+    session : Session
+        Session that holds the sides.
+    side : str
+        Side, ``A`` or ``B``.
+    """
+
+    def __init__(self, session: Session, side: str) -> None:
+        self._session = session
+        self._side = side
+
+    @property
+    def solve_request(self) -> SolveRequest:
+        """Request to solve; that of the current side while there is only one."""
+        if self._session.showing == self._side:
+            return self._session.solve_request
+        return self._session.solve_request_other or self._session.solve_request
+
+    def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
+        """See ``Session.subscribe``."""
+        return self._session.subscribe(observer)

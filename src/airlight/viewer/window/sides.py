@@ -12,8 +12,7 @@ from airlight.viewer.background.solver_thread import SolverResult, SolverStatus,
 from airlight.viewer.painting.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.painting.picture_thread import PictureThread
 from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
-from airlight.viewer.session.comparing import SessionSide
-from airlight.viewer.session.session import Session
+from airlight.viewer.session.session import Session, SessionSide
 
 #: Time for which a picture counts as new. [s]
 _FRESH: Final = 0.5
