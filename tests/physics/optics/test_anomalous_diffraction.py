@@ -40,7 +40,13 @@ def test_dust_of_mars_in_anomalous_diffraction(nm, k, q_ext, albedo):
 def test_extinction_is_the_integral_over_rays(rho, ratio):
     # Second method; 1e-9 is what is left of the closed form's digits just above its limit.
     expected = _by_rays(rho * (ratio + 1j)).real
-    assert_allclose(extinction(rho, ratio), expected, rtol=1e-9)
+    assert_allclose(extinction(rho, rho * ratio), expected, rtol=1e-9)
+
+
+@pytest.mark.parametrize("rho", [0.0, -0.3])
+@pytest.mark.parametrize("damping", [0.0499, 2.0])
+def test_index_of_one_and_below(rho, damping):
+    assert_allclose(extinction(rho, damping), _by_rays(damping + 1j * rho).real, rtol=1e-9)
 
 
 @pytest.mark.parametrize("w", [1e-8, 1e-3, 0.0499, 0.0501, 1.0, 20.0])
@@ -58,7 +64,7 @@ def test_large_spheres_extinguish_twice_what_they_shade():
 def test_single_scattering_albedo_never_exceeds_one():
     # By construction: Q_sca = Q_ext - Q_abs, Q_abs never negative.
     rho, ratio = np.meshgrid(np.geomspace(1e-3, 1e3, 61), np.geomspace(1e-6, 10, 41))
-    ext, absorbed = extinction(rho, ratio), absorption(2 * rho * ratio)
+    ext, absorbed = extinction(rho, rho * ratio), absorption(2 * rho * ratio)
     assert (absorbed >= 0).all()
     assert (ext >= absorbed).all()
 

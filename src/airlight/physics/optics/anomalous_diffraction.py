@@ -49,7 +49,7 @@ def absorption_efficiency(path: float) -> float:
 
 
 @kernel
-def extinction_efficiency(phase_shift: float, ratio: float) -> float:
+def extinction_efficiency(phase_shift: float, damping: float) -> float:
     r"""Extinction efficiency of a sphere in anomalous diffraction. [1]
 
     .. math:: Q_{ext} = 2 - 4e^{-\rho\tan\beta}\frac{\cos\beta}{\rho}\sin(\rho-\beta)
@@ -63,8 +63,8 @@ def extinction_efficiency(phase_shift: float, ratio: float) -> float:
     ----------
     phase_shift : float
         Phase shift ρ = 4πr(m-1)/λ. [1]
-    ratio : float
-        Ratio tan β = k/(m-1), 0 or more. [1]
+    damping : float
+        Half the optical depth along the diameter, ρ tan β = 4πrk/λ, 0 or more. [1]
 
     References
     ----------
@@ -76,7 +76,7 @@ def extinction_efficiency(phase_shift: float, ratio: float) -> float:
     >>> f"{extinction_efficiency(4.08, 0.0):.2f}"  # the first maximum
     '3.17'
     """
-    rho, damping = phase_shift, phase_shift * ratio
+    rho = phase_shift
     if rho * rho + damping * damping < SERIES_BELOW * SERIES_BELOW:
         # Powers of z = damping + i rho.
         total, factor, re, im = 0.0, 1.0, 1.0, 0.0
@@ -85,8 +85,8 @@ def extinction_efficiency(phase_shift: float, ratio: float) -> float:
             factor = -factor / n
             total -= re * factor / (n + 2.0)
         return 4.0 * total
-    beta = math.atan(ratio)
-    reciprocal = math.cos(beta) / rho
+    beta = math.atan2(damping, rho)
+    reciprocal = 1.0 / math.sqrt(rho * rho + damping * damping)  # cos(beta) / rho
     wave = math.sin(rho - beta) + reciprocal * math.cos(rho - 2.0 * beta)
     return 2.0 - 4.0 * reciprocal * (math.exp(-damping) * wave - reciprocal * math.cos(2.0 * beta))
 
@@ -103,7 +103,7 @@ def efficiencies(
     wavelength : float
         Wavelength of the light. [nm]
     index : complex
-        Refractive index m + ik, m above 1, k 0 or more. [1]
+        Refractive index m + ik, k 0 or more. [1]
 
     Returns
     -------
@@ -122,8 +122,7 @@ def efficiencies(
     '1.977 0.874'
     """
     size = 4.0 * np.pi * np.asarray(radii, dtype=np.float64) / (1e-9 * wavelength)
-    excess = index.real - 1.0
-    extinction = vectorized(extinction_efficiency)(size * excess, index.imag / excess)
+    extinction = vectorized(extinction_efficiency)(size * (index.real - 1.0), size * index.imag)
     absorption = vectorized(absorption_efficiency)(2.0 * size * index.imag)
     return np.asarray(extinction), np.asarray(extinction - absorption)
 
