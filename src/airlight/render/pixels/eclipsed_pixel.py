@@ -29,6 +29,7 @@ from airlight.render.pixels.sky_view_lut import half_sine_between
 from airlight.render.pixels.star_disc import camera_direction
 from airlight.solver.eclipsed.eclipsed_march import (
     TOTAL,
+    EclipsedLine,
     eclipsed_ground_light,
     end_on_ground,
     march_eclipsed,
@@ -38,9 +39,7 @@ from airlight.solver.moments.source import read_phase
 
 
 @inlined
-def eclipsed_light(
-    x, y, z, turn, observer, view, tables, shadow, work, scratch, color, found, result
-):  # fmt: skip
+def eclipsed_light(x, y, z, turn, observer, view, eclipse, color, found, result):
     """Spectral radiance along a line of sight, per irradiance of the unocculted star. [sr⁻¹]
 
     Parameters
@@ -49,15 +48,15 @@ def eclipsed_light(
         Direction in the observer's frame. [1]
     turn : array, shape (3, 3)
         Axes of the shadow's frame in the observer's, as rows. [1]
-    observer, view, tables, work, color :
+    observer, view, color :
         Arguments of ``pixel_light``.
-    shadow, scratch : ShadowTables, ShadowWorkspace
-        Shadow, and its workspace.
+    eclipse : Eclipse
     found : array, shape (2, w)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
+    tables, work = eclipse.tables, eclipse.work
     sine, _, through_air, to_ground = classify_ray(x, y, z, observer, tables)
     result[:] = 0.0
     if not through_air:
@@ -79,13 +78,12 @@ def eclipsed_light(
         length = distance_to_bottom(r, mu, tables.bottom)
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
     read_phase(half_sine, tables.phase, work.phase)
-    march_eclipsed(
-        a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
-    )
+    line = EclipsedLine(a, b, c, u, v, w, length, half_sine)
+    march_eclipsed(line, TOTAL, work.phase, eclipse, found)
     result[:] = found[0]
     if not to_ground:
         return
-    p, q, s, mu_r = end_on_ground(a, b, c, u, v, w, length, tables, work)
+    p, q, s, mu_r = end_on_ground(line, eclipse)
     refraction = 0.0
     if tables.refraction_strength > 0.0:
         refraction = refraction_angle(
@@ -93,12 +91,12 @@ def eclipsed_light(
         )
     work.radiance[1] = found[1]
     if tables.ground.wet:
-        _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found)
+        _mirrored_sky(p, q, s, u, v, w, mu_r, eclipse, found)
         work.radiance[MIRRORED] = found[0]
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
         x, y, z, sine, refraction, observer, view, tables, work, color
     )
-    eclipsed_ground_light(p, q, s, TOTAL, tables, shadow, work, scratch)
+    eclipsed_ground_light(p, q, s, TOTAL, eclipse)
     if view.overlaid:
         columns_to_ground(z, sine, observer, tables, work.columns_total, work.columns_so_far)
     for at in range(0, tables.lanes, LANES):
@@ -123,16 +121,17 @@ def eclipsed_light(
 
 
 @inlined
-def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
+def _mirrored_sky(p, q, s, u, v, w, mu_r, eclipse, found):
     """Sky radiance mirrored by water at the end of a line of sight, into ``radiance``. [sr⁻¹]
 
     Parameters
     ----------
     p, q, s, u, v, w, mu_r : float
         Point and cosine from ``end_on_ground``, and direction of the line. [m], [1]
-    tables, shadow, work, scratch, found :
+    eclipse, found :
         Arguments of ``eclipsed_light``.
     """
+    tables, work = eclipse.tables, eclipse.work
     a, b, c = p / tables.bottom, q / tables.bottom, s / tables.bottom
     mu = mirrored_cosine(mu_r, tables.ground.wind)
     level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
@@ -143,33 +142,32 @@ def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
         mu * b + side * (v + mu_r * b),
         mu * c + side * (w + mu_r * c),
     )
-    star = shadow.star
+    star = eclipse.shadow.star
     nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
     # Blurred by the slope distribution of the facets.
     spread = 0.25 * mean_square_slope(tables.ground.wind)
     half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
     read_phase(half_sine, tables.phase, work.phase)
     length = distance_to_top(tables.bottom, mu, tables.top)
-    march_eclipsed(
-        p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
-    )
+    line = EclipsedLine(p, q, s, u, v, w, length, half_sine)
+    march_eclipsed(line, TOTAL, work.phase, eclipse, found)
 
 
 @compiled_loop
-def render_eclipsed(px, py, turn, observer, view, tables, shadow, work, scratch, out):
+def render_eclipsed(px, py, turn, observer, view, eclipse, out):
     """March pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------
     px, py : array, shape (n,)
         Pixel centres, from the left and top edge of the frame. [pixel]
-    turn, observer, view, tables, shadow, work, scratch :
+    turn, observer, view, eclipse :
         Arguments of ``eclipsed_light``.
     out : array, shape (n, w)
         Receives the radiance per irradiance of the unocculted star. [sr⁻¹]
     """
-    view, tables, shadow, work, scratch = without_refcount((view, tables, shadow, work, scratch))
-    lanes = tables.lanes
+    lanes = eclipse.tables.lanes
+    view, eclipse = without_refcount((view, eclipse))
     found, result = np.empty((2, lanes), np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     for k in range(px.size):
@@ -181,8 +179,6 @@ def render_eclipsed(px, py, turn, observer, view, tables, shadow, work, scratch,
             if side > 1:
                 sx, sy = sample_place(px[k], py[k], sample, side, view)
                 x, y, z = camera_direction(sx, sy, view)
-            eclipsed_light(
-                x, y, z, turn, observer, view, tables, shadow, work, scratch, color, found, result
-            )
+            eclipsed_light(x, y, z, turn, observer, view, eclipse, color, found, result)
             for at in range(lanes):
                 out[k, at] += result[at] / (side * side)
