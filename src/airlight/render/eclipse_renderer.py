@@ -11,9 +11,8 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.pixels.eclipsed_pixel import render_eclipsed
 from airlight.scene import Scene
-from airlight.solver.eclipsed.shadow_tables import new_shadow_workspace
+from airlight.solver.eclipsed.eclipsed_march import new_eclipse
 from airlight.solver.eclipsed.solution import EclipsedSolution
-from airlight.solver.moments.march_tables import new_workspace
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -59,8 +58,6 @@ class EclipseRenderer(CpuRenderer):
         if element is not None:
             raise ParameterError("stokes", True, "False with a moon's shadow")
         out = np.empty((px.size, self._tables.lanes), np.float32)
-        render_eclipsed(
-            px, py, self._turn, self._frame(self._view), self._shadow,
-            new_workspace(self._tables), new_shadow_workspace(self._shadow), out,
-        )  # fmt: skip
+        eclipse = new_eclipse(self._tables, self._shadow)
+        render_eclipsed(px, py, self._turn, self._frame(self._view), eclipse, out)
         rgb[:] = out[:, : len(self._colors)] @ self._colors

@@ -406,6 +406,7 @@ WHOLE = {
         "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
+        "panel_place", "star_place", "columns_to_space",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
         "broaden_peaks", "reset_peaks", "add_peaks", "peak_gain", "peak_fraction",
     ),

@@ -30,6 +30,7 @@ from airlight.render.pixels.sky_view_lut import half_sine_between
 from airlight.render.pixels.star_disc import camera_direction
 from airlight.solver.eclipsed.eclipsed_march import (
     TOTAL,
+    EclipsedLine,
     eclipsed_ground_light,
     end_on_ground,
     march_eclipsed,
@@ -39,7 +40,7 @@ from airlight.solver.moments.source import read_phase
 
 
 @inlined
-def eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result):
+def eclipsed_light(ray, turn, frame, eclipse, color, found, result):
     """Spectral radiance along a line of sight, per irradiance of the unocculted star. [sr⁻¹]
 
     Parameters
@@ -48,16 +49,15 @@ def eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result
         Direction in the observer's frame. [1]
     turn : (Vec3, Vec3, Vec3)
         Axes of the shadow's frame in the observer's. [1]
-    frame, work, color :
+    frame, color :
         Arguments of ``pixel_light``.
-    shadow, scratch : ShadowTables, ShadowWorkspace
-        Shadow, and its workspace.
+    eclipse : Eclipse
     found : array, shape (2, w)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
+    observer, view, tables, work = frame.observer, frame.camera, frame.tables, eclipse.work
     sine, _, through_air, to_ground = classify_ray(ray, observer, tables)
     result[:] = 0.0
     if not through_air:
@@ -77,13 +77,12 @@ def eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result
         length = distance_to_bottom(r, mu, tables.bottom)
     half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
     read_phase(half_sine, tables.phase, work.phase)
-    _march(start, along, half_sine, length, tables, shadow, work, scratch, found)
+    line = EclipsedLine(start.x, start.y, start.z, along.x, along.y, along.z, length, half_sine)
+    march_eclipsed(line, TOTAL, work.phase, eclipse, found)
     result[:] = found[0]
     if not to_ground:
         return
-    px, py, pz, mu_r = end_on_ground(
-        start.x, start.y, start.z, along.x, along.y, along.z, length, tables, work
-    )
+    px, py, pz, mu_r = end_on_ground(line, eclipse)
     refraction = 0.0
     if tables.refraction_strength > 0.0:
         refraction = refraction_angle(
@@ -91,10 +90,10 @@ def eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result
         )
     work.radiance[1] = found[1]
     if tables.ground.wet:
-        _mirrored_sky(Vec3(px, py, pz), along, mu_r, tables, shadow, work, scratch, found)
+        _mirrored_sky(Vec3(px, py, pz), along, mu_r, eclipse, found)
         work.radiance[MIRRORED] = found[0]
     factors = ground_reflectances(ray, sine, refraction, frame, work, color)
-    eclipsed_ground_light(px, py, pz, TOTAL, tables, shadow, work, scratch)
+    eclipsed_ground_light(px, py, pz, TOTAL, eclipse)
     if view.overlaid:
         columns_to_ground(ray.z, sine, observer, tables, work.columns_total, work.columns_so_far)
     for at in range(0, tables.lanes, LANES):
@@ -108,55 +107,48 @@ def eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result
 
 
 @inlined
-def _march(start, along, half_sine, length, tables, shadow, work, scratch, found):
-    """``march_eclipsed`` of all orders from a point in a direction."""
-    march_eclipsed(
-        start.x, start.y, start.z, along.x, along.y, along.z, half_sine, length, TOTAL, work.phase,
-        tables, shadow, work, scratch, found,
-    )  # fmt: skip
-
-
-@inlined
-def _mirrored_sky(end, along, mu_r, tables, shadow, work, scratch, found):
+def _mirrored_sky(end, along, mu_r, eclipse, found):
     """Sky radiance mirrored by water at the end of a line of sight, into ``radiance``. [sr⁻¹]
 
     Parameters
     ----------
     end, along, mu_r : Vec3, Vec3, float
         Point and cosine from ``end_on_ground``, and direction of the line. [m], [1]
-    tables, shadow, work, scratch, found :
+    eclipse, found :
         Arguments of ``eclipsed_light``.
     """
+    tables, work = eclipse.tables, eclipse.work
     up = Vec3(end.x / tables.bottom, end.y / tables.bottom, end.z / tables.bottom)
     mu = mirrored_cosine(mu_r, tables.ground.wind)
     level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
     side = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / level
     # The line without its vertical part, at its new zenith angle.
     mirrored = plus(scaled(up, mu), scaled(plus(along, scaled(up, mu_r)), side))
-    star = shadow.star
+    star = eclipse.shadow.star
     nu = min(max(dot(mirrored, Vec3(star.star_x, star.star_y, star.star_z)), -1.0), 1.0)
     # Blurred by the slope distribution of the facets.
     spread = 0.25 * mean_square_slope(tables.ground.wind)
     half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
     read_phase(half_sine, tables.phase, work.phase)
     length = distance_to_top(tables.bottom, mu, tables.top)
-    _march(end, mirrored, half_sine, length, tables, shadow, work, scratch, found)
+    line = EclipsedLine(end.x, end.y, end.z, mirrored.x, mirrored.y, mirrored.z, length, half_sine)
+    march_eclipsed(line, TOTAL, work.phase, eclipse, found)
 
 
 @compiled_loop
-def render_eclipsed(px, py, turn, frame, shadow, work, scratch, out):
+def render_eclipsed(px, py, turn, frame, eclipse, out):
     """March pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------
     px, py : array, shape (n,)
         Pixel centres, from the left and top edge of the frame. [pixel]
-    turn, frame, shadow, work, scratch :
+    turn, frame, eclipse :
         Arguments of ``eclipsed_light``.
     out : array, shape (n, w)
         Receives the radiance per irradiance of the unocculted star. [sr⁻¹]
     """
-    frame, shadow, work, scratch = without_refcount((frame, shadow, work, scratch))
+    frame, eclipse = without_refcount((frame, eclipse))
     lanes, view = frame.tables.lanes, frame.camera
     found, result = np.empty((2, lanes), np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
@@ -169,6 +161,6 @@ def render_eclipsed(px, py, turn, frame, shadow, work, scratch, out):
             if side > 1:
                 sx, sy = sample_place(px[k], py[k], sample, side, view)
                 ray = camera_direction(sx, sy, view)
-            eclipsed_light(ray, turn, frame, shadow, work, scratch, color, found, result)
+            eclipsed_light(ray, turn, frame, eclipse, color, found, result)
             for at in range(lanes):
                 out[k, at] += result[at] / (side * side)

@@ -29,7 +29,9 @@ from airlight.kernel.without_refcount import without_refcount
 from airlight.solver.eclipsed.eclipsed_march import (
     LOCAL_SHADOW,
     SCATTERING_CORRECTION,
+    EclipsedLine,
     line_eclipsed,
+    new_eclipse,
     visible_star_fraction,
 )
 from airlight.solver.eclipsed.shadow_tables import (
@@ -43,7 +45,7 @@ from airlight.solver.eclipsed.shadow_tables import (
 from airlight.solver.moments.harmonics import harmonics
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march import field_place
-from airlight.solver.moments.march_tables import MarchTables, new_workspace, quadratures
+from airlight.solver.moments.march_tables import MarchTables, quadratures
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.source import between, read_phase
 
@@ -208,10 +210,15 @@ def _iterate(
             if column == grid.distances - 1:
                 return
             _gather(
-                row, column, 1 if column == 0 else half, kind, tables, shadow,
-                new_workspace(tables), new_shadow_workspace(shadow), directions,
-                field[row, column], sky[column],
-            )  # fmt: skip
+                row,
+                column,
+                1 if column == 0 else half,
+                kind,
+                new_eclipse(tables, shadow),
+                directions,
+                field[row, column],
+                sky[column],
+            )
 
         run_blocks(
             run, grid.radii * grid.distances, cancel=cancel, progress=progress,
@@ -289,7 +296,7 @@ def _fill_local(bottom, top, shadow, scratch, out):
 
 
 @compiled_loop
-def _gather(row, column, count, kind, tables, shadow, work, scratch, directions, field, sky):
+def _gather(row, column, count, kind, eclipse, directions, field, sky):
     """Moments and diffuse irradiance of the next order at the nodes of a distance.
 
     Parameters
@@ -298,8 +305,7 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
         Indices of altitude and distance, and number of position angles.
     kind : int
         ``LOCAL_SHADOW`` or ``SCATTERING_CORRECTION``.
-    tables, shadow, work, scratch :
-        Arguments of ``march_eclipsed``.
+    eclipse : Eclipse
     directions : tuple of arrays
         Result of ``_directions``.
     field : array, shape (angles, K, w)
@@ -307,7 +313,8 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
     sky : array, shape (angles, w)
         Receives the correction of diffuse irradiance, at the lowest nodes.
     """
-    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
+    eclipse = without_refcount(eclipse)
+    tables, work, shadow, scratch = eclipse
     lanes, star = tables.lanes, shadow.star
     up_nodes, up_weights, down_nodes, down_weights, azimuths = directions
     result = np.empty((2, lanes), np.float32)
@@ -356,10 +363,8 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
                     nu = u * star.star_x + v * star.star_y + w * star.star_z
                     half = sqrt(max(0.5 * (1.0 - nu), 0.0))
                     read_phase(half, tables.phase, work.phase)
-                    line_eclipsed(
-                        x, y, z, u, v, w, half, length, side == 1, kind, work.phase, tables, shadow,
-                        work, scratch, result,
-                    )  # fmt: skip
+                    line = EclipsedLine(x, y, z, u, v, w, length, half)
+                    line_eclipsed(line, side == 1, kind, work.phase, eclipse, result)
                     direction_functions(u, v, w, shadow, scratch)
                     for at in range(0, lanes, LANES):
                         moments, flux = lane_view(field, at), lane_view(sky, at)

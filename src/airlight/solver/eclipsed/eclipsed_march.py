@@ -9,7 +9,7 @@ umbra. There is no symmetry about the star's vertical plane.
 from __future__ import annotations
 
 from math import cos, sin, sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -20,21 +20,30 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, maximum, splat, store
 from airlight.physics.optics.reflection import diffuse_reflectance, direct_reflectance
 from airlight.solver.eclipsed.shadow_tables import (
+    ShadowTables,
+    ShadowWorkspace,
     deviation,
     direction_functions,
+    new_shadow_workspace,
     place_in_shadow,
     sky_deviation,
 )
 from airlight.solver.moments.forward_peak import add_peaks, peak_gain, reset_peaks
 from airlight.solver.moments.irradiance import ground_light
-from airlight.solver.moments.march import field_place, multiple_scattering_at, star_columns
-from airlight.solver.moments.march_panels import panel_columns, place_panel, place_panels
-from airlight.solver.moments.source import (
-    between,
-    direct_beam,
-    single_scattering_source,
-    transmittance_columns,
+from airlight.solver.moments.march import (
+    add_star,
+    field_place,
+    multiple_scattering_at,
+    star_columns,
 )
+from airlight.solver.moments.march_panels import (
+    panel_columns,
+    panel_place,
+    place_panel,
+    place_panels,
+)
+from airlight.solver.moments.march_tables import MarchTables, MarchWorkspace, new_workspace
+from airlight.solver.moments.source import between, direct_beam, transmittance_columns
 
 #: Component of the radiance: with the local shadow, correction of multiple scattering, or both.
 LOCAL_SHADOW: Final = 0
@@ -44,17 +53,81 @@ TOTAL: Final = 2
 _CUTS: Final = (1.0, 2.0, 5.0)
 
 
+class EclipsedLine(NamedTuple):
+    """Line of sight in the frame of the shadow.
+
+    Attributes
+    ----------
+    x, y, z : float
+        Start, in the optical radius. [m]
+    u, v, w : float
+        Direction. [1]
+    length : float
+        Length, to the ground or to the top. [m]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
+    """
+
+    x: float
+    y: float
+    z: float
+    u: float
+    v: float
+    w: float
+    length: float
+    half_sine: float
+
+
+class Eclipse(NamedTuple):
+    """Unshadowed solution and shadow, with the workspaces of a thread.
+
+    Attributes
+    ----------
+    tables, work : MarchTables, MarchWorkspace
+        Tables of the unshadowed solution; workspace, whose totals receive the columns of a line
+        [m].
+    shadow, scratch : ShadowTables, ShadowWorkspace
+        Shadow, and its workspace.
+    """
+
+    tables: MarchTables
+    work: MarchWorkspace
+    shadow: ShadowTables
+    scratch: ShadowWorkspace
+
+
+def new_eclipse(tables: MarchTables, shadow: ShadowTables) -> Eclipse:
+    """Tables, with new workspaces."""
+    return Eclipse(tables, new_workspace(tables), shadow, new_shadow_workspace(shadow))
+
+
 @inlined
-def split_at_umbra(x, y, u, v, length, shadow, edges, count):
+def start_cosines(line, star):
+    """Radius of a line's start [m], cosines of zenith angles and of the angle to the star. [1]
+
+    Parameters
+    ----------
+    line : EclipsedLine
+    star : OccultedStar
+
+    Returns
+    -------
+    r, mu, mu_s, nu : float
+    """
+    r = sqrt(line.x * line.x + line.y * line.y + line.z * line.z)
+    mu = (line.x * line.u + line.y * line.v + line.z * line.w) / r
+    mu_s = (line.x * star.star_x + line.y * star.star_y + line.z * star.star_z) / r
+    nu = line.u * star.star_x + line.v * star.star_y + line.w * star.star_z
+    return r, min(max(mu, -1.0), 1.0), min(max(mu_s, -1.0), 1.0), min(max(nu, -1.0), 1.0)
+
+
+@inlined
+def split_at_umbra(line, shadow, edges, count):
     """Add panel edges where a line crosses cylinders around the shadow's axis.
 
     Parameters
     ----------
-    x, y, u, v : float
-        Components normal to the axis: of the start, in the optical radius [m], and of the direction
-        [1].
-    length : float
-        Length of the line. [m]
+    line : EclipsedLine
     edges, count :
         Arguments of ``insert_edge``.
 
@@ -63,10 +136,11 @@ def split_at_umbra(x, y, u, v, length, shadow, edges, count):
     int
         Number of edges.
     """
+    u, v = line.u, line.v
     across = u * u + v * v
     if across < 1e-12:
         return count
-    a, b = x - shadow.axis / shadow.star.scale, y
+    a, b = line.x - shadow.axis / shadow.star.scale, line.y
     nearest = -(a * u + b * v) / across
     least = max(a * a + b * b - nearest * nearest * across, 0.0)
     for k in range(len(_CUTS) + 1):
@@ -102,69 +176,47 @@ def visible_star_fraction(x, y, z, shadow, scratch):
 
 
 @inlined
-def refracted_point(x, y, z, u, v, w, q, mu, angle):
-    """Point of a refracted line, from that of the straight one. [m]
+def refracted_point(line, t, q, mu, angle):
+    """Point of a refracted line, from the straight one. [m]
 
     Parameters
     ----------
-    x, y, z : float
-        Point of the straight line. [m]
-    u, v, w : float
-        Direction of the straight line. [1]
-    q, mu : float
-        Radius of the point [m], and cosine of the line's zenith angle there [1].
-    angle : float
-        Refraction angle up to the point. [rad]
+    line : EclipsedLine
+    t, q, mu, angle : float
+        Distance, radius, zenith cosine and refraction angle as in ``panel_place``.
     """
+    x, y, z = line.x + t * line.u, line.y + t * line.v, line.z + t * line.w
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     if angle == 0.0 or sine < 1e-9:
         return x, y, z
     keep, turn = cos(angle), sin(angle) * q / sine
     keep -= turn * mu / q
-    return keep * x + turn * u, keep * y + turn * v, keep * z + turn * w
+    return keep * x + turn * line.u, keep * y + turn * line.v, keep * z + turn * line.w
 
 
 @compiled_loop
-def march_eclipsed(
-    x, y, z, u, v, w, half_sine, length, kind, phase, tables, shadow, work, scratch, result
-):  # fmt: skip
+def march_eclipsed(line, kind, phase, eclipse, result):
     """Path radiance and transmittance of a segment, per irradiance of the unshadowed star.
 
     Parameters
     ----------
-    x, y, z : float
-        Start in the frame of the shadow, in the optical radius. [m]
-    u, v, w : float
-        Direction. [1]
-    half_sine : float
-        sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
-    length : float
-        Length, to the ground or to the top. [m]
+    line : EclipsedLine
     kind : int
         ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. For the first, ``scratch.offset``
         is subtracted from the visible fraction of the star.
     phase : array, shape (nc, w)
         Phase functions. [sr⁻¹]
-    tables, work : MarchTables, MarchWorkspace
-        Tables of the unshadowed solution; workspace, whose totals receive the columns of the
-        segment [m].
-    shadow, scratch : ShadowTables, ShadowWorkspace
-        Shadow, and its workspace.
+    eclipse : Eclipse
     result : array, shape (2, w)
         Receives path radiance [sr⁻¹] and transmittance [1].
     """
-    r = sqrt(x * x + y * y + z * z)
-    star = shadow.star
-    mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
-    mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / r, -1.0), 1.0)
-    nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
-    count, rule, _ = place_panels(r, mu, mu_s, nu, length, tables, work)
-    count = split_at_umbra(x, y, u, v, length, shadow, work.edges, count)
+    tables, work, shadow, scratch = eclipse
+    r, mu, mu_s, nu = start_cosines(line, shadow.star)
+    count, rule, _ = place_panels(r, mu, mu_s, nu, line.length, tables, work)
+    count = split_at_umbra(line, shadow, work.edges, count)
     n = int(tables.rules[rule])
     if kind != LOCAL_SHADOW:
-        direction_functions(u, v, w, shadow, scratch)
-    for c in range(tables.constituents):
-        work.columns_so_far[c] = 0.0
+        direction_functions(line.u, line.v, line.w, shadow, scratch)
     for at in range(0, tables.lanes, LANES):
         found = lane_view(result, at)
         found[0] = splat(0.0)
@@ -173,10 +225,8 @@ def march_eclipsed(
         place_panel(r, mu, panel, count, rule, tables, work)
         panel_columns(rule, tables, work)
         for k in range(n):
-            _add_point(
-                x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, tables, shadow, work, scratch,
-                result,
-            )  # fmt: skip
+            place = panel_place(k, n, r, mu, tables, work)
+            _add_point(line, (r, mu_s, nu), place, work.weight[k], kind, phase, eclipse, result)
     for c in range(tables.constituents):
         work.columns_total[c] = work.columns_so_far[c]
     for at in range(0, tables.lanes, LANES):
@@ -185,27 +235,27 @@ def march_eclipsed(
             work.columns_total, lane_view(tables.scaled_extinction, at), tables.constituents
         )
         if tables.broadened and kind != SCATTERING_CORRECTION:
-            found[0] += peak_gain(half_sine, tables, work, at) * sums[0]
+            found[0] += peak_gain(line.half_sine, tables, work, at) * sums[0]
 
 
 @inlined
-def _add_point(
-    x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, tables, shadow, work, scratch, result
-):  # fmt: skip
-    """Add the source of one point of a panel; arguments as in ``march_eclipsed``."""
-    q = min(max(work.radius[k], tables.bottom), tables.top)
-    t = work.distance[k]
+def _add_point(line, start, place, weight, kind, phase, eclipse, result):
+    """Add the source of one point of a panel.
+
+    Parameters
+    ----------
+    line, kind, phase, eclipse, result :
+        Arguments of ``march_eclipsed``.
+    start : tuple of float
+        Radius of the start, and cosines of the star's zenith angle there and to the line.
+    place, weight : tuple, float
+        Result of ``panel_place``, and weight of the point. [m]
+    """
+    tables, work, shadow, scratch = eclipse
     star = shadow.star
-    mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
-    for c in range(tables.constituents):
-        work.point_density[c] = work.density[c * n + k]
-        work.depths[c] = work.columns[c * n + k]
-    angle = 0.0
-    if tables.refraction_strength > 0.0:
-        angle = refraction_angle(
-            r, mu, tables.refraction_strength, work.columns[(tables.constituents - 1) * n + k]
-        )
-    px, py, pz = refracted_point(x + t * u, y + t * v, z + t * w, u, v, w, q, mu_q, angle)
+    r, mu_s, nu = start
+    q, t, mu_q, angle, _ = place
+    px, py, pz = refracted_point(line, t, q, mu_q, angle)
     mu_sq = min(max((px * star.star_x + py * star.star_y + pz * star.star_z) / q, -1.0), 1.0)
     # The line is rotated with its point: cosine to the star as in ``refraction.turned``.
     nu_q = nu
@@ -230,8 +280,8 @@ def _add_point(
         found, extinction = lane_view(result, at), lane_view(tables.scaled_extinction, at)
         transmittance = transmittance_columns(
             work.depths, extinction, tables.constituents
-        ) * np.float32(work.weight[k])
-        source, total = splat(0.0), found[0]
+        ) * np.float32(weight)
+        source = splat(0.0)
         if kind != SCATTERING_CORRECTION:
             part = load(scratch.seen, at)
             source = multiple_scattering_at(row, sun, f, e, tables, work, at) * part
@@ -241,12 +291,7 @@ def _add_point(
                     tables.constituents,
                 )  # fmt: skip
                 phases = lane_view(phase, at)
-                total = total + part * arriving * single_scattering_source(
-                    work.point_density,
-                    lane_view(tables.scattering, at),
-                    phases,
-                    tables.constituents,
-                )
+                add_star(part * arriving, True, False, phases, tables, work, at, found)
                 if tables.broadened:
                     add_peaks(arriving, part, spread, phases, tables, work, at)
         if inside:
@@ -264,20 +309,21 @@ def _add_point(
             )
             if kind == TOTAL:
                 source = maximum(source, splat(0.0))
-        found[0] = total + transmittance * source
+        found[0] += transmittance * source
 
 
 @compiled_loop
-def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
+def eclipsed_ground_light(x, y, z, kind, eclipse):
     """Horizontal irradiance of the ground per that of the unshadowed star, to ``work.irradiance``.
 
     Parameters
     ----------
     x, y, z : float
         Point of the ground in the frame of the shadow, optical. [m]
-    kind, tables, shadow, work, scratch :
+    kind, eclipse :
         Arguments of ``march_eclipsed``; the workspace receives direct and diffuse irradiance [1].
     """
+    tables, work, shadow, scratch = eclipse
     star = shadow.star
     q = sqrt(x * x + y * y + z * z)
     mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / q, -1.0), 1.0)
@@ -299,12 +345,12 @@ def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
 
 
 @inlined
-def end_on_ground(x, y, z, u, v, w, length, tables, work):
+def end_on_ground(line, eclipse):
     """Point of the ground at the end of a line, and cosine of the zenith angle of reflection.
 
     Parameters
     ----------
-    x, y, z, u, v, w, length, tables, work :
+    line, eclipse :
         Arguments of ``march_eclipsed``, after it: ``work.columns_total`` has those of the line.
 
     Returns
@@ -314,43 +360,37 @@ def end_on_ground(x, y, z, u, v, w, length, tables, work):
     mu_r : float
         Cosine. [1]
     """
-    r = sqrt(x * x + y * y + z * z)
-    mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
-    slant = min(max((r * mu + length) / tables.bottom, -1.0), 1.0)
+    tables, work, shadow, _ = eclipse
+    r, mu, _, _ = start_cosines(line, shadow.star)
+    slant = min(max((r * mu + line.length) / tables.bottom, -1.0), 1.0)
     angle = 0.0
     if tables.refraction_strength > 0.0:
         angle = refraction_angle(
             r, mu, tables.refraction_strength, work.columns_total[tables.constituents - 1]
         )
-    px, py, pz = refracted_point(
-        x + length * u, y + length * v, z + length * w, u, v, w, tables.bottom, slant, angle
-    )
+    px, py, pz = refracted_point(line, line.length, tables.bottom, slant, angle)
     return px, py, pz, max(-slant, 0.0)
 
 
 @inlined
-def line_eclipsed(
-    x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, tables, shadow, work, scratch,
-    result,
-):  # fmt: skip
+def line_eclipsed(line, to_ground, kind, phase, eclipse, result):
     """Radiance of a whole line of sight, including the ground.
 
     Parameters
     ----------
-    x, y, z, u, v, w, half_sine, length, kind, phase, tables, shadow, work, scratch, result :
+    line, kind, phase, eclipse, result :
         Arguments of ``march_eclipsed``.
     to_ground : bool
         Whether the line ends on the ground.
     """
-    march_eclipsed(
-        x, y, z, u, v, w, half_sine, length, kind, phase, tables, shadow, work, scratch, result
-    )
+    march_eclipsed(line, kind, phase, eclipse, result)
     if to_ground:
-        px, py, pz, mu_r = end_on_ground(x, y, z, u, v, w, length, tables, work)
-        eclipsed_ground_light(px, py, pz, kind, tables, shadow, work, scratch)
+        tables, work, shadow, _ = eclipse
+        px, py, pz, mu_r = end_on_ground(line, eclipse)
+        eclipsed_ground_light(px, py, pz, kind, eclipse)
         star = shadow.star
         mu_s = (px * star.star_x + py * star.star_y + pz * star.star_z) / tables.bottom
-        nu = u * star.star_x + v * star.star_y + w * star.star_z
+        nu = line.u * star.star_x + line.v * star.star_y + line.w * star.star_z
         for at in range(0, tables.lanes, LANES):
             received, found = lane_view(work.irradiance, at), lane_view(result, at)
             direct = received[0] * direct_reflectance(tables.ground, at, max(mu_s, 0.0), mu_r, nu)

@@ -12,14 +12,15 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.solver.eclipsed.eclipsed_field import eclipsed_field
-from airlight.solver.eclipsed.eclipsed_march import TOTAL, eclipsed_ground_light, line_eclipsed
-from airlight.solver.eclipsed.shadow_tables import (
-    ShadowTables,
-    new_shadow_workspace,
-    shadow_axes,
+from airlight.solver.eclipsed.eclipsed_march import (
+    TOTAL,
+    EclipsedLine,
+    eclipsed_ground_light,
+    line_eclipsed,
+    new_eclipse,
 )
+from airlight.solver.eclipsed.shadow_tables import ShadowTables, shadow_axes
 from airlight.solver.lines_of_sight import enter_shell
-from airlight.solver.moments.march_tables import new_workspace
 from airlight.solver.moments.packing import pack
 from airlight.solver.moments.solution import MomentsSolution
 
@@ -102,11 +103,10 @@ class EclipsedSolution:
         def run(index: int) -> None:
             rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
             result = np.zeros((drawn.r[rows].size, solution.tables.lanes), np.float32)
-            _lines(
-                start[rows], along[rows], half_sine[rows], drawn.length[rows],
-                drawn.to_ground[rows], phase[rows], solution.tables, self.shadow,
-                new_workspace(solution.tables), new_shadow_workspace(self.shadow), result,
-            )  # fmt: skip
+            lengths = np.stack([drawn.length[rows], half_sine[rows]], axis=-1)
+            eclipse = new_eclipse(solution.tables, self.shadow)
+            ends = drawn.to_ground[rows]
+            _lines(start[rows], along[rows], lengths, ends, phase[rows], eclipse, result)
             out[rows] = result[:, :count]
 
         run_blocks(run, -(-r.size // _BLOCK))
@@ -129,9 +129,7 @@ class EclipsedSolution:
         tables = self.solution.tables
         at *= (tables.bottom / np.linalg.norm(at, axis=-1))[:, None]
         out = np.empty((len(at), 2, tables.lanes), np.float32)
-        _ground(
-            at, tables, self.shadow, new_workspace(tables), new_shadow_workspace(self.shadow), out
-        )
+        _ground(at, new_eclipse(tables, self.shadow), out)
         found = out[:, :, : self.solution.wavelengths.size].astype(float)
         return found[:, 0], found[:, 1]
 
@@ -143,23 +141,22 @@ def _way(r: FloatArray, mu: FloatArray, sine: FloatArray, solution: MomentsSolut
 
 
 @compiled_loop
-def _lines(start, along, half_sine, length, to_ground, phase, tables, shadow, work, scratch, out):
-    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
-    result = np.empty((2, tables.lanes), np.float32)
-    for k in range(length.size):
-        if length[k] <= 0.0 and not to_ground[k]:
+def _lines(start, along, lengths, to_ground, phase, eclipse, out):
+    lanes = eclipse.tables.lanes
+    eclipse = without_refcount(eclipse)
+    result = np.empty((2, lanes), np.float32)
+    for k in range(to_ground.size):
+        a, b, length, half_sine = start[k], along[k], lengths[k, 0], lengths[k, 1]
+        line = EclipsedLine(a[0], a[1], a[2], b[0], b[1], b[2], length, half_sine)
+        if line.length <= 0.0 and not to_ground[k]:
             continue
-        line_eclipsed(
-            start[k, 0], start[k, 1], start[k, 2], along[k, 0], along[k, 1], along[k, 2],
-            half_sine[k], length[k], to_ground[k], TOTAL, phase[k], tables, shadow, work, scratch,
-            result,
-        )  # fmt: skip
+        line_eclipsed(line, to_ground[k], TOTAL, phase[k], eclipse, result)
         out[k] = result[0]
 
 
 @compiled_loop
-def _ground(at, tables, shadow, work, scratch, out):
-    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
+def _ground(at, eclipse, out):
+    eclipse = without_refcount(eclipse)
     for k in range(at.shape[0]):
-        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, tables, shadow, work, scratch)
-        out[k] = work.irradiance
+        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, eclipse)
+        out[k] = eclipse.work.irradiance

@@ -9,9 +9,9 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, splat, store
 from airlight.physics.optics.altitude_nodes import node_value
 from airlight.physics.optics.reflection import diffuse_reflectance, direct_reflectance
+from airlight.solver.moments.march_panels import columns_to_space
 from airlight.solver.moments.ray_optics import sun_index
 from airlight.solver.moments.source import diffuse_horizontal, direct_beam, direct_horizontal
-from airlight.solver.tables.column_ratios import columns_to_top
 
 
 @inlined
@@ -31,26 +31,8 @@ def ground_light(mu_s, orders, tables, work):
     )
     direct = orders != 0 and from_low + from_high > 0.0
     if direct:
-        columns_to_top(
-            bottom,
-            low,
-            bottom,
-            top,
-            tables.first_nodes,
-            tables.column_rows,
-            tables.columns,
-            work.columns_to_sun_low,
-        )
-        columns_to_top(
-            bottom,
-            high,
-            bottom,
-            top,
-            tables.first_nodes,
-            tables.column_rows,
-            tables.columns,
-            work.columns_to_sun_high,
-        )
+        columns_to_space(bottom, low, tables, work.columns_to_sun_low)
+        columns_to_space(bottom, high, tables, work.columns_to_sun_high)
     x = sun_index(mu_s, tables.place)
     place = min(int(x), tables.sun_angles - 2)
     for at in range(0, tables.lanes, LANES):
@@ -95,26 +77,8 @@ def direct_irradiance(r, mu_s, tables, work, out):
         from_low, from_high, low, high = direct_horizontal_weights(
             r[k], mu_s[k], bottom, top, tables.star_radius, tables.refraction_table
         )
-        columns_to_top(
-            r[k],
-            low,
-            bottom,
-            top,
-            tables.first_nodes,
-            tables.column_rows,
-            tables.columns,
-            work.columns_to_sun_low,
-        )
-        columns_to_top(
-            r[k],
-            high,
-            bottom,
-            top,
-            tables.first_nodes,
-            tables.column_rows,
-            tables.columns,
-            work.columns_to_sun_high,
-        )
+        columns_to_space(r[k], low, tables, work.columns_to_sun_low)
+        columns_to_space(r[k], high, tables, work.columns_to_sun_high)
         for at in range(0, tables.lanes, LANES):
             star = direct_horizontal(
                 work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
@@ -131,26 +95,8 @@ def direct_normal_irradiance(r, mu_s, tables, work, out):
         seen, low, high = star_points(
             r[k], mu_s[k], bottom, top, tables.star_radius, tables.refraction_table
         )
-        columns_to_top(
-            r[k],
-            low,
-            bottom,
-            top,
-            tables.first_nodes,
-            tables.column_rows,
-            tables.columns,
-            work.columns_to_sun_low,
-        )
-        columns_to_top(
-            r[k],
-            high,
-            bottom,
-            top,
-            tables.first_nodes,
-            tables.column_rows,
-            tables.columns,
-            work.columns_to_sun_high,
-        )
+        columns_to_space(r[k], low, tables, work.columns_to_sun_low)
+        columns_to_space(r[k], high, tables, work.columns_to_sun_high)
         for at in range(0, tables.lanes, LANES):
             star = direct_beam(
                 seen, work.columns_to_sun_low, work.columns_to_sun_high, high > low,

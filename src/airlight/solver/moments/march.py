@@ -14,7 +14,7 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.refraction import refraction_angle, star_points, turned
+from airlight.geometry.refraction import star_points
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, splat
 from airlight.physics.optics.altitude_nodes import node_value
@@ -26,10 +26,13 @@ from airlight.solver.moments.forward_peak import (
 )
 from airlight.solver.moments.harmonics import directed_functions
 from airlight.solver.moments.march_panels import (
+    columns_to_space,
     is_transparent,
     panel_columns,
+    panel_place,
     place_panel,
     place_panels,
+    star_place,
 )
 from airlight.solver.moments.ray_optics import sun_index
 from airlight.solver.moments.source import (
@@ -41,12 +44,6 @@ from airlight.solver.moments.source import (
     transmittance_columns,
 )
 from airlight.solver.stokes_frame import VERTICAL, star_plane
-from airlight.solver.tables.column_ratios import columns_to_top
-
-#: By day, multiple scattering is neglected at points whose scattering is below this fraction of
-#: their line's, over the number of points; in total less than this fraction, and some 2 % of it for
-#: an exponential profile.
-FAINT = 5e-3
 
 
 @inlined
@@ -84,13 +81,8 @@ def march(
     turn_cosine, turn_sine = 1.0, 0.0
     if polarised:
         turn_cosine, turn_sine = star_plane(mu, mu_s, nu)
-    count, rule, day = place_panels(r, mu, mu_s, nu, length, tables, work)
+    count, rule, faint = place_panels(r, mu, mu_s, nu, length, tables, work)
     n = int(tables.rules[rule])
-    scatters = 0.0
-    for c in range(tables.constituents):
-        scatters += tables.brightest[c] * work.columns_total[c]
-        work.columns_so_far[c] = 0.0
-    faint = FAINT * min(scatters, 1.0) / (n * (count - 1)) if day else 0.0
     for at in range(0, tables.lanes, LANES):
         found = lane_view(result, at)
         found[0], found[2], found[3] = splat(0.0), splat(0.0), splat(0.0)
@@ -149,26 +141,12 @@ def add_point(
     faint : float
         Multiple scattering is neglected if the point scatters less. [1]
     """
-    q = min(max(work.radius[k], tables.bottom), tables.top)
-    t = work.distance[k]
-    mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
-    mu_sq = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
-    nu_q = nu
-    scatters = 0.0
-    for c in range(tables.constituents):
-        work.point_density[c] = work.density[c * n + k]
-        work.depths[c] = work.columns[c * n + k]
-        scatters += tables.brightest[c] * work.density[c * n + k]
-    if tables.refraction_strength > 0.0:
-        angle = refraction_angle(
-            r, mu, tables.refraction_strength, work.columns[(tables.constituents - 1) * n + k]
-        )
-        mu_sq, nu_q = turned(mu_q, mu_sq, nu, angle)
-        mu_sq = min(max(mu_sq, -1.0), 1.0)
+    q, t, mu_q, angle, scatters = panel_place(k, n, r, mu, tables, work)
+    mu_sq, nu_q = star_place(q, t, mu_q, angle, r, mu_s, nu, tables)
     seen, spread = 0.0, False
     if orders != 0:
         seen, spread = star_columns(q, mu_sq, tables, work)
-    gathers = air and orders != 1 and scatters * work.weight[k] >= faint
+    gathers = air and orders != 1 and scatters >= faint
     row, sun, f, e = 0, 0, 0.0, 0.0
     if air and gathers:
         row, sun, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
@@ -224,30 +202,13 @@ def star_columns(q, mu_s, tables, work):
     spread : bool
         Whether two points represent the star.
     """
-    bottom, top = tables.bottom, tables.top
-    seen, low, high = star_points(q, mu_s, bottom, top, tables.star_radius, tables.refraction_table)
+    seen, low, high = star_points(
+        q, mu_s, tables.bottom, tables.top, tables.star_radius, tables.refraction_table
+    )
     if seen > 0.0:
-        columns_to_top(
-            q,
-            low,
-            bottom,
-            top,
-            tables.first_nodes,
-            tables.column_rows,
-            tables.columns,
-            work.columns_to_sun_low,
-        )
+        columns_to_space(q, low, tables, work.columns_to_sun_low)
         if high > low:
-            columns_to_top(
-                q,
-                high,
-                bottom,
-                top,
-                tables.first_nodes,
-                tables.column_rows,
-                tables.columns,
-                work.columns_to_sun_high,
-            )
+            columns_to_space(q, high, tables, work.columns_to_sun_high)
     return seen, high > low
 
 

@@ -15,6 +15,7 @@ from airlight.geometry.path import (
     place_edges,
     shadow_edges,
 )
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import meets_ground, radius_along
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, lane_view, largest
@@ -34,6 +35,10 @@ MIN_TRANSMITTANCE = 1e-7
 #: Numbers of edges, per panel of a leg, beyond which a panel needs fewer points.
 SOME_EDGES = 6
 MANY_EDGES = 10
+#: By day, multiple scattering is neglected at points whose scattering is below this fraction of
+#: their line's, over the number of points; in total less than this fraction, and some 2 % of it for
+#: an exponential profile.
+FAINT = 5e-3
 
 
 @inlined
@@ -146,6 +151,29 @@ def columns_along(r, mu, count, rule, tables, work):
 
 
 @inlined
+def columns_to_space(r, mu, tables, out):
+    """Columns from a point to space, for a ray that misses the ground, into ``out`` (nc,). [m]
+
+    Parameters
+    ----------
+    r, mu : float
+        Radius of the point [m] and zenith cosine of the ray there [1].
+    tables, out :
+        Arguments of ``march``, and workspace.
+    """
+    columns_to_top(
+        r,
+        mu,
+        tables.bottom,
+        tables.top,
+        tables.first_nodes,
+        tables.column_rows,
+        tables.columns,
+        out,
+    )
+
+
+@inlined
 def columns_between(r, mu, length, tables, work):
     """Columns of a line from the column table.
 
@@ -168,26 +196,8 @@ def columns_between(r, mu, length, tables, work):
     low, low_mu, high, high_mu = r, mu, end, mu_end
     if meets_ground(r, mu, bottom):
         low, low_mu, high, high_mu = end, -mu_end, r, -mu
-    columns_to_top(
-        low,
-        low_mu,
-        bottom,
-        top,
-        tables.first_nodes,
-        tables.column_rows,
-        tables.columns,
-        work.columns_total,
-    )
-    columns_to_top(
-        high,
-        high_mu,
-        bottom,
-        top,
-        tables.first_nodes,
-        tables.column_rows,
-        tables.columns,
-        work.columns_to_sun_low,
-    )
+    columns_to_space(low, low_mu, tables, work.columns_total)
+    columns_to_space(high, high_mu, tables, work.columns_to_sun_low)
     depth = 0.0
     for c in range(tables.constituents):
         work.columns_total[c] = max(work.columns_total[c] - work.columns_to_sun_low[c], 0.0)
@@ -197,7 +207,7 @@ def columns_between(r, mu, length, tables, work):
 
 @inlined
 def place_panels(r, mu, mu_s, nu, length, tables, work):
-    """Panels of a line, and their quadrature.
+    """Panels of a line, their quadrature, and columns before the first: 0.
 
     A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
     whole line is thicker, panels end at optical depths 0.5, 3 and 12, found from first columns and
@@ -206,14 +216,14 @@ def place_panels(r, mu, mu_s, nu, length, tables, work):
     Parameters
     ----------
     r, mu, mu_s, nu, length, tables, work :
-        Arguments of ``march``; the workspace receives edges and totals.
+        Arguments of ``march``; the workspace receives edges, totals and columns so far.
 
     Returns
     -------
     count, rule : int
         Number of edges, and start of the quadrature in ``tables.rules``.
-    day : bool
-        Whether the whole line is in full daylight.
+    faint : float
+        Multiple scattering is neglected at points that scatter less. [1]
     """
     first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, tables.bottom)
     count = place_edges(r, mu, length, tables.panels, first_cut, second_cut, work.edges)
@@ -231,4 +241,63 @@ def place_panels(r, mu, mu_s, nu, length, tables, work):
                 break
             for which in range(3):
                 count = insert_edge(work.edges, count, work.cuts[which])
-    return count, rule, day
+    scatters, faint = 0.0, 0.0
+    for c in range(tables.constituents):
+        scatters += tables.brightest[c] * work.columns_total[c]
+        work.columns_so_far[c] = 0.0
+    if day:
+        faint = FAINT * min(scatters, 1.0) / (int(tables.rules[rule]) * (count - 1))
+    return count, rule, faint
+
+
+@inlined
+def panel_place(k, n, r, mu, tables, work):
+    """Place of point k of a panel of n points, with its densities and columns in the workspace.
+
+    Parameters
+    ----------
+    k, n : int
+        Index of the point, and number of points of the panel.
+    r, mu, tables, work :
+        Arguments of ``march``; the workspace receives density and depths of the point.
+
+    Returns
+    -------
+    q, t, mu_q : float
+        Radius, distance from the start [m], and cosine of the line's zenith angle. [1]
+    angle : float
+        Refraction angle from the start. [rad]
+    scatters : float
+        Largest scattering of any wavelength, times the weight. [1]
+    """
+    q = min(max(work.radius[k], tables.bottom), tables.top)
+    t = work.distance[k]
+    mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
+    scatters, angle = 0.0, 0.0
+    for c in range(tables.constituents):
+        work.point_density[c] = work.density[c * n + k]
+        work.depths[c] = work.columns[c * n + k]
+        scatters += tables.brightest[c] * work.density[c * n + k]
+    if tables.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, tables.refraction_strength, work.columns[(tables.constituents - 1) * n + k]
+        )
+    return q, t, mu_q, angle, scatters * work.weight[k]
+
+
+@inlined
+def star_place(q, t, mu_q, angle, r, mu_s, nu, tables):
+    """Cosines of the star's zenith angle at a point, and between star and ray there. [1]
+
+    Parameters
+    ----------
+    q, t, mu_q, angle : float
+        Results of ``panel_place``.
+    r, mu_s, nu, tables :
+        Arguments of ``march``.
+    """
+    mu_sq, nu_q = min(max((r * mu_s + t * nu) / q, -1.0), 1.0), nu
+    if tables.refraction_strength > 0.0:
+        mu_sq, nu_q = turned(mu_q, mu_sq, nu, angle)
+        mu_sq = min(max(mu_sq, -1.0), 1.0)
+    return mu_sq, nu_q

@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.path import MAX_EDGES
-from airlight.geometry.refraction import refraction_angle, turned
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, lane_view, load, maximum, splat, store
 from airlight.kernel.threads import run_blocks
@@ -27,8 +26,14 @@ from airlight.solver.moments.harmonics import (
     legendre_functions,
     moment_count,
 )
-from airlight.solver.moments.march import FAINT, line_azimuth, star_columns
-from airlight.solver.moments.march_panels import panel_columns, place_panel, place_panels
+from airlight.solver.moments.march import line_azimuth, star_columns
+from airlight.solver.moments.march_panels import (
+    panel_columns,
+    panel_place,
+    place_panel,
+    place_panels,
+    star_place,
+)
 from airlight.solver.moments.march_tables import MarchTables, new_workspace
 from airlight.solver.moments.packing import pack
 from airlight.solver.moments.ray_optics import sun_index
@@ -41,6 +46,25 @@ Float32Array = NDArray[np.float32]
 #: Lines of sight in one block of work, and largest number of sun angles of one line.
 _BLOCK: Final = 4096
 _STARS: Final = 512
+
+
+class SunAngles(NamedTuple):
+    """Lines of sight in the order of ``LinesOfSight``, all of shape (n,).
+
+    Attributes
+    ----------
+    r, mu, mu_s, nu, length : array
+        Fields of ``LinesOfSight``.
+    half_sine : array
+        sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
+    """
+
+    r: FloatArray
+    mu: FloatArray
+    mu_s: FloatArray
+    nu: FloatArray
+    length: FloatArray
+    half_sine: FloatArray
 
 
 class SunAngleWorkspace(NamedTuple):
@@ -137,17 +161,16 @@ def scattering_by_constituent(
     seen = geometry.apparent_nu(lines)
     n, count, constituents = lines.r.size, solution.wavelengths.size, tables.constituents
     out, once = np.empty((n, count)), np.empty((n, constituents, count))
+    half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen), 0.0))
+    sights = SunAngles(lines.r, lines.mu, lines.mu_s, lines.nu, lines.length, half_sine)
 
     def run(index: int) -> None:
         rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
         phase = pack(geometry.medium.phase_function(seen[rows]))
-        half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
+        angles = SunAngles(*(values[rows] for values in sights))
         result = np.empty((len(phase), 1 + constituents, tables.lanes), np.float32)
-        _march_all(
-            lines.r[rows], lines.mu[rows], lines.mu_s[rows], lines.nu[rows], half_sine,
-            lines.length[rows], orders, delta_scaled, phase, tables, new_workspace(tables),
-            _new_workspace(tables), result,
-        )  # fmt: skip
+        work, stars = new_workspace(tables), _new_workspace(tables)
+        _march_all(angles, orders, delta_scaled, phase, tables, work, stars, result)
         out[rows], once[rows] = result[:, 0, :count], result[:, 1:, :count]
 
     run_blocks(run, -(-n // _BLOCK))
@@ -155,10 +178,9 @@ def scattering_by_constituent(
 
 
 @compiled_loop
-def _march_all(
-    r, mu, mu_s, nu, half_sine, length, orders, delta_scaled, phase, tables, work, stars, out
-):  # fmt: skip
-    tables, work, stars = without_refcount((tables, work, stars))
+def _march_all(angles, orders, delta_scaled, phase, tables, work, stars, out):
+    angles, tables, work, stars = without_refcount((angles, tables, work, stars))
+    r, mu, length = angles.r, angles.mu, angles.length
     has_unscaled = False
     if not delta_scaled:
         scaled, extinction = tables.scaled_extinction.reshape(-1), tables.extinction.reshape(-1)
@@ -173,35 +195,27 @@ def _march_all(
         ):  # fmt: skip
             last += 1
         if length[first] > 0.0:
-            _march_line(
-                first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled,
-                phase, tables, work, stars, out,
-            )  # fmt: skip
+            light = orders, has_unscaled, delta_scaled
+            _march_line(first, last, angles, light, phase, tables, work, stars, out)
         else:
             out[first:last] = 0.0
         first = last
 
 
 @inlined
-def _march_line(
-    first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled, phase,
-    tables, work, stars, out,
-):  # fmt: skip
+def _march_line(first, last, angles, light, phase, tables, work, stars, out):
     """March the line for the sun angles ``first`` to ``last``; arguments as in ``_march_all``."""
-    count = last - first
+    count, r, mu = last - first, angles.r[first], angles.mu[first]
+    orders, _, delta_scaled = light
     for index in range(count):
-        k = first + index
-        edges, rule, day = place_panels(r[k], mu[k], mu_s[k], nu[k], length[k], tables, work)
+        star = first + index
+        edges, rule, stars.faint[index] = place_panels(
+            r, mu, angles.mu_s[star], angles.nu[star], angles.length[star], tables, work
+        )
         stars.next[index], stars.counts[index], stars.rules[index] = 0, edges, rule
         for edge in range(edges):
             stars.edges[index, edge] = work.edges[edge]
-        scatters = 0.0
-        for c in range(tables.constituents):
-            scatters += tables.brightest[c] * work.columns_total[c]
-            stars.columns_so_far[index, c] = 0.0
-        points = int(tables.rules[rule]) * (edges - 1)
-        stars.faint[index] = FAINT * min(scatters, 1.0) / points if day else 0.0
-    for index in range(count):
+        stars.columns_so_far[index] = 0.0
         stars.sums[index] = 0.0
     members = _next_panel(count, tables, stars)
     while members > 0:
@@ -211,14 +225,13 @@ def _march_line(
             work.edges[edge] = stars.edges[lead, edge]
         for c in range(tables.constituents):
             work.columns_so_far[c] = stars.columns_so_far[lead, c]
-        place_panel(r[first], mu[first], panel, edges, rule, tables, work)
+        place_panel(r, mu, panel, edges, rule, tables, work)
         panel_columns(rule, tables, work)
         n = int(tables.rules[rule])
         for k in range(n):
-            _add_point(
-                members, first, k, n, r[first], mu[first], mu_s, nu, orders, has_unscaled, phase,
-                tables, work, stars,
-            )  # fmt: skip
+            place = panel_place(k, n, r, mu, tables, work)
+            weight = work.weight[k]
+            _add_point(members, first, place, weight, angles, light, phase, tables, work, stars)
         for member in range(members):
             index = stars.together[member]
             stars.next[index] += 1
@@ -234,7 +247,7 @@ def _march_line(
             if tables.broadened:
                 for part in range(3):
                     peaks[part] = sums[index, 1 + part]
-                more = peak_gain(half_sine[star], tables, work, at)
+                more = peak_gain(angles.half_sine[star], tables, work, at)
             result[star, 0] = sums[index, 0]
             if tables.broadened and orders != 0:
                 result[star, 0] += more * peaks[0]
@@ -285,25 +298,12 @@ def _next_panel(count, tables, stars):
 
 
 @inlined
-def _add_point(
-    members, first, k, n, r, mu, mu_s, nu, orders, has_unscaled, phase, tables, work, stars
-):
-    """Add the source of point k of a panel, of n points, to the sums of each sun angle."""
-    constituents = tables.constituents
-    q = min(max(work.radius[k], tables.bottom), tables.top)
-    t = work.distance[k]
-    mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
-    scatters = 0.0
-    for c in range(constituents):
-        work.point_density[c] = work.density[c * n + k]
-        work.depths[c] = work.columns[c * n + k]
-        scatters += tables.brightest[c] * work.density[c * n + k]
-    angle = 0.0
-    if tables.refraction_strength > 0.0:
-        angle = refraction_angle(
-            r, mu, tables.refraction_strength, work.columns[(constituents - 1) * n + k]
-        )
-    weight = np.float32(work.weight[k])
+def _add_point(members, first, place, weight, angles, light, phase, tables, work, stars):
+    """Add the source of a point, from ``panel_place``, to the sums of each sun angle."""
+    constituents, r = tables.constituents, angles.r[first]
+    q, t, mu_q, angle, scatters = place
+    orders, has_unscaled, _ = light
+    weight = np.float32(weight)
     for at in range(0, tables.lanes, LANES):
         extinction = lane_view(tables.scaled_extinction, at)
         transmittance = transmittance_columns(work.depths, extinction, constituents)
@@ -322,14 +322,12 @@ def _add_point(
     for member in range(members):
         index = stars.together[member]
         star = first + index
-        mu_sq, nu_q = min(max((r * mu_s[star] + t * nu[star]) / q, -1.0), 1.0), nu[star]
-        if tables.refraction_strength > 0.0:
-            mu_sq, nu_q = turned(mu_q, mu_sq, nu_q, angle)
-            mu_sq = min(max(mu_sq, -1.0), 1.0)
+        mu_s, nu = angles.mu_s[star], angles.nu[star]
+        mu_sq, nu_q = star_place(q, t, mu_q, angle, r, mu_s, nu, tables)
         seen, spread = star_columns(q, mu_sq, tables, work)
         if seen > 0.0:
-            _add_star(seen, spread, index, orders, has_unscaled, phase[star], tables, work, stars)
-        gathers = orders != 1 and scatters * work.weight[k] >= stars.faint[index]
+            _add_star(seen, spread, index, light, phase[star], tables, work, stars)
+        gathers = orders != 1 and scatters >= stars.faint[index]
         if gathers:
             if not ready:
                 _place_direction(mu_q, tables, work, stars)
@@ -344,9 +342,10 @@ def _add_point(
 
 
 @inlined
-def _add_star(seen, spread, index, orders, has_unscaled, phase, tables, work, stars):
+def _add_star(seen, spread, index, light, phase, tables, work, stars):
     """Add single scattering at a point to the sums of a sun angle."""
     constituents = tables.constituents
+    orders, has_unscaled, _ = light
     for at in range(0, tables.lanes, LANES):
         sums, peaks = lane_view(stars.sums, at), lane_view(work.peaks, at)
         scattering, phases = lane_view(stars.scattering, at), lane_view(phase, at)
