@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.gpu.device.device import Device
-from airlight.render.renderer import LiveRenderer
+from airlight.render.live_renderer import LiveRenderer
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.side_renderer import SideRenderer

@@ -12,7 +12,7 @@ import pytest
 
 from airlight import load_planet
 from airlight.render.gpu.device.device import Device
-from airlight.render.renderer import LiveRenderer
+from airlight.render.live_renderer import LiveRenderer
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.session.session import Session

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.image.display import to_display
-from airlight.render.renderer import LiveRenderer
+from airlight.render.live_renderer import LiveRenderer
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.background.preparing import Preparing

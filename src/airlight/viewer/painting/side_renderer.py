@@ -7,7 +7,7 @@ from time import perf_counter, sleep
 from typing import Any, Final
 
 from airlight.image.exposure import MOST_EXPOSURE
-from airlight.render.renderer import LiveFrame, LiveRenderer
+from airlight.render.live_renderer import LiveFrame, LiveRenderer
 from airlight.scene.metering import METERED, scene_exposure
 from airlight.scene.picture_size import scaled
 from airlight.viewer.painting.picture_source import Picture, Request

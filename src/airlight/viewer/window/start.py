@@ -16,7 +16,7 @@ from airlight.files.atomic_file import check_target
 from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.planets.reading.reader import read_tables
 from airlight.render.gpu.device.device import Device, NoDevice, open_device
-from airlight.render.renderer import LiveRenderer
+from airlight.render.live_renderer import LiveRenderer
 from airlight.render.rendering_gpu import Choice
 from airlight.render.solve_planet import live_solver
 from airlight.scene import look_at

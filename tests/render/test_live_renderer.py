@@ -12,8 +12,8 @@ from numpy.testing import assert_array_equal
 from airlight import Camera, Scene, load_planet
 from airlight.errors import Cancelled, ParameterError
 from airlight.render.gpu.device.device import Device
+from airlight.render.live_renderer import LiveRenderer
 from airlight.render.render_scene import CPU, render_scene, render_solution
-from airlight.render.renderer import LiveRenderer
 from airlight.solver.moments.solution import MomentsSolution
 
 PLANET = "earth-atmosphere-plus"
