@@ -144,7 +144,7 @@ def close_all(page: Any) -> None:
         page.keyboard.press("Escape")
         page.wait_for_timeout(100)
     assert page.evaluate(_OPEN) == []
-    for running, key in (("airlight.studies.film !== null", "o"), ("airlight.flight.playing", "t")):
+    for running, key in (("airlight.film !== null", "o"), ("airlight.flight.playing", "t")):
         page.evaluate("airlight.parts.canvas.focus({ preventScroll: true })")
         if page.evaluate(running):
             page.keyboard.press(key)

@@ -216,10 +216,10 @@ def test_every_button_does_what_it_says(used: tuple[Any, Callable[..., None]]) -
     pressed("fullscreen", "document.fullscreenElement === airlight.parts.root")
     pressed("fullscreen", "document.fullscreenElement === null")
     assert saved("save picture").startswith(b"\x89PNG")
-    pressed("film", "airlight.studies.film !== null")
+    pressed("film", "airlight.film !== null")
     page.wait_for_timeout(300)  # of film
     assert saved("film").startswith(bytes.fromhex("1a45dfa3"))  # EBML
-    assert page.evaluate("airlight.studies.film === null")
+    assert page.evaluate("airlight.film === null")
     pressed("copy link", "airlight.parts.note.textContent.startsWith('copied: ')")
     link = page.evaluate("airlight.parts.note.textContent").removeprefix("copied: ")
     search = page.locator(".airlight-search")

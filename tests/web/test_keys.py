@@ -194,11 +194,9 @@ def test_keys_that_do_something_once(page: Any) -> None:
     assert page.evaluate("(link) => link.endsWith(airlight.state.asFragment())", link)
     page.evaluate("airlight.parts.canvas.focus()")
     press("o")
-    assert page.evaluate("airlight.studies.film !== null")
+    assert page.evaluate("airlight.film !== null")
     page.keyboard.down("l")
-    until(
-        page, "(airlight.studies.film.recorder.requestData(), airlight.studies.film.parts.length)"
-    )
+    until(page, "(airlight.film.recorder.requestData(), airlight.film.parts.length)")
     page.keyboard.up("l")
     with page.expect_download() as download:
         page.keyboard.press("o")

@@ -28,7 +28,7 @@ EPILOG = examples(
 def aerial(
     planet: PlanetOptions,
     output: Annotated[
-        Path, options.output_option("DIR", "Output folder: new, empty, or of such tables.")
+        Path, options.output_option("DIR", "Output folder: new, empty, or with such tables.")
     ],
     place: PlaceOptions,
     solve: SolveOptions,

@@ -121,7 +121,9 @@ def animate(
     ],
     output: Annotated[
         list[Path],
-        options.output_option("FOLDER|FILM.mp4", "Folder of the frames; repeated, also an MP4."),
+        options.output_option(
+            "FOLDER|FILM.mp4", ("Folder of the frames; if repeated with an .mp4 file, also an MP4.")
+        ),
     ],
     plan: PlanOptions,
     frame: FrameOptions,

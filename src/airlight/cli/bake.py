@@ -160,7 +160,7 @@ def bake(
         ),
     ],
     output: Annotated[
-        Path, options.output_option("DIR", "Output folder: new, empty, or of tables.")
+        Path, options.output_option("DIR", "Output folder: new, empty, or with tables.")
     ],
     tables: TableOptions,
     solve: BakeSolveOptions,
@@ -256,13 +256,8 @@ def bake_target(
     planet, output, solve, overwrite
         Options of the command.
     chosen : mapping
-        Options of tables that were given, by their names in Python: ``size`` as numbers of texels,
-        ``lowest_sun`` in degrees, others as texts.
-
-    Raises
-    ------
-    ParameterError
-        For an option that the program does not have.
+        Given table options by field: ``size`` as numbers of texels, ``lowest_sun`` in degrees,
+        others as texts.
     """
     started = time.perf_counter()
     from airlight.engines.targets import target_of
@@ -294,7 +289,7 @@ def bake_target(
 
 
 def check_options(name: str, chosen: Mapping[str, Any]) -> None:
-    """Refuse options of tables that a program does not have."""
+    """Raise an error for table options that a target does not support."""
     from airlight.engines.targets import target_of
 
     try:
@@ -304,7 +299,7 @@ def check_options(name: str, chosen: Mapping[str, Any]) -> None:
 
 
 def print_export(program: Target, export: Export) -> None:
-    """Print the files of a folder, their errors, fitted formulas and notes."""
+    """Print the files of an export, with errors, fitted formulas and notes."""
     say(f"for {program.program} {program.version}")
     for name, size in export.files.items():
         say(f"  {name:<32} {_bytes(size):>10}")

@@ -77,13 +77,13 @@ def console(width: int | None = None) -> Console:
 
 @contextlib.contextmanager
 def shown_progress() -> Iterator[Report]:
-    """Yield a callback that draws a bar on a terminal and does nothing elsewhere.
+    """Context with a progress callback that draws a bar on a terminal.
 
     Yields
     ------
     callable
-        Function ``report(done, total, message)``, which any thread may call. The bar is removed
-        when the block ends. Work that is expected to take long is announced by a line before it.
+        Function ``report(done, total, message)``, callable from any thread. Long computations are
+        announced in a line.
     """
     from airlight.kernel.cost import announce
 
@@ -128,17 +128,17 @@ def _bar() -> Iterator[Report]:
 
 
 def examples(*lines: str) -> str:
-    r"""Format command lines under the word "Examples" for Typer's epilogue.
+    r"""Typer epilogue with command lines under the heading "Examples".
 
     Parameters
     ----------
     *lines : str
-        Commands, one each.
+        Command lines.
 
     Returns
     -------
     str
-        Paragraph whose lines the help does not wrap, which ``\b`` says.
+        Paragraph that is not wrapped, because of ``\b``.
 
     Examples
     --------

@@ -84,7 +84,7 @@ class LightOptions(OptionGroup):
     )
 
     def check(self, planet: Planet, projection: str) -> None:
-        """Refuse stars where they are not known."""
+        """Raise an error for stars without place and time or for an unsupported planet."""
         if self.stars:
             from airlight.render.star_points import check_stars
 

@@ -85,7 +85,7 @@ class PlaceOptions(AngleOptions):
     zone: Zone = None
     season: float | None = option(
         "Solar longitude Ls, 0 at the northern spring equinox; --time is then an event or a true "
-        "solar time such as 14:30 (noon), after its date or after 2000.",
+        "solar time such as 14:30 (noon), after its date; default date: 2000.",
         "ANGLE",
     )
     sun_distance: Literal["true", "file"] = option(

@@ -250,13 +250,7 @@ def _swatch(planet: Planet, *, cache: bool) -> RenderableType:
 
 
 def print_scene(system: System) -> None:
-    """Print a scene: its observer and camera, its bodies and its lights as the observer sees them.
-
-    Parameters
-    ----------
-    system : System
-        Scene.
-    """
+    """Print a scene: its observer and camera, its bodies and its lights."""
     out = console()
     out.print(_scene_overview(system), end="\n\n")
     table = _table("bodies", "is", "radius", "distance", "diameter", "stands at")

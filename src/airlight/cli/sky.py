@@ -49,7 +49,7 @@ class ProgramOptions(OptionGroup):
     for_: Literal["blender", "mitsuba", "usd", "godot", "three", "unity", "pbrt", "dome"] = option(
         "Target program; sets orientation and axes.", default=REQUIRED
     )
-    front: float | None = option("Dome: bearing at its bottom, S or 180.", "BEARING")
+    front: float | None = option("Dome: bearing of its bottom, S or 180.", "BEARING")
     tilt: float | None = option("Dome: tilt towards its front (0deg).", "ANGLE")
     up: Literal["y", "z"] | None = option("USD: up axis of the layer (y).")
 

@@ -119,9 +119,9 @@ class DistributionOptions(OptionGroup):
     )
 
     def keywords(self) -> dict[str, Any]:
-        """Keyword arguments of work in parallel."""
+        """Keyword arguments of parallel execution."""
         return {"scheduler": self.scheduler, "workers": self.workers}
 
     def named(self) -> AbstractContextManager[None]:
-        """Put the option's name into errors about it."""
+        """Context that puts names of options into errors."""
         return named_errors("scheduler", "workers")

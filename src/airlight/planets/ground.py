@@ -86,7 +86,7 @@ class Ground(TomlModel):
     has_wavelengths = True
 
     albedo: Any = key(
-        help="Fraction of a uniform sky's light that the ground reflects.",
+        help="Albedo under a uniform sky.",
         note="A number, a list beside `wavelengths`, or the name of a table of reflectances."
         " With a map it is the mean over the planet.",
         range=(0.0, 1.0),
@@ -109,7 +109,7 @@ class Ground(TomlModel):
         default=None,
     )
     lights: str | None = key(
-        help="Name of a map of the lights of towns, or path of a picture of them.",
+        help="Name of a map of city lights, or path of a picture of them.",
         note="`earth`, or a picture as for the map, white for the brightest towns,"
         " 0.2 cd/m²; seen through the air by night; they light no air.",
         range=(1.0, 100.0),
@@ -117,7 +117,7 @@ class Ground(TomlModel):
         default=None,
     )
     clouds: str | None = key(
-        help="Path of a picture of clouds, drawn as a flat layer that casts shadows.",
+        help="Path of a picture of cloud cover, rendered as a thin layer with shadows.",
         note="A picture as for the map, black for clear sky, white for full cover; none"
         " comes with airlight. Seen from above the layer; the air has the mean of ground"
         " and clouds below it, in pictures around the observer.",
@@ -128,7 +128,7 @@ class Ground(TomlModel):
     )
     cloud_albedo: float = key(
         label="albedo of clouds",
-        help="Fraction of light that a full cover of clouds reflects.",
+        help="Albedo of complete cloud cover.",
         note="0.6: a cloud of optical depth 11.5.",
         range=(0.0, 1.0),
         offered=_clouded,
@@ -136,7 +136,7 @@ class Ground(TomlModel):
     )
     cloud_altitude: float = key(
         label="altitude of clouds",
-        help="Altitude of the layer of clouds, by which their shadows are displaced.",
+        help="Altitude of the cloud layer, which displaces its shadows.",
         unit="m",
         range=(0.0, 1e5),
         example="4 km",
@@ -155,7 +155,7 @@ class Ground(TomlModel):
     )
     law: str = key(
         label="law of reflection",
-        help="Directions into which the ground reflects: all alike, as porous rock, as water.",
+        help="Reflectance law: Lambertian, porous rock, or water.",
         note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
         " limb as in its middle; `water` mirrors, and its albedo is of the light from below.",
         choices=lambda: tuple(LAWS),
@@ -164,7 +164,7 @@ class Ground(TomlModel):
     )
     wind: float | None = key(
         label="wind over water",
-        help="Wind speed, which roughens the water that mirrors star and sky.",
+        help="Wind speed, which determines the roughness of water.",
         note="With it the water of a map mirrors; without it only the law `water` does, at"
         " 5 m/s. Slopes by Cox and Munk (1954).",
         unit="m/s",

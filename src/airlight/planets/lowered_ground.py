@@ -23,17 +23,17 @@ _MOST: Final = 10.0
 
 @parameters
 class Continued(Profile):
-    """Another profile over a ground that lies below its reference level.
+    """Profile over a ground below its reference level.
 
-    Below it the density goes on with the scale height that it has there: an exponential is exactly
-    continued, and 440 m of the U.S. Standard Atmosphere to 4e-4. What is 0 there stays 0.
+    Below the reference level the density continues with its local scale height: exact for an
+    exponential, error 4e-4 for 440 m of the U.S. Standard Atmosphere.
 
     Parameters
     ----------
     profile : Profile
         Profile above the reference level.
     depth : float
-        Depth of the ground below that. [m]
+        Depth of the ground below the reference level. [m]
 
     Examples
     --------
@@ -59,7 +59,7 @@ class Continued(Profile):
         return np.append(0.0, edges + self.depth), np.concatenate([below, pieces])
 
     def column(self, thickness: float) -> float:
-        """Vertical column above the reference level, which amounts refer to. [m]"""
+        """Vertical column above the reference level. [m]"""
         return self.profile.column(thickness - self.depth)
 
 

@@ -78,7 +78,7 @@ class Shell(TomlModel):
         scale="log",
     )
     top_radius: float = key(
-        label="radius of the top of the air",
+        label="radius of the top of the atmosphere",
         help="Radius of the top of the atmosphere, up to ten times that of the ground.",
         unit="m",
         range=(1e3, 1e13),
@@ -170,14 +170,14 @@ class Planet(TomlModel):
         default=None,
     )
     body: str | None = key(
-        help="World whose sky it has by place and time.",
+        help="Body of the solar system, for the sun by place and time.",
         note="For `airlight render --at --time` and `airlight.Scene.at`.",
         choices=lambda: tuple(WORLDS),
         mode="advanced",
         default=None,
     )
     refraction: str = key(
-        help="Refraction by the gases, which lifts and flattens the low star.",
+        help="Refraction by the gases.",
         note="Rejected where rays would be trapped by super-refraction, as on Venus.",
         choices=lambda: ("none", "bouguer"),
         offered=always,
@@ -193,7 +193,7 @@ class Planet(TomlModel):
         default=Ground(),
     )
     star: Star = key(
-        help="Star that lights the planet.",
+        help="Star that illuminates the planet.",
         table=Star,
         example="a table [star] with a spectrum and an angular_radius",
     )

@@ -29,8 +29,6 @@ def straight_lines(
     ----------
     directions : array, shape (n, 3)
         Unit vectors in the local frame.
-    solution : MomentsSolution
-        Solution of the planet.
     altitude : float
         Altitude of the observer. [m]
 
@@ -58,10 +56,6 @@ def leaving_direction(
     ----------
     directions : array, shape (n, 3)
         Unit vectors in the local frame; zero vectors remain zero.
-    solution : MomentsSolution
-        Solution of the planet.
-    altitude : float
-        Altitude of the observer. [m]
 
     Returns
     -------

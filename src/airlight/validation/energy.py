@@ -88,10 +88,10 @@ def energy(run: SuiteRun, order_solvers: Sequence[tuple[str, Any]] = ORDER_SOLVE
 
 
 class Fluxes(NamedTuple):
-    """Light at one level per irradiance of the star, each of shape (suns, wavelengths). [1]
+    """Diffuse fluxes at a level per irradiance of the star, shape (suns, wavelengths). [1]
 
-    ``down`` and ``up`` are the diffuse irradiances of a level surface, ``scalar`` is the diffuse
-    radiance integrated over all directions; all exclude the star's direct light.
+    ``down`` and ``up`` are horizontal irradiances, ``scalar`` is the radiance integrated over the
+    sphere.
     """
 
     down: FloatArray
@@ -100,7 +100,7 @@ class Fluxes(NamedTuple):
 
 
 def pieces(edges: Sequence[float], count: int) -> tuple[FloatArray, FloatArray]:
-    """Gauss-Legendre points and weights on each piece between edges.
+    """Composite Gauss-Legendre points and weights between edges.
 
     Parameters
     ----------
@@ -124,13 +124,13 @@ def pieces(edges: Sequence[float], count: int) -> tuple[FloatArray, FloatArray]:
 def level_fluxes(solution: Solution, altitude: float, mu_s: FloatArray) -> Fluxes:
     """Diffuse fluxes at a level.
 
-    The quadrature is Gauss-Legendre in pieces: in view split at the horizon and at the horizontal,
-    in azimuth with short pieces next to the star.
+    Gauss-Legendre quadrature in pieces: split at the horizon and at the horizontal, and finer in
+    azimuth near the star.
 
     Parameters
     ----------
     solution : Solution
-        Solution under a star of any irradiance; the result is relative to it.
+        Solution.
     altitude : float
         [m]
     mu_s : array, shape (n,)
@@ -166,11 +166,10 @@ def star_through(solution: Solution, altitude: float, mu_s: FloatArray) -> Float
 def absorbed_by_air(
     solution: Solution, altitudes: FloatArray, mu_s: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Light absorbed by the air at some levels, per volume and irradiance of the star.
+    """Absorbed power at some levels, per volume and irradiance of the star.
 
     Parameters
     ----------
-    solution : Solution
     altitudes : array, shape (n,)
         [m]
     mu_s : array, shape (m,)
@@ -179,7 +178,7 @@ def absorbed_by_air(
     Returns
     -------
     absorbed, coefficient : array, shapes (n, m, nl), (n, nl)
-        Absorption coefficient times the light from all directions, and that coefficient. [m⁻¹]
+        Absorbed power, and absorption coefficient. [m⁻¹]
     """
     medium = solution.medium
     coefficient = medium.density.at(altitudes).T @ medium.absorption

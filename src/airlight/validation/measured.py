@@ -98,12 +98,12 @@ class Rows:
 
     @property
     def same(self) -> FloatArray:
-        """Radiance by everybody's inputs."""
+        """Radiance by the published inputs."""
         return self.ladder[0][1]
 
     @property
     def known(self) -> FloatArray:
-        """Radiance by the best physics, nothing fitted."""
+        """Radiance by the best inputs, without a fit."""
         return self.ladder[-1][1]
 
     def score(self, got: FloatArray, only: NDArray[np.bool_] | None = None) -> float:

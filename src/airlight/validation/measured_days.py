@@ -37,18 +37,18 @@ LOW: Final = (70.0, 80.0)
 
 @dataclass(frozen=True, eq=False)
 class DayRow:
-    """Model of a day, by parameters that are known before its score.
+    """Model of a day.
 
     Attributes
     ----------
     name : str
         Description.
     inputs : Inputs
-        Ingredients of the planet; a fitted load replaces theirs.
+        Inputs of the planet, with the fitted aerosol if fitted.
     predicted : array, shape (ns, nd, nl)
         [W m⁻² sr⁻¹ nm⁻¹]
     fit : AerosolFit or None
-        Fit to all scans, if the load is fitted.
+        Fit to all scans; None without a fit.
     left_out : bool
         Whether each scan was predicted by the fit to the others.
     """
@@ -70,7 +70,7 @@ class Day:
     scans : Scans
     rows : list of DayRow
     counted : int
-        Number of the row that counts: the load fitted, one scan left out.
+        Index of the scored row: fitted aerosol, leave-one-out.
     """
 
     file: Path
@@ -80,7 +80,7 @@ class Day:
 
     @property
     def row(self) -> DayRow:
-        """Row that counts."""
+        """Scored row."""
         return self.rows[self.counted]
 
 

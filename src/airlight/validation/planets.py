@@ -58,7 +58,7 @@ def round_earth() -> Planet:
 
 
 def flattened(planet: Planet) -> Planet:
-    """The same air on a ground a thousand times as large, where sun heights do not mix."""
+    """Plane-parallel limit of ``round_earth``: a ground radius a thousand times as large."""
     bottom = VAST * planet.bottom_radius
     return replace(planet, bottom_radius=bottom, top_radius=bottom + planet.thickness)
 

@@ -78,13 +78,7 @@ class ValidationReport:
 
 
 def provenance() -> Mapping[str, str]:
-    """Facts needed to judge the times and to repeat the run.
-
-    Returns
-    -------
-    dict
-        Description of each fact, by its name.
-    """
+    """Provenance of a run: version, date, machine, as texts by name."""
     return {
         "airlight": _version("airlight"),
         "date": datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d %H:%M UTC"),

@@ -208,14 +208,7 @@ def _all(
 def agreement_picture(
     planet: str, pairs: Sequence[Agreement], cases: Sequence[Case]
 ) -> ReportPicture:
-    """Plot the differences of each pair over the cases in their order, with the noise as bars.
-
-    Parameters
-    ----------
-    planet : str
-    pairs : sequence of Agreement
-    cases : sequence of Case, length n
-    """
+    """Plot the differences of each pair over the cases in their order, with the noise as bars."""
     title = f"How far the solvers differ: {planet}"
     figure = new_figure(title, size=(9.5, 1.4 + 2.1 * len(pairs)))
     panels = np.atleast_1d(figure.subplots(len(pairs), 1, sharex=True, sharey=True))

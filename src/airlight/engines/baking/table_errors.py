@@ -344,11 +344,11 @@ def measured_errors(
         turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
         made = light.relative_radiance(positions)
         for of, rows, quantity in (
-            ("", ~positions.to_ground, "radiance of the air in views of the sky; relative"),
+            ("", ~positions.to_ground, "path radiance in views of the sky; relative"),
             (
                 " before the ground",
                 positions.to_ground,
-                "radiance of the air in views of the ground; relative to the ground's and its own",
+                "path radiance in views of the ground; relative to the ground's and its own",
             ),
         ):
             seen = Compared(positions[rows], made[rows], exact[rows], whole[rows])
@@ -388,7 +388,7 @@ def measured_errors(
 
 
 def _peaked(air: AirLight, light: ScatteredLight, sample: ErrorSample) -> dict[str, TableErrors]:
-    """Errors where light is peaked, by region, with a search for the largest of each."""
+    """Errors in regions of peaked radiance, with a search for the largest of each."""
     medium, seed = air.solution.medium, sample.seed
     shell = (medium.bottom_radius, medium.top_radius)
 
@@ -418,7 +418,7 @@ def _peaked(air: AirLight, light: ScatteredLight, sample: ErrorSample) -> dict[s
         errors[name] = judge(
             Compared(positions[rows].joined(worse), *values),
             medium,
-            quantity="radiance of the air; relative to all light",
+            quantity="path radiance; relative to all light",
             seed=seed,
             floor=DIM,
             sampled=int(rows.sum()),

@@ -137,8 +137,6 @@ def standard_attributes(made: EnvironmentMap, scale: float) -> dict[str, Any]:
 
     Parameters
     ----------
-    made : EnvironmentMap
-        Map.
     scale : float
         Ratio of the file's numbers to radiances; ``whiteLuminance``, the luminance of (1, 1, 1), is
         proportional to its reciprocal. [1]

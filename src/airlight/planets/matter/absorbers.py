@@ -188,7 +188,7 @@ class CrossSectionAbsorption(Absorber):
     )
     fraction: float = key(
         label="share",
-        help="Fraction of the number density.",
+        help="Mole fraction of the absorber.",
         range=(0.0, 1.0),
         offered=lambda table: "number_density" in table,
         default=1.0,

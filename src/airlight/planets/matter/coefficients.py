@@ -24,7 +24,7 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def _beside(scattering: npt.ArrayLike, albedo: npt.ArrayLike) -> FloatArray:
-    """Absorption with this scattering at this albedo; infinite at albedo 0."""
+    """Absorption by scattering and single-scattering albedo; infinite at albedo 0."""
     part, whole = np.broadcast_arrays(np.asarray(scattering, float), np.asarray(albedo, float))
     infinite = np.where(part > 0.0, np.inf, 0.0)
     known = (part > 0.0) & (whole > 0.0)
@@ -42,23 +42,16 @@ FORMULAS: Final[dict[str, Callable[..., Any]]] = {
 
 @parameters
 class DerivedSpectrum(PerWavelength):
-    """Positive spectrum that follows from others, between their wavelengths too.
+    """Positive spectrum by a formula of other spectra, at any wavelength.
 
     Parameters
     ----------
     wavelengths, values : tuple of float
         See ``PerWavelength``; the values are those of the formula. [nm]
     formula : str
-        Name in ``FORMULAS`` of a function of the spectra, then the fractions.
-    spectra : tuple of float or PerWavelength
-        Positive spectra.
+        Name from ``FORMULAS`` of a function of the spectra, then of the fractions.
     fractions : tuple of float or PerWavelength
-        Numbers that are linear between wavelengths, such as albedos.
-
-    Raises
-    ------
-    ParameterError
-        If the values are not those of the formula.
+        Numbers with linear interpolation between wavelengths, such as albedos.
     """
 
     formula: Annotated[str, one_of(*FORMULAS)]
@@ -82,7 +75,7 @@ LARGEST_COEFFICIENT: Final = 1.0
 
 
 def _coefficients_alone(constituent: FileTable) -> bool:
-    """Whether a missing absorption means none: no other key determines it."""
+    """Whether an omitted absorption is 0, as no other key determines it."""
     others = ("extinction", "single_scattering_albedo", "optical_depth", "absorption")
     return not any(name in constituent for name in others)
 
@@ -208,7 +201,7 @@ def _column(section: TomlTable, profile: Profile) -> float:
 
 
 def _over(depth: Spectral, column: float, section: TomlTable) -> Spectral:
-    """Extinction at relative density 1 that gives an optical depth. [m⁻¹]"""
+    """Extinction at relative density 1, from an optical depth. [m⁻¹]"""
     field = section.name_of("extinction")
     values = [_in_range(one / column, field) for one in _listed(depth, None)]
     if isinstance(depth, PerWavelength):

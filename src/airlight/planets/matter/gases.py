@@ -261,7 +261,7 @@ class RefractiveScattering(_Molecules):
     )
     king_factor: Spectral = key(
         label="King factor",
-        help="1 for round molecules.",
+        help="King factor; 1 for isotropic molecules.",
         range=(1.0, 2.0),
         example="1.049",
         slider=(1.0, 1.3),

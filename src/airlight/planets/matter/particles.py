@@ -90,7 +90,7 @@ class Particles(Matter):
         " `{ matrix, inclusions, fraction }`.",
     )
     sizes: ParticleSizes = key(
-        help="Sizes of the particles.",
+        help="Size distribution of the particles.",
         table=SIZES,
         example="a table such as { kind = 'gamma', … }",
     )
@@ -101,7 +101,7 @@ class Particles(Matter):
         default=None,
     )
     number_density: float | None = key(
-        help="Number density where the profile is 1.",
+        help="Number density at relative density 1.",
         unit="1/m^3",
         range=(0.0, 1e25),
         example="1e6 /m^3",
@@ -112,7 +112,7 @@ class Particles(Matter):
     )
     at: float = key(
         label="wavelength of the optical depth",
-        help="Wavelength at which the optical depth is given.",
+        help="Wavelength of the optical depth.",
         unit="nm",
         range=WIDEST,
         example="550 nm",

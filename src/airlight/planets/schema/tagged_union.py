@@ -103,7 +103,7 @@ class TaggedUnion(Alternatives[Kind]):
     mode: str = "standard"
 
     def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
-        """``kind`` and the keys of the table's kind; those of all kinds if it names none."""
+        """``kind`` and the keys of the table's kind; those of all kinds without ``kind``."""
         choice = Field(
             name="kind",
             label=self.label,

@@ -96,7 +96,7 @@ class DirectSolution(Solution):
         return out
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """See ``Solution``."""
+        """Solution under another light source; see ``Solution``."""
         air = line_optics(self.medium, self.settings, self.settings.steps)
         out, line = np.empty((r.size, self.wavelengths.size)), new_line(air)
         for k in range(r.size):

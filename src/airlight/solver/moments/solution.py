@@ -180,7 +180,7 @@ class MomentsSolution(Solution):
 
     @property
     def polarised(self) -> bool:
-        """See ``Solution``."""
+        """Solution under another light source; see ``Solution``."""
         return self.settings.polarisation
 
     def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
@@ -323,7 +323,7 @@ class MomentsSolution(Solution):
         return out, transmittance, polarised, air
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """See ``Solution``."""
+        """Solution under another light source; see ``Solution``."""
         work = new_workspace(self.tables)
         x = self.geometry.optical_radius(r)
         return self._received(x, lambda tables, out: direct_irradiance(x, mu_s, tables, work, out))
@@ -343,7 +343,7 @@ class MomentsSolution(Solution):
         )
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """See ``Solution``."""
+        """Solution under another light source; see ``Solution``."""
         x = self.geometry.optical_radius(r)
         radii = self.moments.grid.radii
         return self._received(x, lambda tables, out: sky_irradiance(x, mu_s, radii, tables, out))

@@ -179,7 +179,7 @@ class MonteCarloSolution(Solution):
 
     @property
     def polarised(self) -> bool:
-        """See ``Solution``."""
+        """Solution under another light source; see ``Solution``."""
         return self.settings.polarisation
 
     def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:

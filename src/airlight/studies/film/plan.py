@@ -67,7 +67,7 @@ class FilmPlan(TomlModel):
     ) = None  # fmt: skip
     keys: Annotated[
         tuple[KeyFrames, ...],
-        Field(label="keys", help="Numbers that change, below.", kind="table",
+        Field(label="keys", help="Animated numbers, see below.", kind="table",
             table=KeyFrames, example="[[film.keys]] tables"),
     ] = ()  # fmt: skip
 

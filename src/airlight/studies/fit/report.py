@@ -255,17 +255,7 @@ def markdown(sky: SkyFit, parts: Sequence[Part], pictures: str) -> str:
 
 
 def fitted_file(sky: SkyFit) -> str:
-    """Text of the fitted planet's file, with values and error bars in its first lines.
-
-    Parameters
-    ----------
-    sky : SkyFit
-
-    Returns
-    -------
-    str
-        Text in TOML that ``load_planet`` reads.
-    """
+    """Text of the fitted planet's file, with a header of values and error bars."""
     comments = (
         f"{sky.name}, fitted to {sky.data.source} by airlight fit.",
         *result_lines(sky),
@@ -275,7 +265,7 @@ def fitted_file(sky: SkyFit) -> str:
 
 
 def _short(value: Any) -> Any:
-    """Tables with numbers of eight digits."""
+    """Tables with numbers rounded to eight digits."""
     if isinstance(value, dict):
         return {key: _short(one) for key, one in value.items()}
     if isinstance(value, list):

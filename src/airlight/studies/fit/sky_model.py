@@ -236,35 +236,23 @@ class SkyModel:
 
 
 def smooth(quality: str) -> MomentsSettings:
-    """Settings of a quality by which predictions have no jumps: tolerance, and degree of all air.
-
-    Raises
-    ------
-    ParameterError
-        If there is no such quality.
-    """
+    """Solver settings without jumps in predictions: tolerance, and one degree for all media."""
     settings = settings_for(quality)
     return replace(settings, degree=settings.thick_degree, tolerance=_TOLERANCE)
 
 
 def smooth_near(quality: str, planet: Planet, wavelengths: FloatArray) -> MomentsSettings:
-    """Settings as from ``smooth``, with the degree that a planet has at this quality.
+    """Settings of ``smooth`` with the degree of the harmonics of a planet at this quality.
 
-    The degree of clear air is lower, and the light of haze differs between the two by more than
-    differences of a fit do. A preview has the higher one for all air, as the first rounds of a fit.
+    Optically thin media have a lower degree, whose effect on the radiance of haze exceeds the
+    differences of a fit. ``preview`` keeps the higher degree, as in the first rounds of a fit.
 
     Parameters
     ----------
-    quality : str
     planet : Planet
-        Planet near that which is sought.
+        Planet near the solution of the fit.
     wavelengths : array, shape (nl,)
-        Wavelengths that are solved. [nm]
-
-    Raises
-    ------
-    ParameterError
-        If there is no such quality.
+        Wavelengths of the solution. [nm]
     """
     if quality == "preview":
         return smooth(quality)

@@ -146,9 +146,9 @@ def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[N
     Parameters
     ----------
     planet : str, Path, Planet or Solution
-        Preset or planet file that has the key; a planet without a file has none.
+        Preset or planet file with the key.
     path : str
-        Path of the key, as an override names it.
+        Path of the key, as for overrides.
     values : sequence
         Numbers, texts with a unit, or words, as in a planet file.
 
@@ -157,8 +157,8 @@ def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[N
     values : array, shape (n,)
         Numbers in the unit; texts if one of the values is not a number.
     unit : str
-        Unit that all values name, or else that of the key in SI, written as in the CF conventions;
-        empty for texts.
+        Common unit of the values, otherwise the SI unit of the key, by the CF conventions; empty
+        for texts.
 
     Examples
     --------
@@ -186,7 +186,7 @@ def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[N
 
 
 def _key(planet: PlanetLike, path: str) -> Field | None:
-    """Declaration of the key; None where the planet has no file, or that no place for it."""
+    """Declaration of the key; None if the planet has no file or not this key."""
     if not isinstance(planet, (str, Path)):
         return None
     text, file, folder = planet_text(planet)

@@ -26,20 +26,20 @@ _SOURCE: Final = (
 
 
 def neutral_distances(solution: Solution, sun_zenith: float) -> dict[str, float]:
-    """Distances of the points above the horizon, from the star or the point opposite. [deg]
+    """Distances of neutral points from the star or the antisolar point. [deg]
 
     Parameters
     ----------
     solution : Solution
-        Solution of polarised light; its first wavelength counts.
+        Polarised solution; the first wavelength is used.
     sun_zenith : float
         Zenith angle of the star. [deg]
 
     Returns
     -------
     dict
-        ``"Babinet"`` (above the star), ``"Brewster"`` (below it), ``"Arago"`` (above the point
-        opposite); NaN where that is below the horizon.
+        ``"Babinet"`` (above the star), ``"Brewster"`` (below it), ``"Arago"`` (above the antisolar
+        point); NaN if below the horizon.
     """
     found = zeros(solution, sun_zenith=sun_zenith)
     babinet, brewster, arago = (float(found[name][0]) for name in NEUTRAL_POINTS[:3])

@@ -114,7 +114,7 @@ def daylight(run: SuiteRun) -> PublishedSection:
 
 
 def daylight_chromaticity(run: SuiteRun, dust: float) -> tuple[float, float]:
-    """Chromaticity x, y of the light on level ground under dust of an optical depth. [1]"""
+    """Chromaticity x, y of global horizontal irradiance for an optical depth of dust. [1]"""
     mars = load_planet("mars", {"dust.particles.optical_depth": dust})
     solution = run.solve(mars, default_wavelengths(12).tolist())
     light = solution.lights[0]
@@ -125,16 +125,15 @@ def daylight_chromaticity(run: SuiteRun, dust: float) -> tuple[float, float]:
 
 
 def band_flux(solutions: Sequence[Solution], share: FloatArray) -> float:
-    """Flux between 400 and 1000 nm of light given over the sun's. [W m⁻²]
+    """Flux between 400 and 1000 nm from relative irradiance. [W m⁻²]
 
     Parameters
     ----------
     solutions : sequence of Solution
         Solutions under the sun's spectrum at any distance.
     share : array, shape (nl,)
-        Irradiance over that of the sun outside the air, at the wavelengths of the solutions in
-        their order, ascending; each stands for the interval of ``EDGES`` that it lies in, and that
-        of the next wavelength in one without any. [1]
+        Irradiance over that of the sun, at the ascending wavelengths of the solutions; each
+        represents its interval of ``EDGES``, or an empty one below it. [1]
     """
     nm = np.concatenate([one.wavelengths for one in solutions])
     outside = np.concatenate([one.lights[0].irradiance for one in solutions])
@@ -148,13 +147,13 @@ def band_flux(solutions: Sequence[Solution], share: FloatArray) -> float:
 
 
 def ground_flux(solutions: Sequence[Solution], sun_zenith: float) -> float:
-    """Flux on level ground between 400 and 1000 nm, the sun at a zenith angle [deg]. [W m⁻²]"""
+    """Flux at the ground between 400 and 1000 nm, for a solar zenith angle [deg]. [W m⁻²]"""
     share = [ground_light(one, 90.0 - sun_zenith) for one in solutions]
     return band_flux(solutions, np.concatenate(share))
 
 
 def global_mean(solutions: Sequence[Solution]) -> float:
-    """Flux on the ground between 400 and 1000 nm, mean over the sphere. [W m⁻²]"""
+    """Global mean flux at the ground between 400 and 1000 nm. [W m⁻²]"""
     rule = gauss_legendre(_SUNS)
     zenith = np.degrees(np.arccos(rule.nodes))
     flux = np.array([ground_flux(solutions, float(one)) for one in zenith])
@@ -203,7 +202,7 @@ def venus(run: SuiteRun) -> PublishedSection:
 
 
 def titan_with_methane() -> Planet:
-    """Preset ``titan`` with the bands of methane that it leaves out."""
+    """Preset ``titan`` with the methane bands that it omits."""
     titan = load_planet("titan")
     altitudes, densities = np.array(_METHANE.split(), dtype=float).reshape(-1, 2).T
     methane = Constituent(

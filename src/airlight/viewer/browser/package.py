@@ -324,11 +324,9 @@ def ground_map(found: SurfaceMap | None, *, lossless: bool = False) -> dict[str,
 
     Parameters
     ----------
-    found : SurfaceMap or None
-        Ground map or overlay.
     lossless : bool
-        Whether compression is lossless, as for city lights: JPEG artefacts around a town would
-        brighten a dark sea, and lossless grey images are hardly larger.
+        Whether compression is lossless, as for city lights, whose JPEG artefacts would brighten a
+        dark sea.
 
     Returns
     -------

@@ -247,10 +247,6 @@ def first_picture(
     ----------
     solution : MomentsSolution
         Solution embedded in the page.
-    values : mapping
-        View values by path.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------
@@ -310,7 +306,7 @@ def page_text(title: str, data: Mapping[str, Any], first: Mapping[str, str] | No
     carried = json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
     script = join_modules("main.js")
     if "</script" in script.lower() or "<!--" in script:
-        raise AssertionError("the viewer's script holds the end of a script element")
+        raise AssertionError("the viewer's script contains the end of a script element")
     return Template(web_file("page.html")).substitute(
         title=html.escape(title),
         policy=_POLICY,

@@ -78,13 +78,7 @@ class Editing:
         return dict(self._valued[1])
 
     def parameter(self, path: str) -> Parameter:
-        """Parameter by its path, with constituents by index or by name.
-
-        Raises
-        ------
-        ParameterError
-            If there is none; the message suggests the nearest path.
-        """
+        """Parameter by its path, with constituents by index or by name."""
         return self._side.parameter(path)
 
     def value(self, path: str) -> Value:

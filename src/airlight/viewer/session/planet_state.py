@@ -56,7 +56,7 @@ class PlanetState:
         except ParameterError as error:
             raise error.in_file(file) from None
         except (AttributeError, TypeError, KeyError):
-            allowed = "a planet file, with tables where it has them"
+            allowed = "a valid planet file"
             raise ParameterError("planet", file, allowed, file) from None
         return state
 

@@ -57,14 +57,14 @@ class Canvas(Protocol):
         """Call ``draw`` on request until the canvas is closed."""
 
     def wake(self) -> None:
-        """Request a draw, from any thread."""
+        """See ``Canvas.wake``."""
 
     def copy(self, text: str) -> None:
         """Copy a text to the clipboard."""
 
     @property
     def fullscreen(self) -> bool:
-        """Whether the window fills its screen."""
+        """See ``Canvas.fullscreen``."""
 
     def toggle_fullscreen(self) -> None:
         """Fill the screen, or restore the previous size."""

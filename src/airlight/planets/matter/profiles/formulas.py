@@ -48,7 +48,7 @@ class BulkGas(TomlModel):
     )
     gravity: float = key(
         GRAVITY,
-        help="g of RT/(Mg).",
+        help="Gravity g in the scale height RT/(Mg).",
         range=(0.0, 1e30),
         open_ends=True,
         input_range=(1e-6, 1e9),

@@ -70,7 +70,7 @@ class Layers(Profile):
     )
     pressures: tuple[float, ...] | None = key(
         label="base pressure",
-        help="Pressures of the layers' bases instead, from that at the ground down.",
+        help="Pressures of the layers' bases, instead of altitudes, from the ground up.",
         unit="Pa",
         range=(1e-12, 1e10),
         example="1013.25, 226.32 hPa",
@@ -90,7 +90,7 @@ class Layers(Profile):
     )
     lapse_rates: tuple[float, ...] = key(
         label="lapse rate",
-        help="Fall of the temperature with altitude in each layer.",
+        help="Lapse rate of each layer: decrease of temperature with altitude.",
         note="One for each base; negative where it grows warmer upwards.",
         unit="K/m",
         range=(-1.0, 1.0),

@@ -144,11 +144,6 @@ def packed_rows(count: int) -> int:
     Software GPUs recompile a shader, which takes them seconds to minutes, when a texture's
     height becomes a power of two or ceases to be one.
 
-    Parameters
-    ----------
-    count : int
-        Number of texels.
-
     Examples
     --------
     >>> packed_rows(1), packed_rows(4096 * 4), packed_rows(4096 * 4 + 1)

@@ -73,7 +73,9 @@ class SkyViews:
         columns, rows = size
         whole = columns >= 2 and rows >= 2 and 3 * columns * rows % FLAT_WIDTH == 0
         if not whole or 3 * columns * rows > FLAT_WIDTH * 4096:
-            raise ParameterError("sky_view_size", size, "columns and rows whose product fills rows")
+            raise ParameterError(
+                "sky_view_size", size, ("columns and rows whose product fills texture rows")
+            )
         self.size = (columns, rows)
         self._device, self._passes, self._on_cpu = device, passes, on_cpu
         self._by_light: list[SkyView] = []

@@ -231,8 +231,6 @@ class Thumbnails:
 
         Parameters
         ----------
-        name : str
-            Name of a preset.
         enlarged : int
             Factor of the pixels per side.
         """
