@@ -327,3 +327,22 @@ def test_the_time_of_large_spheres_is_said_before_any_is_computed(
         cost.announce.reset(token)
     (line,) = said if listening else [record.message for record in caplog.records]
     assert re.fullmatch(r"particles at 24 wavelengths: about \S+ (s|min)", line)
+
+
+@pytest.mark.parametrize("method", ["mie", "anomalous-diffraction"])
+def test_particles_of_the_index_of_the_air_extinguish_nothing(method):
+    clear = Particles(
+        index=GivenIndex(real=1.0, imaginary=0.0), sizes=FINE, optical_depth=0.1, method=method
+    )
+    with pytest.raises(ParameterError, match=r"index\.real is 1\.0|refractive index is 1"):
+        clear.absorption_coefficients([550.0], 1e4)
+
+
+def test_absorbing_particles_of_the_index_of_the_air():
+    # Without a phase shift a sphere absorbs, and diffracts the shadow of what it absorbs.
+    dark = GivenIndex(real=1.0, imaginary=0.05)
+    soot = Particles(index=dark, sizes=FINE, optical_depth=0.1, method="anomalous-diffraction")
+    absorbed = soot.absorption_coefficients([550.0], 1e4)
+    total = absorbed + soot.scattering_coefficients([550.0], 1e4)
+    assert_allclose(total, 0.1 / 1e4, rtol=1e-12)
+    assert 0.5 < (absorbed / total).item() < 1.0

@@ -160,6 +160,8 @@ def mie_nodes(
         Results per wavelength, at ``phase_angles(sizes)``, with normalised phase functions.
     """
     indices = [complex(value) for value in index.at(np.asarray(wavelengths))]
+    if 1.0 in indices:
+        raise ParameterError("index.real", 1.0, "other than 1, where particles scatter no light")
     keys = [_key(sizes, m, nm) for m, nm in zip(indices, wavelengths, strict=True)]
     # Local references: cached entries may be evicted during the call.
     found = {key: node for key in keys if (node := _load(key)) is not None}

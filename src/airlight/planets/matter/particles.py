@@ -196,8 +196,11 @@ class Particles(Matter):
         if self.number_density is not None:
             return self.number_density
         assert self.optical_depth is not None
-        extinction, _ = self.cross_sections([self.at])
-        return self.optical_depth / (vertical_column * float(extinction[0]))
+        column = vertical_column * float(self.cross_sections([self.at])[0][0])
+        if column <= 0.0:
+            allowed = "0 of particles whose refractive index is 1, which extinguish no light"
+            raise ParameterError("optical_depth", self.optical_depth, allowed)
+        return self.optical_depth / column
 
     def scattering_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
