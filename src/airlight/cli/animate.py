@@ -51,7 +51,7 @@ class PlanOptions(OptionGroup):
     zone: Zone = None
     key: list[str] | None = option(
         "Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
-        "{studies.film.laws:LAWS}. May be repeated.",
+        "{studies.film.key_frames:LAWS}. May be repeated.",
         "PATH=A,B[,C …] [LAW]",
     )
     set_: list[str] | None = option(

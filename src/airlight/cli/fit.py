@@ -60,7 +60,7 @@ class FitOptions(OptionGroup):
         "the residuals).",
         "FRACTION",
     )
-    loss: str = option("Loss function of the residuals.", "{fit.loss:LOSSES}", "linear")
+    loss: str = option("Loss function of the residuals.", "{studies.fit.loss:LOSSES}", "linear")
     quality: Quality = "default"
     no_cache: NoCache = False
 
@@ -118,7 +118,7 @@ class PhotographOptions(OptionGroup):
     )
     roll: float = option("Photograph: camera roll.", "ANGLE", "0deg")
     encoding: str = option(
-        "Photograph: encoding, unless EXR.", "{color.encoding:ENCODINGS}|linear", "srgb"
+        "Photograph: encoding, unless EXR.", "{image.encoding:ENCODINGS}|linear", "srgb"
     )
     tone_map: str | None = option("Photograph: tone map to invert.", "NAME")
     above: float = option("Photograph: lowest elevation angle used.", "ANGLE", "5")

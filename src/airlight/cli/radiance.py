@@ -121,7 +121,7 @@ class SolverOptions(SolveOptions):
     )
     solver: str = option(
         "Solver; montecarlo traces every radiance and adds its standard error.",
-        "{solvers.solve:SOLVERS}",
+        "{solver.solve:SOLVERS}",
         "moments",
     )
     relative_error: float | None = option(

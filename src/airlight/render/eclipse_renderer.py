@@ -22,7 +22,7 @@ def check_unfiltered(scene: Scene) -> None:
     """Raise if the camera has a polarising filter, which eclipses do not support."""
     angle = scene.camera.polariser
     if angle is not None:
-        raise ParameterError("camera.polariser", angle, "none with a moon's shadow")
+        raise ParameterError("camera.polariser", angle, "none where a moon's shadow is rendered")
 
 
 class EclipseRenderer(CpuRenderer):
@@ -56,7 +56,7 @@ class EclipseRenderer(CpuRenderer):
     ) -> None:
         """See ``CpuRenderer``; Stokes Q and U are not supported."""
         if element is not None:
-            raise ParameterError("stokes", True, "False with a moon's shadow")
+            raise ParameterError("stokes", True, "False where a moon's shadow is rendered")
         out = np.empty((px.size, self._tables.lanes), np.float32)
         eclipse = new_eclipse(self._tables, self._shadow)
         render_eclipsed(px, py, self._turn, self._frame(self._view), eclipse, out)

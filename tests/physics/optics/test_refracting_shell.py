@@ -42,7 +42,7 @@ def test_true_length_of_a_vertical_ray_is_the_shell_s_height() -> None:
 
 def test_light_that_would_follow_the_ground_is_refused() -> None:
     # n0 - 1 above H/(R + H): d(n r)/dr < 0 at the ground. Venus is such a planet.
-    with pytest.raises(ParameterError, match=r"refraction is 'bouguer'.*light would follow"):
+    with pytest.raises(ParameterError, match=r"refraction is 'bouguer'.*rays would be ducted"):
         shell(ROWS, np.array([1.4e-3, 0.0, 0.0]))
 
 

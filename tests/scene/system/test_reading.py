@@ -81,7 +81,7 @@ def test_a_moon_faces_its_planet() -> None:
         ('look_at = "moon"', "", "camera.look_at is missing; allowed: one of look_at, direction"),
         ("direction = [0, 1, 0]", "direction = [0, 0, 0]", "three numbers that are not all 0"),
         ("direction = [0, 1, 0]", "", r"lights\[0\].direction is missing"),
-        ('name = "moon"', 'name = "earth"', "name is 'earth'; allowed: each name once"),
+        ('name = "moon"', 'name = "earth"', "name is 'earth'; allowed: unique names of bodies and stars"),
         ('altitude = "2 m"', 'altitud = "2 m"', "did you mean 'altitude'"),
         ('"384400 km"', '"6800 km"', "at least 8"),
         ('body = "earth"', 'body = "mars"', "observer.body is 'mars'; allowed: earth, moon"),
@@ -126,7 +126,7 @@ def test_files_are_told_apart(tmp_path: Path) -> None:
 
 def test_the_tables_of_the_page_are_those_of_the_declarations() -> None:
     # written by builders/file_keys.py
-    root = Path(__file__).parents[2]
+    root = Path(__file__).parents[3]
     page = (root / "docs" / "scenes.md").read_text(encoding="utf-8")
     builder = runpy.run_path(str(root / "builders" / "file_keys.py"))
     assert all(f"<!-- keys: {kind} -->" in page for kind in builder["PAGES"]["scenes.md"])

@@ -181,7 +181,7 @@ def test_a_wrong_film_is_refused_in_one_line(tmp_path: Path, old: str, new: str,
 
 def test_the_tables_of_the_page_are_those_of_the_declarations() -> None:
     # written by builders/file_keys.py
-    root = Path(__file__).parents[2]
+    root = Path(__file__).parents[3]
     page = (root / "docs" / "films.md").read_text(encoding="utf-8")
     builder = runpy.run_path(str(root / "builders" / "file_keys.py"))
     assert all(f"<!-- keys: {kind} -->" in page for kind in builder["PAGES"]["films.md"])

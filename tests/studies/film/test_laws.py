@@ -78,7 +78,7 @@ def test_values_keep_their_units_and_lists() -> None:
         ([0, 1], {"law": "exponential"}, "numbers above 0"),
         ([0, 1], {"law": "cubic"}, "'linear' or 'smooth'"),
         ([0, 1], {"at": (0.5, 0.2)}, "ascending"),
-        ([0, 1], {"at": (0.5,)}, "2 moments"),
+        ([0, 1], {"at": (0.5,)}, "2 times, as many as values"),
         ([0, 1], {"at": (0.0, 1.5)}, "0 to 1"),
     ],
 )

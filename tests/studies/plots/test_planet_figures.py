@@ -107,7 +107,7 @@ def test_the_legend_gives_the_mean_cosine_of_cornette_shanks(planet: Planet) -> 
 
 def test_a_planet_that_only_absorbs_has_no_phase_functions(planet: Planet) -> None:
     only = Constituent(name="soot", profile=Exponential(scale_height=1e3), absorption=1e-5)
-    with pytest.raises(ParameterError, match="whose air scatters"):
+    with pytest.raises(ParameterError, match="a planet with a scattering constituent"):
         phase_functions(replace(planet, constituents=(only,)))
 
 

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.vectors import Vec3
 from airlight.image.texels import CHANNELS
 from airlight.physics.optics import water
 from airlight.physics.optics.clouds import GroundFactors, layer_distance, under_clouds
@@ -160,7 +161,7 @@ def probed_clouds(
         texel = np.empty(CHANNELS)
         map_color(
             overlay.flat, overlay.rows, overlay.columns, len(overlay.levels),
-            *latitude_longitude(*spot), level, texel, 0,
+            *latitude_longitude(Vec3(*spot)), level, texel, 0,
         )  # fmt: skip
         covers.append(float(texel[CHANNELS - 1]))
     above = scene.altitude > medium.surface.cloud_altitude

@@ -56,9 +56,7 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
 
     Examples
     --------
-    >>> from airlight.planets.ground import Ground
-    from airlight.planets.planet import Planet, Shell
-    from airlight.planets.reading.declared_keys import spelled_out
+    >>> from airlight.planets.reading.declared_keys import spelled_out
     >>> from airlight.planets.reading.reader import nested_tables, planet_text
     >>> mars = spelled_out(nested_tables(*planet_text("mars")[:2]))
     >>> [(one.path, one.unit) for one in parameters_of(mars) if one.group == "shell"]
