@@ -121,7 +121,9 @@ def test_a_file_named_in_a_received_manifest_is_not_deleted(tmp_path: Path, seal
     said = wrong if seal else fingerprint(folder / "photo.jpg")
     tampered(folder, {"photo.jpg": said}, seal=seal)
     before = contents(tmp_path)
-    with pytest.raises(FileError, match="photo.jpg: is not what" if seal else "since airlight wrote it"):
+    with pytest.raises(
+        FileError, match="photo.jpg: is not what" if seal else "since airlight wrote it"
+    ):
         write(folder)
     assert contents(tmp_path) == before
     write(folder, overwrite=True)

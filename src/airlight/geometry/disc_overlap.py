@@ -207,13 +207,17 @@ def visible_light(
     array([0.608997])
     """
     law = np.atleast_2d(np.ones((1, 1)) if darkening is None else np.asarray(darkening, float))
-    given = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, float))
-                                  for x in (separation, position, radius)))  # fmt: skip
+    given = np.broadcast_arrays(
+        *(np.atleast_1d(np.asarray(x, float)) for x in (separation, position, radius))
+    )
     occluders = np.radians(np.stack(given, axis=-1))
     if len(occluders) > MOST_OCCLUDERS:
         raise ParameterError("occluders", len(occluders), f"at most {MOST_OCCLUDERS}")
-    for name, value, high in (("star_radius", star_radius, 90.0), ("separation", given[0], 180.0),
-                              ("radius", given[2], 180.0)):  # fmt: skip
+    for name, value, high in (
+        ("star_radius", star_radius, 90.0),
+        ("separation", given[0], 180.0),
+        ("radius", given[2], 180.0),
+    ):
         if not np.all((np.asarray(value) >= 0.0) & (np.asarray(value) <= high)):
             raise ParameterError(name, value, f"0 to {high:g} deg")
     if star_radius <= 0.0:

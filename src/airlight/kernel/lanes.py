@@ -127,10 +127,14 @@ def lane_view(typing_context: Any, array: Any, at: Any = None) -> Any:
             steps.insert(0, step)
         view = context.make_array(kind)(context, builder)
         populate_array(
-            view, data=builder.bitcast(data, view.data.type), shape=shape, strides=steps,
-            itemsize=context.get_constant(types.intp, 4 * LANES), meminfo=given.meminfo,
+            view,
+            data=builder.bitcast(data, view.data.type),
+            shape=shape,
+            strides=steps,
+            itemsize=context.get_constant(types.intp, 4 * LANES),
+            meminfo=given.meminfo,
             parent=given.parent,
-        )  # fmt: skip
+        )
         return impl_ret_borrowed(context, builder, kind, view._getvalue())
 
     return kind(array, types.Omitted(None) if at is None else at), build

@@ -100,9 +100,7 @@ class _IndexedFromStart(Lower):
         signature = self._with_index(index, signature)
         return super().lower_getitem(resty, expr, value, index, signature)
 
-    def lower_setitem(
-        self, target_var: Any, index_var: Any, value_var: Any, signature: Any
-    ) -> Any:  # fmt: skip
+    def lower_setitem(self, target_var: Any, index_var: Any, value_var: Any, signature: Any) -> Any:
         """Lower ``target[index] = value``."""
         signature = self._with_index(index_var, signature)
         return super().lower_setitem(target_var, index_var, value_var, signature)

@@ -88,9 +88,11 @@ class CpuRenderer:
             self.window = sky_view_window(camera, self._observer, tables.bottom, tables.top)
         resolution = march_points(solution)
         self._tables = render_tables(
-            solution, peaks=self.window is not None, points=resolution.points,
+            solution,
+            peaks=self.window is not None,
+            points=resolution.points,
             panels=resolution.panels,
-        )  # fmt: skip
+        )
         name = solution.medium.surface.map
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
@@ -109,9 +111,13 @@ class CpuRenderer:
         if self.window is None:
             return
         layers = fill_sky_view(
-            self._tables, self._observer, self.window, polarised=self._polarised, cancel=cancel,
+            self._tables,
+            self._observer,
+            self.window,
+            polarised=self._polarised,
+            cancel=cancel,
             progress=progress,
-        )  # fmt: skip
+        )
         self._view = cpu_view_uniforms(
             self._uniforms, self._camera, self._ground, self._overlay, layers
         )

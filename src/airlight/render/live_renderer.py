@@ -120,9 +120,14 @@ class LiveFrame:
         """
         assert self.renderer is not None
         self.renderer.display(
-            self.scene, view, LIVE_FORMAT, orders=self.orders, exposure=exposure,
-            tone_map=tone_map, uniforms=uniforms,
-        )  # fmt: skip
+            self.scene,
+            view,
+            LIVE_FORMAT,
+            orders=self.orders,
+            exposure=exposure,
+            tone_map=tone_map,
+            uniforms=uniforms,
+        )
 
 
 class LiveRenderer:

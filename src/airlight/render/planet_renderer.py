@@ -91,9 +91,12 @@ def atmosphere_layer(
         add_rendered(layers, renderer, (None,), progress, cancel, black=black)
         black = False
     return AtmosphereLayer(
-        body=body, solution=solution, altitude=system.place_above(body)[2], axes=level_axes(up),
+        body=body,
+        solution=solution,
+        altitude=system.place_above(body)[2],
+        axes=level_axes(up),
         layer=layers[0],
-    )  # fmt: skip
+    )
 
 
 def _scene_of_light(
@@ -165,6 +168,11 @@ def occulting_moon(
     if star.position is not None:
         far = float(np.linalg.norm(np.asarray(star.position) - body.centre))
     return occulted_star(
-        found.centre - body.centre, system.radius(found), towards, alpha,
-        darkening=source.darkenings, reach=reach, distance=far,
-    )  # fmt: skip
+        found.centre - body.centre,
+        system.radius(found),
+        towards,
+        alpha,
+        darkening=source.darkenings,
+        reach=reach,
+        distance=far,
+    )

@@ -91,8 +91,10 @@ def render(
         solution = solution_of(planet, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
         raise ParameterError(
-            "solution", solution.report.solver, "a solution of the moments solver",
-        )  # fmt: skip
+            "solution",
+            solution.report.solver,
+            "a solution of the moments solver",
+        )
     if (stokes or scene.camera.polariser is not None) and not solution.polarised:
         field = "stokes" if stokes else "camera.polariser"
         value = True if stokes else scene.camera.polariser
@@ -115,10 +117,14 @@ def render(
             share = None if progress is None else _shared(progress, number, len(pictures))
             add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
     return Frame.seen_by(
-        scene.camera, layers[0], solution.wavelengths, {"solver": solution.report.provenance},
-        polarised=layers[1:] if stokes else None, scene=scene,
+        scene.camera,
+        layers[0],
+        solution.wavelengths,
+        {"solver": solution.report.provenance},
+        polarised=layers[1:] if stokes else None,
+        scene=scene,
         star_radius=solution.lights[0].angular_radius,
-    )  # fmt: skip
+    )
 
 
 def _shared(progress: Progress, number: int, count: int) -> Progress:

@@ -101,11 +101,16 @@ def render_system(
         nm = tuple(found.tolist())
     solutions = {
         name: solve_planet(
-            planet, nm, quality, cache=cache, around=system.place_above(system.body(name)),
-            progress=progress, cancel=cancel,
+            planet,
+            nm,
+            quality,
+            cache=cache,
+            around=system.place_above(system.body(name)),
+            progress=progress,
+            cancel=cancel,
         )
         for name, planet in system.planets.items()
-    }  # fmt: skip
+    }
     lights = SceneLights(system, np.array(nm), solutions)
     camera = system.view.camera(width, height, crop)
     items = [
@@ -143,18 +148,25 @@ class _BodyTracer:
         step = max(1, _BLOCK_PIXELS // width)
         run_blocks(
             lambda k: self._draw(k * step, min((k + 1) * step, height), rgb),
-            -(-height // step), cancel=cancel, progress=progress, message="rendering bodies",
-        )  # fmt: skip
+            -(-height // step),
+            cancel=cancel,
+            progress=progress,
+            message="rendering bodies",
+        )
         if self.system.stars:
             true = stars().directions
             shown = np.isfinite(pixel_positions(self.camera, true @ self.axes.T)[0])
             add_shown(rgb, self.camera, self.axes, self, self._star, true, shown)
         names = ", ".join(body.name for body in self.system.bodies)
         return Frame.seen_by(
-            self.camera, rgb.astype(np.float32), self.wavelengths,
-            {"scene": self.system.name, "bodies": names}, device=CPU, scene=self._metered(),
+            self.camera,
+            rgb.astype(np.float32),
+            self.wavelengths,
+            {"scene": self.system.name, "bodies": names},
+            device=CPU,
+            scene=self._metered(),
             star_radius=max((one.angular_radius for one in self._seen.values()), default=0.0),
-        )  # fmt: skip
+        )
 
     def _metered(self) -> Scene | None:
         """Scene with the visible stars alone, for metering; None if no star is visible."""
@@ -326,9 +338,10 @@ class _BodyTracer:
         x, y, z = (normal @ self.system.axes(body).T).T
         footprint = length * self.camera.pixel_angle / self.system.radius(body)
         colors = picture.sample(
-            np.degrees(np.arcsin(np.clip(z, -1.0, 1.0))), np.degrees(np.arctan2(y, x)),
+            np.degrees(np.arcsin(np.clip(z, -1.0, 1.0))),
+            np.degrees(np.arctan2(y, x)),
             picture.level(footprint),
-        )[..., :3]  # fmt: skip
+        )[..., :3]
         mean = float(picture.mean_rgb @ np.array([0.2126, 0.7152, 0.0722]))
         return np.asarray(colors / max(mean, 1e-6), dtype=np.float64)
 

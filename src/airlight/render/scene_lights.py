@@ -191,13 +191,20 @@ def _beside(
     across /= np.linalg.norm(across)
     above = np.cross(star, across)
     occluders = np.stack(
-        [np.stack([separation, np.arctan2(towards @ above, towards @ across), radius], axis=-1)
-         for towards, separation, radius in bare], axis=1,
-    )  # fmt: skip
+        [
+            np.stack([separation, np.arctan2(towards @ above, towards @ across), radius], axis=-1)
+            for towards, separation, radius in bare
+        ],
+        axis=1,
+    )
     rule = gauss_legendre(_POINTS)
     out = np.empty((len(occluders), len(darkening)))
     visible_discs(
-        np.full(len(occluders), alpha), np.ascontiguousarray(occluders),
-        np.ascontiguousarray(darkening), rule.nodes, rule.weights, out,
-    )  # fmt: skip
+        np.full(len(occluders), alpha),
+        np.ascontiguousarray(occluders),
+        np.ascontiguousarray(darkening),
+        rule.nodes,
+        rule.weights,
+        out,
+    )
     return np.clip(out, 0.0, 1.0)

@@ -98,9 +98,14 @@ def solve_planet(
         else:
             return solution.of(planet)
     return solver.solve(
-        planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
+        planet,
+        nm,
+        quality,
+        polarisation=polarisation,
+        cache=cache,
+        progress=progress,
         cancel=cancel,
-    )  # fmt: skip
+    )
 
 
 def live_solver(

@@ -151,8 +151,12 @@ def add_points(rgb: NDArray[np.floating], x: FloatArray, y: FloatArray, light: F
     """
     column, row = np.floor(x - 0.5).astype(int), np.floor(y - 0.5).astype(int)
     right, down = x - 0.5 - column, y - 0.5 - row
-    for i, j, share in ((0, 0, (1.0 - right) * (1.0 - down)), (0, 1, right * (1.0 - down)),
-                        (1, 0, (1.0 - right) * down), (1, 1, right * down)):  # fmt: skip
+    for i, j, share in (
+        (0, 0, (1.0 - right) * (1.0 - down)),
+        (0, 1, right * (1.0 - down)),
+        (1, 0, (1.0 - right) * down),
+        (1, 1, right * down),
+    ):
         inside = (row + i >= 0) & (row + i < rgb.shape[0])
         inside &= (column + j >= 0) & (column + j < rgb.shape[1])
         np.add.at(rgb, (row[inside] + i, column[inside] + j), (share[:, None] * light)[inside])

@@ -175,9 +175,12 @@ class AirAround:
         crossing = np.flatnonzero((lines.length > 0.0) & ~lines.to_ground)
         if crossing.size:
             depth = columns(
-                lines.r[crossing], lines.mu[crossing], lines.length[crossing], drawn.bottom_radius,
+                lines.r[crossing],
+                lines.mu[crossing],
+                lines.length[crossing],
+                drawn.bottom_radius,
                 drawn.density,
-            )  # fmt: skip
+            )
             transmittance[crossing] = np.exp(-(depth @ drawn.extinction))
         transmittance[lines.to_ground] = 0.0
         return transmittance, leaving_direction(directions, solution, self.altitude) @ self.axes

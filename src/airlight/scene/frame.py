@@ -71,9 +71,13 @@ class Frame:
             **({} if device is None else {"device": device}),
         }
         return cls(
-            rgb=rgb, metadata=described, pixel_angle=camera.glare_angle, circle=camera.circle,
-            origin=(camera.left, camera.top), **more,
-        )  # fmt: skip
+            rgb=rgb,
+            metadata=described,
+            pixel_angle=camera.glare_angle,
+            circle=camera.circle,
+            origin=(camera.left, camera.top),
+            **more,
+        )
 
     def __repr__(self) -> str:
         height, width = self.rgb.shape[:2]

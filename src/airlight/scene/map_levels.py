@@ -163,8 +163,12 @@ def reduced(
     if out is None:
         out = np.empty((rows, columns, CHANNELS), np.uint8)
     height, width = texels.shape[:2]
-    area_means(np.ascontiguousarray(texels), *area_weights(height, rows),
-               *area_weights(width, columns), out)  # fmt: skip
+    area_means(
+        np.ascontiguousarray(texels),
+        *area_weights(height, rows),
+        *area_weights(width, columns),
+        out,
+    )
     return out
 
 

@@ -168,7 +168,12 @@ def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: floa
     values, own = bright[lit][order], weights[lit][order]
     whole = float(np.abs(weights[seen]).sum())
     exposure = exposure_with_stars(
-        values, np.maximum(own, 0.0), np.maximum(-own, 0.0), light[lit][order],
-        len(scene.lights), black, whole,
-    )  # fmt: skip
+        values,
+        np.maximum(own, 0.0),
+        np.maximum(-own, 0.0),
+        light[lit][order],
+        len(scene.lights),
+        black,
+        whole,
+    )
     return float(exposure)

@@ -46,12 +46,18 @@ def disc_light(solution: Solution, phase: float) -> FloatArray:
     bottom, top = medium.bottom_radius, medium.top_radius
     disc, rim, turn = gauss_legendre(_DISC), gauss_legendre(_RIM), gauss_legendre(_TURN)
     # b = R sqrt(1 - c²): b db = R² c dc, and the limb is not crowded by the root.
-    impact = np.concatenate([bottom * np.sqrt((1.0 - disc.nodes) * (1.0 + disc.nodes)),
-                             bottom + (top - bottom) * rim.nodes**2])  # fmt: skip
-    weight = np.concatenate([
-        bottom**2 * disc.nodes * disc.weights,
-        impact[_DISC:] * 2.0 * rim.nodes * rim.weights * (top - bottom),
-    ])  # fmt: skip
+    impact = np.concatenate(
+        [
+            bottom * np.sqrt((1.0 - disc.nodes) * (1.0 + disc.nodes)),
+            bottom + (top - bottom) * rim.nodes**2,
+        ]
+    )
+    weight = np.concatenate(
+        [
+            bottom**2 * disc.nodes * disc.weights,
+            impact[_DISC:] * 2.0 * rim.nodes * rim.weights * (top - bottom),
+        ]
+    )
     far = _AWAY * bottom
     sine = np.repeat(impact / far, _TURN)
     azimuth = np.tile(np.pi * turn.nodes, impact.size)

@@ -161,9 +161,10 @@ class NamedAxes:
                 labelled[name] = value.copy(data=numbers[name])
             elif numbers[name].ndim > 1:
                 raise ParameterError(
-                    name, f"an array of {numbers[name].ndim} unnamed dimensions",
+                    name,
+                    f"an array of {numbers[name].ndim} unnamed dimensions",
                     "a labelled array, like the other arguments",
-                )  # fmt: skip
+                )
             else:
                 dims = (name,) * numbers[name].ndim
                 labelled[name] = xarray.DataArray(
@@ -218,9 +219,11 @@ def _no_shape(shapes: Mapping[str, tuple[int, ...]]) -> ParameterError:
     shown = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
     first, *_ = (name for name, shape in shapes.items() if shape)
     return ParameterError(
-        "shapes", shown, f"shapes that broadcast together: for a grid give {first}[:, None], or "
+        "shapes",
+        shown,
+        f"shapes that broadcast together: for a grid give {first}[:, None], or "
         "label each array by xarray.DataArray",
-    )  # fmt: skip
+    )
 
 
 def _axis_names(numbers: Mapping[str, FloatArray], count: int) -> list[str]:

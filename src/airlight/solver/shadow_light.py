@@ -107,9 +107,11 @@ class ShadowLight:
     def _free(self, separation: float) -> FloatArray:
         """Irradiance by the part of the star's disc outside the atmosphere. [1]"""
         return visible_light(
-            math.degrees(self.star_radius), [np.degrees(separation)],
-            [np.degrees(self.air_radius)], darkening=self._law,
-        )  # fmt: skip
+            math.degrees(self.star_radius),
+            [np.degrees(separation)],
+            [np.degrees(self.air_radius)],
+            darkening=self._law,
+        )
 
     def _refracted(self, separation: float) -> FloatArray:
         """Irradiance of the refracted image. [1]"""

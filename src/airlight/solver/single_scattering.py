@@ -247,9 +247,12 @@ def single_scattering(
         )
 
     run_blocks(
-        run, -(-lines.r.size // _BLOCK), cancel=cancel, progress=progress,
+        run,
+        -(-lines.r.size // _BLOCK),
+        cancel=cancel,
+        progress=progress,
         message="single scattering",
-    )  # fmt: skip
+    )
     return np.asarray(out * medium.scattering)
 
 

@@ -81,7 +81,7 @@ def test_a_moon_faces_its_planet() -> None:
         ('look_at = "moon"', "", "camera.look_at is missing; allowed: one of look_at, direction"),
         ("direction = [0, 1, 0]", "direction = [0, 0, 0]", "three numbers that are not all 0"),
         ("direction = [0, 1, 0]", "", r"lights\[0\].direction is missing"),
-        ('name = "moon"', 'name = "earth"', "name is 'earth'; allowed: unique names of bodies and stars"),
+        ('name = "moon"', 'name = "earth"', "name is 'earth'; allowed: unique names of bodies"),
         ('altitude = "2 m"', 'altitud = "2 m"', "did you mean 'altitude'"),
         ('"384400 km"', '"6800 km"', "at least 8"),
         ('body = "earth"', 'body = "mars"', "observer.body is 'mars'; allowed: earth, moon"),

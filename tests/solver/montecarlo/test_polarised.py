@@ -113,7 +113,9 @@ def test_scalar_transfer_has_no_stokes_parameters() -> None:
     scalar = solve(earth, [550.0], "preview", solver="montecarlo", polarisation=False)
     assert not scalar.polarised
     for ask in (scalar.radiance, scalar.estimate):
-        with pytest.raises(ParameterError, match=r"stokes is True; allowed: a solution with polarised"):
+        with pytest.raises(
+            ParameterError, match=r"stokes is True; allowed: a solution with polarised"
+        ):
             ask(altitude=0.0, sun_zenith=60.0, view_zenith=0.0, stokes=True)
     vector = solve(earth, [550.0], "preview", solver="montecarlo")
     lines, _ = vector.lines_of_sight(altitude=0.0, sun_zenith=60.0, view_zenith=30.0)

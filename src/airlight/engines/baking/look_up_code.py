@@ -45,8 +45,10 @@ FloatArray = NDArray[np.float64]
 
 #: Languages by file name.
 DIALECTS: Final[dict[str, ShaderDialect]] = {
-    "look_up.glsl": GLSL, "look_up.wgsl": WGSL, "look_up.hlsl": HLSL
-}  # fmt: skip
+    "look_up.glsl": GLSL,
+    "look_up.wgsl": WGSL,
+    "look_up.hlsl": HLSL,
+}
 #: Name of the texture of the phase functions, and stride of their nodes in it.
 PHASES: Final = "phase_functions"
 PHASE_STEP: Final = 4

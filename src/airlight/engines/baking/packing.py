@@ -189,9 +189,13 @@ def separate_orders(
 
 
 def combine(
-    light: FloatArray, particles: FloatArray, p_gas: FloatArray, p_particles: FloatArray,
-    colours: FloatArray, reference: int,
-) -> FloatArray:  # fmt: skip
+    light: FloatArray,
+    particles: FloatArray,
+    p_gas: FloatArray,
+    p_particles: FloatArray,
+    colours: FloatArray,
+    reference: int,
+) -> FloatArray:
     """Channels of a combined table: smooth part, then particles at the reference wavelength.
 
     The smooth part is such that a look-up with ``proportional`` colours gives ``light``.

@@ -204,10 +204,13 @@ def compose(
         if progress is not None:
             progress(band + 1, bands, "composing")
     return Composed(
-        rgb=out, scale=surface.scale, scene=view.scene,
+        rgb=out,
+        scale=surface.scale,
+        scene=view.scene,
         star_radius=solution.lights[0].angular_radius,
-        marched=float(counts[1] / max(counts[0], 1.0)), error=error,
-    )  # fmt: skip
+        marched=float(counts[1] / max(counts[0], 1.0)),
+        error=error,
+    )
 
 
 def _checked(

@@ -96,9 +96,13 @@ class PathRadiance:
         some = length > _NOTHING
         if some.any():
             kept = type(lines)(
-                lines.r[some], lines.mu[some], lines.mu_s[some], lines.nu[some],
-                lines.length[some], lines.to_ground[some],
-            )  # fmt: skip
+                lines.r[some],
+                lines.mu[some],
+                lines.mu_s[some],
+                lines.nu[some],
+                lines.length[some],
+                lines.to_ground[some],
+            )
             marched = self.solution.segments(kept, length[some], tables=self._tables)
             radiance[some], transmittance[some] = marched
         return radiance, transmittance, length >= longest

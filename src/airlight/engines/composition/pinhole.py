@@ -72,8 +72,11 @@ class Pinhole:
                 raise ParameterError(f"camera.{name}", value, "a whole number of pixels")
         x, y = self.centre
         for name, value in (
-            ("focal_x", self.focal_x), ("focal_y", self.focal_y), ("centre_x", x), ("centre_y", y),
-        ):  # fmt: skip
+            ("focal_x", self.focal_x),
+            ("focal_y", self.focal_y),
+            ("centre_x", x),
+            ("centre_y", y),
+        ):
             sound = isinstance(value, (int, float, np.number)) and math.isfinite(value)
             if not sound or (name.startswith("focal") and value <= 0.0):
                 allowed = "a number above 0" if name.startswith("focal") else "a finite number"
@@ -160,9 +163,14 @@ class Pinhole:
             raise ParameterError("camera.size", f"{self.width}x{self.height}", allowed)
         centre_x, centre_y = self.centre
         return Pinhole(
-            width=width, height=height, focal_x=x * self.focal_x, focal_y=y * self.focal_y,
-            centre_x=x * centre_x, centre_y=y * centre_y, to_world=self.to_world,
-        )  # fmt: skip
+            width=width,
+            height=height,
+            focal_x=x * self.focal_x,
+            focal_y=y * self.focal_y,
+            centre_x=x * centre_x,
+            centre_y=y * centre_y,
+            to_world=self.to_world,
+        )
 
 
 def camera_from_json(
@@ -239,10 +247,14 @@ def _camera(data: Mapping[str, Any], size: tuple[int, int] | None) -> Pinhole:
     if "transform_matrix" not in data:
         raise ParameterError("transform_matrix", "missing", "a 4 x 4 matrix")
     return Pinhole(
-        width=round(width), height=round(height), focal_x=focal_x, focal_y=focal_y,
-        centre_x=_number(data, "cx", 0.5 * width), centre_y=_number(data, "cy", 0.5 * height),
+        width=round(width),
+        height=round(height),
+        focal_x=focal_x,
+        focal_y=focal_y,
+        centre_x=_number(data, "cx", 0.5 * width),
+        centre_y=_number(data, "cy", 0.5 * height),
         to_world=data["transform_matrix"],
-    )  # fmt: skip
+    )
 
 
 def _focal(side: float, angle: float) -> float:
@@ -290,7 +302,11 @@ def camera_from_matrices(
     focal_x, focal_y = width * (x[1] - x[0]), height * (y[0] - y[2])
     # Rows to columns, and from a camera that looks along +Z to one that looks along -Z.
     return Pinhole(
-        width=width, height=height, focal_x=float(focal_x), focal_y=float(focal_y),
-        centre_x=float(width * x[0]), centre_y=float(height * y[0]),
+        width=width,
+        height=height,
+        focal_x=float(focal_x),
+        focal_y=float(focal_y),
+        centre_x=float(width * x[0]),
+        centre_y=float(height * y[0]),
         to_world=to_world.T @ np.diag([1.0, 1.0, -1.0, 1.0]),
-    )  # fmt: skip
+    )

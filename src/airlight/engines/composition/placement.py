@@ -216,9 +216,12 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
         latitude=latitude, longitude=longitude, sun_azimuth=bearing,
     )  # fmt: skip
     return PinholeView(
-        scene=scene, left=0.5 * width - centre_x,
-        top=0.5 * height - stretch * centre_y, stretch=stretch, axes=scene.camera.axes,
-    )  # fmt: skip
+        scene=scene,
+        left=0.5 * width - centre_x,
+        top=0.5 * height - stretch * centre_y,
+        stretch=stretch,
+        axes=scene.camera.axes,
+    )
 
 
 def _coordinates(place: Placement, up: FloatArray, sun: FloatArray) -> tuple[float, float, float]:

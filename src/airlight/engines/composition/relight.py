@@ -83,9 +83,11 @@ class SurroundingLight:
         altitude = np.minimum(_HIGH * np.expm1(_RISE * rise), self._solution.medium.thickness)
         mu_s = np.clip(np.sinh(_TURN * turn) / _LEVEL, -1.0, 1.0)
         lines, _ = self._solution.lines_of_sight(
-            altitude=altitude[:, None], sun_zenith=np.degrees(np.arccos(mu_s))[:, None],
-            view_zenith=np.degrees(np.arccos(z))[None, :], azimuth=np.degrees(around)[None, :],
-        )  # fmt: skip
+            altitude=altitude[:, None],
+            sun_zenith=np.degrees(np.arccos(mu_s))[:, None],
+            view_zenith=np.degrees(np.arccos(z))[None, :],
+            azimuth=np.degrees(around)[None, :],
+        )
         light = self._solution.relative_radiance(lines).reshape(len(nodes), z.size, -1)
         for node, one in zip(nodes, light, strict=True):
             self._nodes[node] = basis.T @ one

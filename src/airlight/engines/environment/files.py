@@ -156,9 +156,13 @@ def write_map(
             write_hdr(path, rgb * np.float32(factor), texts, scale=factor)
         else:
             write_exr(
-                path, rgb * np.float32(factor), texts, precision=precision,
-                compression=compression, attributes=standard_attributes(made, factor),
-            )  # fmt: skip
+                path,
+                rgb * np.float32(factor),
+                texts,
+                precision=precision,
+                compression=compression,
+                attributes=standard_attributes(made, factor),
+            )
     else:
         written = write_picture(path, replace(made.frame), facts, **(display or {}))
         exposure = written.exposure

@@ -149,8 +149,9 @@ def standard_attributes(made: EnvironmentMap, scale: float) -> dict[str, Any]:
 
     scene = made.scene
     known: dict[str, Any] = {
-        "whiteLuminance": LUMINOUS_EFFICACY / scale, "altitude": scene.altitude,
-    }  # fmt: skip
+        "whiteLuminance": LUMINOUS_EFFICACY / scale,
+        "altitude": scene.altitude,
+    }
     if made.consumer.projection == "equirectangular":
         known["envmap"] = OpenEXR.ENVMAP_LATLONG
     if made.placed:

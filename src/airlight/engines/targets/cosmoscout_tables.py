@@ -56,9 +56,14 @@ def write_texture(path: Path, values: FloatArray) -> None:
     with tifffile.TiffWriter(path) as writer:
         for page in pages:
             writer.write(
-                np.ascontiguousarray(page), photometric="rgb", planarconfig="contig",
-                rowsperstrip=1, compression=None, metadata=None, contiguous=False,
-            )  # fmt: skip
+                np.ascontiguousarray(page),
+                photometric="rgb",
+                planarconfig="contig",
+                rowsperstrip=1,
+                compression=None,
+                metadata=None,
+                contiguous=False,
+            )
 
 
 def read_texture(path: Path) -> FloatArray:

@@ -67,10 +67,14 @@ def moon_place(days: float) -> tuple[float, float, float]:
     argument = f + (along + 412.0 * math.sin(2.0 * f) + 541.0 * math.sin(s)) * _ARCSECOND
     h = f - 2.0 * d
     across = (
-        -526.0 * math.sin(h) + 44.0 * math.sin(l + h) - 31.0 * math.sin(h - l)
-        - 23.0 * math.sin(s + h) + 11.0 * math.sin(h - s) - 25.0 * math.sin(f - 2.0 * l)
+        -526.0 * math.sin(h)
+        + 44.0 * math.sin(l + h)
+        - 31.0 * math.sin(h - l)
+        - 23.0 * math.sin(s + h)
+        + 11.0 * math.sin(h - s)
+        - 25.0 * math.sin(f - 2.0 * l)
         + 21.0 * math.sin(f - l)
-    )  # fmt: skip
+    )
     longitude = _turns(mean) + along * _ARCSECOND
     latitude = (18520.0 * math.sin(argument) + across) * _ARCSECOND
     parallax = (

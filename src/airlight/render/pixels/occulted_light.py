@@ -95,9 +95,11 @@ def occulted_light(
     if found is None:
         return source
     left = visible_light(
-        math.degrees(alpha), [math.degrees(nearest)], [found.angular_radius],
+        math.degrees(alpha),
+        [math.degrees(nearest)],
+        [found.angular_radius],
         darkening=source.darkenings,
-    )  # fmt: skip
+    )
     left = np.maximum(left, DARKEST)
     middle = float(np.interp(_MIDDLE, source.wavelengths, left))
     turned = LightPosition(zenith=found.zenith, azimuth=found.azimuth - light.azimuth)

@@ -82,9 +82,14 @@ def _visibility(
     medium = solution.medium
     share = float(np.max(source.irradiance / np.maximum(first.irradiance, 1e-300)))
     return light_visibility(
-        light.zenith, scene.lights[0].zenith, math.degrees(source.angular_radius), share,
-        scene.altitude, medium.bottom_radius, medium.thickness,
-    )  # fmt: skip
+        light.zenith,
+        scene.lights[0].zenith,
+        math.degrees(source.angular_radius),
+        share,
+        scene.altitude,
+        medium.bottom_radius,
+        medium.thickness,
+    )
 
 
 def light_visibility(

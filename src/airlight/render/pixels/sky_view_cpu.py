@@ -122,9 +122,14 @@ def fill_sky_view(
 
     def run(index: int) -> None:
         fill_texels(
-            index * _BLOCK, min((index + 1) * _BLOCK, texels), window, observer, tables,
-            new_workspace(tables), layers,
-        )  # fmt: skip
+            index * _BLOCK,
+            min((index + 1) * _BLOCK, texels),
+            window,
+            observer,
+            tables,
+            new_workspace(tables),
+            layers,
+        )
 
     run_blocks(run, -(-texels // _BLOCK), cancel=cancel, progress=progress, message="rendering")
     return layers

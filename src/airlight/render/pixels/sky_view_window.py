@@ -114,8 +114,9 @@ def _window(
 ) -> SkyViewWindow:
     """Window around ranges of azimuth over π and of row coordinates."""
     ends: list[int] = []
-    for (low, high), count in zip((azimuths, sky, ground), (shape[0], shape[1], shape[1]),
-                                  strict=True):  # fmt: skip
+    for (low, high), count in zip(
+        (azimuths, sky, ground), (shape[0], shape[1], shape[1]), strict=True
+    ):
         first = min(max(floor(low * (count - 1)), 0), count - 2)
         last = min(max(ceil(high * (count - 1)), first + 1), count - 1)
         ends += [first, last - first + 1]

@@ -73,57 +73,96 @@ class Body(TomlModel):
 
     name: Annotated[
         str,
-        Field(label="name", help="Name in references of the scene.", kind="text", range=(1, 60),
-            example="moon"),
-    ]  # fmt: skip
+        Field(
+            label="name",
+            help="Name in references of the scene.",
+            kind="text",
+            range=(1, 60),
+            example="moon",
+        ),
+    ]
     planet: (
         Annotated[
             str,
-            Field(label="planet", help="Preset or planet file; none if airless.", kind="text",
-                range=(1, 4000), example="earth"),
+            Field(
+                label="planet",
+                help="Preset or planet file; none if airless.",
+                kind="text",
+                range=(1, 4000),
+                example="earth",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     radius: (
         Annotated[
             float,
-            Field(label="radius", help="Radius of an airless body.", unit="m", range=(1.0, 1e10),
-                example="1737.4 km"),
+            Field(
+                label="radius",
+                help="Radius of an airless body.",
+                unit="m",
+                range=(1.0, 1e10),
+                example="1737.4 km",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     albedo: (
         Annotated[
             Spectral,
-            Field(label="albedo", help="Albedo of an airless body; geometric except for Lambert's"
-                " law.", range=(0.0, 1.0), spectral=True, example="0.12"),
+            Field(
+                label="albedo",
+                help="Albedo of an airless body; geometric except for Lambert's law.",
+                range=(0.0, 1.0),
+                spectral=True,
+                example="0.12",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     reflection: Annotated[
         str,
-        Field(label="reflection", help="Reflectance law of an airless body.", kind="choice",
-            choices=lambda: tuple(LAWS)),
-    ] = "lommel-seeliger"  # fmt: skip
+        Field(
+            label="reflection",
+            help="Reflectance law of an airless body.",
+            kind="choice",
+            choices=lambda: tuple(LAWS),
+        ),
+    ] = "lommel-seeliger"
     map: (
         Annotated[
             str,
-            Field(label="map", help="Picture of the surface of an airless body.", kind="text",
-                range=(1, 4000), example="moon.jpg"),
+            Field(
+                label="map",
+                help="Picture of the surface of an airless body.",
+                kind="text",
+                range=(1, 4000),
+                example="moon.jpg",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     position: Annotated[tuple[float, ...], POSITION] = (0.0, 0.0, 0.0)
     pole: Annotated[
         tuple[float, ...],
-        Field(label="pole", help="Direction of the north pole.", range=(-1e6, 1e6), listed=True,
-            example="[0, 0, 1]"),
-    ] = (0.0, 0.0, 1.0)  # fmt: skip
+        Field(
+            label="pole",
+            help="Direction of the north pole.",
+            range=(-1e6, 1e6),
+            listed=True,
+            example="[0, 0, 1]",
+        ),
+    ] = (0.0, 0.0, 1.0)
     prime_meridian: Annotated[
         float,
-        Field(label="prime meridian", help="Angle from the equator's ascending node, eastward.",
-            unit="deg", range=(-360.0, 360.0), example="30 deg"),
-    ] = 0.0  # fmt: skip
+        Field(
+            label="prime meridian",
+            help="Angle from the equator's ascending node, eastward.",
+            unit="deg",
+            range=(-360.0, 360.0),
+            example="30 deg",
+        ),
+    ] = 0.0
     ephemeris: (
         Annotated[
             str,
@@ -140,11 +179,16 @@ class Body(TomlModel):
     faces: (
         Annotated[
             str,
-            Field(label="faces", help="Body above the prime meridian.", kind="text", range=(1, 60),
-                example="earth"),
+            Field(
+                label="faces",
+                help="Body above the prime meridian.",
+                kind="text",
+                range=(1, 60),
+                example="earth",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
 
     def __post_init__(self) -> None:
         unit(self.pole, "pole")
@@ -158,8 +202,12 @@ class Body(TomlModel):
                 if getattr(self, name) is not None:
                     raise ConflictError(name, "cannot be combined with planet")
         if self.ephemeris is not None:
-            for name, plain in (("position", (0.0, 0.0, 0.0)), ("pole", (0.0, 0.0, 1.0)),
-                                ("prime_meridian", 0.0), ("faces", None)):  # fmt: skip
+            for name, plain in (
+                ("position", (0.0, 0.0, 0.0)),
+                ("pole", (0.0, 0.0, 1.0)),
+                ("prime_meridian", 0.0),
+                ("faces", None),
+            ):
                 if getattr(self, name) != plain:
                     raise ConflictError(name, "cannot be combined with ephemeris")
         if self.faces is not None and self.prime_meridian != 0.0:

@@ -50,47 +50,68 @@ class Light(TomlModel):
     star: (
         Annotated[
             Star,
-            Field(label="star", help="Spectrum and size of a star, as in a planet file.",
-                kind="table", table=Star,
-                example="a table such as { spectrum = 'astm-g173' }"),
+            Field(
+                label="star",
+                help="Spectrum and size of a star, as in a planet file.",
+                kind="table",
+                table=Star,
+                example="a table such as { spectrum = 'astm-g173' }",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     direction: (
         Annotated[
             tuple[float, ...],
-            Field(label="direction", help="Direction towards a star.", range=(-1e12, 1e12),
-                listed=True, example="[1, 0, 0]"),
+            Field(
+                label="direction",
+                help="Direction towards a star.",
+                range=(-1e12, 1e12),
+                listed=True,
+                example="[1, 0, 0]",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     position: Annotated[tuple[float, ...], POSITION] | None = None
     ephemeris: (
         Annotated[
             str,
-            Field(label="ephemeris", help="The sun, at its position at the scene's time.",
-                kind="choice", choices=lambda: ("sun",)),
+            Field(
+                label="ephemeris",
+                help="The sun, at its position at the scene's time.",
+                kind="choice",
+                choices=lambda: ("sun",),
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     body: (
         Annotated[
             str,
-            Field(label="body", help="Body that shines by reflected light.", kind="text",
-                range=(1, 60), example="moon"),
+            Field(
+                label="body",
+                help="Body that shines by reflected light.",
+                kind="text",
+                range=(1, 60),
+                example="moon",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
 
     corona: (
         Annotated[
             str,
-            Field(label="corona",
-                help="Corona around the star: the mean solar corona.", kind="choice",
-                 choices=lambda: ("baumbach",)),
+            Field(
+                label="corona",
+                help="Corona around the star: the mean solar corona.",
+                kind="choice",
+                choices=lambda: ("baumbach",),
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
 
     def __post_init__(self) -> None:
         if (self.star is None) == (self.body is None):

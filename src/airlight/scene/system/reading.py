@@ -195,9 +195,12 @@ def _placed_body(body: Body, time: datetime | None, section: TomlTable) -> Body:
         return body
     place = position_of(body.ephemeris, _needed(time, section))
     return replace(
-        body, ephemeris=None, position=place.position, pole=place.pole,
+        body,
+        ephemeris=None,
+        position=place.position,
+        pole=place.pole,
         prime_meridian=place.prime_meridian,
-    )  # fmt: skip
+    )
 
 
 def _placed_light(light: Light, time: datetime | None, section: TomlTable) -> Light:

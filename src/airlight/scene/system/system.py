@@ -89,8 +89,11 @@ class System:
         if self.view.look_at is not None and self.view.look_at not in stars:
             self._known("camera.look_at", self.view.look_at, tuple(stars))
         if self.view.look_zenith is not None and self.observer.body is None:
-            raise ParameterError("camera.look_zenith", self.view.look_zenith,
-                                 "look_at or direction, for an observer above no body")  # fmt: skip
+            raise ParameterError(
+                "camera.look_zenith",
+                self.view.look_zenith,
+                "look_at or direction, for an observer above no body",
+            )
 
     def _known(self, field: str, name: str, more: tuple[str, ...] = ()) -> None:
         known = (*(body.name for body in self.bodies), *more)
@@ -154,8 +157,9 @@ class System:
         for body in self.bodies:
             height = float(np.linalg.norm(at - body.centre)) - self.radius(body)
             if height < -1e-6 * self.radius(body):
-                raise ParameterError("observer", f"{height:.6g} m above {body.name}",
-                                     "a position outside all bodies")  # fmt: skip
+                raise ParameterError(
+                    "observer", f"{height:.6g} m above {body.name}", "a position outside all bodies"
+                )
         return at
 
     def _up_at(self, body: Body, observer: SceneObserver) -> FloatArray:
@@ -192,8 +196,11 @@ class System:
                 distance = float(np.linalg.norm(body.centre - other.centre))
                 least = self.outer_radius(body) + self.outer_radius(other)
                 if distance < least:
-                    raise ParameterError(f"bodies[{i}].position", f"{distance:.6g} m from"
-                                         f" {other.name}", f"at least {least:.6g} m")  # fmt: skip
+                    raise ParameterError(
+                        f"bodies[{i}].position",
+                        f"{distance:.6g} m from {other.name}",
+                        f"at least {least:.6g} m",
+                    )
 
     @cached_property
     def camera_axes(self) -> FloatArray:
@@ -232,11 +239,13 @@ class System:
         right = unit(right, "camera.up")
         above = np.cross(right, forward)
         roll = np.radians(view.roll)
-        return np.stack([
-            np.cos(roll) * right - np.sin(roll) * above,
-            np.cos(roll) * above + np.sin(roll) * right,
-            forward,
-        ])  # fmt: skip
+        return np.stack(
+            [
+                np.cos(roll) * right - np.sin(roll) * above,
+                np.cos(roll) * above + np.sin(roll) * right,
+                forward,
+            ]
+        )
 
     def _seen(self, towards: FloatArray, zenith: FloatArray) -> FloatArray:
         """Apparent direction of a point behind the atmosphere of the observer's planet. [1]"""

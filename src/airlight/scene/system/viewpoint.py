@@ -15,25 +15,39 @@ from airlight.scene.system.vectors import POSITION, unit
 
 #: Keys of a camera, in the views of films too.
 LOOK_ZENITH: Final = Field(
-    label="zenith angle", help="Zenith angle of the line of sight.", unit="deg",
-    range=(0.0, 180.0), example="80 deg",
-)  # fmt: skip
+    label="zenith angle",
+    help="Zenith angle of the line of sight.",
+    unit="deg",
+    range=(0.0, 180.0),
+    example="80 deg",
+)
 ROLL: Final = Field(
-    label="roll", help="Clockwise rotation of the camera.", unit="deg", range=(-360.0, 360.0),
+    label="roll",
+    help="Clockwise rotation of the camera.",
+    unit="deg",
+    range=(-360.0, 360.0),
     example="0 deg",
-)  # fmt: skip
+)
 POLARISER: Final = Field(
-    label="polariser", help="Axis of a polarising filter, counterclockwise from the camera's up; "
-    "default: no filter.", unit="deg", range=(-360.0, 360.0), example="90 deg",
-)  # fmt: skip
+    label="polariser",
+    help="Axis of a polarising filter, counterclockwise from the camera's up; default: no filter.",
+    unit="deg",
+    range=(-360.0, 360.0),
+    example="90 deg",
+)
 PROJECTION: Final = Field(
-    label="projection", help="Projection of the picture.", kind="choice",
+    label="projection",
+    help="Projection of the picture.",
+    kind="choice",
     choices=lambda: tuple(name for name, form in PROJECTIONS.items() if not form.parallel),
-)  # fmt: skip
+)
 FIELD_OF_VIEW: Final = Field(
-    label="field of view", help="Angle from left to right, or across a fisheye.", unit="deg",
-    range=(1e-4, 360.0), example="40 deg",
-)  # fmt: skip
+    label="field of view",
+    help="Angle from left to right, or across a fisheye.",
+    unit="deg",
+    range=(1e-4, 360.0),
+    example="40 deg",
+)
 
 
 @parameters
@@ -55,26 +69,46 @@ class SceneObserver(TomlModel):
     body: (
         Annotated[
             str,
-            Field(label="body", help="Body above which the observer is.", kind="text",
-                range=(1, 60), example="earth"),
+            Field(
+                label="body",
+                help="Body above which the observer is.",
+                kind="text",
+                range=(1, 60),
+                example="earth",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     latitude: Annotated[
         float,
-        Field(label="latitude", help="Planetocentric latitude, north positive.", unit="deg",
-            range=(-90.0, 90.0), example="37 deg"),
-    ] = 0.0  # fmt: skip
+        Field(
+            label="latitude",
+            help="Planetocentric latitude, north positive.",
+            unit="deg",
+            range=(-90.0, 90.0),
+            example="37 deg",
+        ),
+    ] = 0.0
     longitude: Annotated[
         float,
-        Field(label="longitude", help="Planetocentric longitude, east positive.", unit="deg",
-            range=(-360.0, 360.0), example="-87.7 deg"),
-    ] = 0.0  # fmt: skip
+        Field(
+            label="longitude",
+            help="Planetocentric longitude, east positive.",
+            unit="deg",
+            range=(-360.0, 360.0),
+            example="-87.7 deg",
+        ),
+    ] = 0.0
     altitude: Annotated[
         float,
-        Field(label="altitude", help="Altitude above the ground.", unit="m", range=(0.0, 1e12),
-            example="400 km"),
-    ] = 2.0  # fmt: skip
+        Field(
+            label="altitude",
+            help="Altitude above the ground.",
+            unit="m",
+            range=(0.0, 1e12),
+            example="400 km",
+        ),
+    ] = 2.0
     position: Annotated[tuple[float, ...], POSITION] | None = None
 
     def __post_init__(self) -> None:
@@ -111,12 +145,16 @@ class View(TomlModel):
     look_at: (
         Annotated[
             str,
-            Field(label="look at", help="Body or star at the centre of the picture.",
+            Field(
+                label="look at",
+                help="Body or star at the centre of the picture.",
                 kind="text",
-                range=(1, 60), example="moon"),
+                range=(1, 60),
+                example="moon",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     look_zenith: Annotated[float, LOOK_ZENITH] | None = None
     look_bearing: (
         Annotated[
@@ -129,19 +167,29 @@ class View(TomlModel):
     direction: (
         Annotated[
             tuple[float, ...],
-            Field(label="direction", help="Direction of the line of sight.", range=(-1e12, 1e12),
-                listed=True, example="[1, 0, 0]"),
+            Field(
+                label="direction",
+                help="Direction of the line of sight.",
+                range=(-1e12, 1e12),
+                listed=True,
+                example="[1, 0, 0]",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     up: (
         Annotated[
             tuple[float, ...],
-            Field(label="up", help="Direction that is up in the picture.", range=(-1e12, 1e12),
-                listed=True, example="[0, 0, 1]"),
+            Field(
+                label="up",
+                help="Direction that is up in the picture.",
+                range=(-1e12, 1e12),
+                listed=True,
+                example="[0, 0, 1]",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     roll: Annotated[float, ROLL] = 0.0
     polariser: Annotated[float, POLARISER] | None = None
     projection: Annotated[str, PROJECTION] = "perspective"
@@ -170,6 +218,10 @@ class View(TomlModel):
     def camera(self, width: int, height: int, crop: tuple[int, int, int, int] | None) -> Camera:
         """Camera of a frame's size [pixel], oriented by ``System.camera_axes``."""
         return Camera(
-            projection=self.projection, width=width, height=height, polariser=self.polariser,
-            field_of_view=self.field_of_view, crop=crop,
-        )  # fmt: skip
+            projection=self.projection,
+            width=width,
+            height=height,
+            polariser=self.polariser,
+            field_of_view=self.field_of_view,
+            crop=crop,
+        )

@@ -123,7 +123,7 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
 @compiled_loop
 def add_ground(
     r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic, ground, transmittance, out
-):  # fmt: skip
+):
     """Add the attenuated radiance of the ground at the end of a line of sight.
 
     Parameters

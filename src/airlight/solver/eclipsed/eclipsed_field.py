@@ -221,9 +221,12 @@ def _iterate(
             )
 
         run_blocks(
-            run, grid.radii * grid.distances, cancel=cancel, progress=progress,
+            run,
+            grid.radii * grid.distances,
+            cancel=cancel,
+            progress=progress,
             message=f"light in the shadow, order {order}",
-        )  # fmt: skip
+        )
         field[:, 0, 1:], sky[0, 1:] = field[:, 0, :1], sky[0, :1]
         field = np.concatenate(
             [field, field[:, :, -2::-1] * signs[:, None]], axis=2, dtype=np.float32
@@ -413,9 +416,7 @@ def _finer(values: Float32Array, distances: int, angles: int) -> Float32Array:
     opposite = values[:, 1:, half:][:, ::-1]
     at = np.arange(1 - columns, columns) / (columns - 1.0)
     through = np.concatenate([opposite, there], axis=1)
-    fine = CubicSpline(at, through, axis=1)(
-        np.arange(1 - distances, distances) / (distances - 1.0)
-    )  # fmt: skip
+    fine = CubicSpline(at, through, axis=1)(np.arange(1 - distances, distances) / (distances - 1.0))
     around = np.concatenate(
         [fine[:, distances - 1 :], fine[:, distances - 1 :: -1][:, :, 1:]], axis=2
     )

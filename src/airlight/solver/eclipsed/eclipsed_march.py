@@ -287,9 +287,13 @@ def _add_point(line, start, place, weight, kind, phase, eclipse, result):
             source = multiple_scattering_at(row, sun, f, e, tables, work, at) * part
             if seen > 0.0:
                 arriving = transmittance * direct_beam(
-                    seen, work.columns_to_sun_low, work.columns_to_sun_high, spread, extinction,
+                    seen,
+                    work.columns_to_sun_low,
+                    work.columns_to_sun_high,
+                    spread,
+                    extinction,
                     tables.constituents,
-                )  # fmt: skip
+                )
                 phases = lane_view(phase, at)
                 add_star(part * arriving, True, False, phases, tables, work, at, found)
                 if tables.broadened:

@@ -87,9 +87,14 @@ class EclipsedSolution:
         mu = np.clip(np.einsum("nk,nk->n", up, along), -1.0, 1.0)
         sine = np.linalg.norm(np.cross(up, along), axis=-1)
         lines = enter_shell(
-            r, mu, sine, np.clip(up @ towards, -1.0, 1.0), np.clip(along @ towards, -1.0, 1.0),
-            solution.medium.bottom_radius, solution.medium.top_radius,
-        )  # fmt: skip
+            r,
+            mu,
+            sine,
+            np.clip(up @ towards, -1.0, 1.0),
+            np.clip(along @ towards, -1.0, 1.0),
+            solution.medium.bottom_radius,
+            solution.medium.top_radius,
+        )
         drawn = geometry.optical_lines(lines)
         seen = geometry.apparent_nu(drawn)
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen), 0.0))

@@ -223,13 +223,20 @@ class Optics:
         depths = np.empty((3, wavelengths))
         # Copies: the medium's arrays are read-only and may not be contiguous.
         given = (
-            medium.scattering, medium.absorption, self.phases, self.polarised_elements,
+            medium.scattering,
+            medium.absorption,
+            self.phases,
+            self.polarised_elements,
             medium.columns,
-        )  # fmt: skip
+        )
         delta_m_scaling(
-            *(np.array(one, float) for one in given), self.degree, extinction.reshape(-1),
-            moments.reshape(-1), polarised_moments.reshape(-1), depths.reshape(-1),
-        )  # fmt: skip
+            *(np.array(one, float) for one in given),
+            self.degree,
+            extinction.reshape(-1),
+            moments.reshape(-1),
+            polarised_moments.reshape(-1),
+            depths.reshape(-1),
+        )
         return extinction, moments, polarised_moments, depths
 
     @property

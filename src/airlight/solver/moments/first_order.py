@@ -327,9 +327,13 @@ def _first_order(
                 radiance, scattering_q = splat(0.0), splat(0.0)
                 if lit:
                     fill_phase_pairs(
-                        moments, scatterers, count, pair(np.float32(nu), np.float32(nu_2)), degree,
+                        moments,
+                        scatterers,
+                        count,
+                        pair(np.float32(nu), np.float32(nu_2)),
+                        degree,
                         phase,
-                    )  # fmt: skip
+                    )
                     for k in range(points):
                         if kinds[k] == 0:
                             continue
@@ -436,7 +440,7 @@ def first_order_radius(
 @compiled_loop
 def first_order_radius_narrow(
     i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
-):  # fmt: skip
+):
     """``first_order_radius`` for at most four wavelengths, two azimuths in a register.
 
     Both halves of ``norm`` and of ``air`` have the same wavelengths.

@@ -226,9 +226,12 @@ def polarised_functions(mu):
     """
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     return (
-        _ZEROTH * sine * sine, 0.0 - _FIRST * sine * mu, 0.5 * _FIRST * (1.0 + mu * mu),
-        _FIRST * sine, 0.0 - _FIRST * mu,
-    )  # fmt: skip
+        _ZEROTH * sine * sine,
+        0.0 - _FIRST * sine * mu,
+        0.5 * _FIRST * (1.0 + mu * mu),
+        _FIRST * sine,
+        0.0 - _FIRST * mu,
+    )
 
 
 @inlined

@@ -39,9 +39,13 @@ def ground_light(mu_s, orders, tables, work):
         star, sky = splat(0.0), splat(0.0)
         if direct:
             star = direct_horizontal(
-                work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
-                lane_view(tables.scaled_extinction, at), tables.constituents,
-            )  # fmt: skip
+                work.columns_to_sun_low,
+                work.columns_to_sun_high,
+                from_low,
+                from_high,
+                lane_view(tables.scaled_extinction, at),
+                tables.constituents,
+            )
         if orders != 1:
             sky = diffuse_horizontal(lane_view(tables.sky, at), place, x - place)
         received = lane_view(work.irradiance, at)
@@ -81,9 +85,13 @@ def direct_irradiance(r, mu_s, tables, work, out):
         columns_to_space(r[k], high, tables, work.columns_to_sun_high)
         for at in range(0, tables.lanes, LANES):
             star = direct_horizontal(
-                work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
-                lane_view(tables.scaled_extinction, at), tables.constituents,
-            )  # fmt: skip
+                work.columns_to_sun_low,
+                work.columns_to_sun_high,
+                from_low,
+                from_high,
+                lane_view(tables.scaled_extinction, at),
+                tables.constituents,
+            )
             store(out[k], at, star)
 
 
@@ -99,9 +107,13 @@ def direct_normal_irradiance(r, mu_s, tables, work, out):
         columns_to_space(r[k], high, tables, work.columns_to_sun_high)
         for at in range(0, tables.lanes, LANES):
             star = direct_beam(
-                seen, work.columns_to_sun_low, work.columns_to_sun_high, high > low,
-                lane_view(tables.scaled_extinction, at), tables.constituents,
-            )  # fmt: skip
+                seen,
+                work.columns_to_sun_low,
+                work.columns_to_sun_high,
+                high > low,
+                lane_view(tables.scaled_extinction, at),
+                tables.constituents,
+            )
             store(out[k], at, star)
 
 

@@ -80,12 +80,18 @@ def next_iterate(
     def at(i: int) -> None:
         _accelerate(
             *(one[0][i] for one in (light, residual, accelerated, swept)),
-            weight[i], factors, np.float32(relaxation), out[0][i],
-        )  # fmt: skip
+            weight[i],
+            factors,
+            np.float32(relaxation),
+            out[0][i],
+        )
         _accelerate(
             *(one[1][i][:, None] for one in (light, residual, accelerated, swept)),
-            weight[i], factors[:0], np.float32(relaxation), out[1][i][:, None],
-        )  # fmt: skip
+            weight[i],
+            factors[:0],
+            np.float32(relaxation),
+            out[1][i][:, None],
+        )
 
     run_blocks(at, light[0].shape[0])
     return out

@@ -262,9 +262,14 @@ def fill_levels(values, scale, level, refinement, out):
                 for w in range(lanes):
                     bend = cubic_bend(x, below[k, w], near[k, w], far[k, w], above[k, w], count)
                     out[at + part, k, w] = between_levels(
-                        x, near[k, w], far[k, w], blend[w] * bend, root[i, w], root[i + 1, w],
+                        x,
+                        near[k, w],
+                        far[k, w],
+                        blend[w] * bend,
+                        root[i, w],
+                        root[i + 1, w],
                         level[w],
-                    )  # fmt: skip
+                    )
 
 
 @kernel

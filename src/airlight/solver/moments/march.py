@@ -162,9 +162,13 @@ def add_point(
             )
         if seen > 0.0:
             star = transmittance * direct_beam(
-                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread, extinction,
+                seen,
+                work.columns_to_sun_low,
+                work.columns_to_sun_high,
+                spread,
+                extinction,
                 tables.constituents,
-            )  # fmt: skip
+            )
             add_star(star, air, peaks, lane_view(phase, at), tables, work, at, found)
             if tables.broadened:
                 add_peaks(star, np.float32(1.0), spread, lane_view(phase, at), tables, work, at)

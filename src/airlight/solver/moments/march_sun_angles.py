@@ -190,9 +190,12 @@ def _march_all(angles, orders, delta_scaled, phase, tables, work, stars, out):
     while first < r.size:
         last = first + 1
         while (
-            last < r.size and last - first < stars.counts.size and r[last] == r[first]
-            and mu[last] == mu[first] and length[last] == length[first]
-        ):  # fmt: skip
+            last < r.size
+            and last - first < stars.counts.size
+            and r[last] == r[first]
+            and mu[last] == mu[first]
+            and length[last] == length[first]
+        ):
             last += 1
         if length[first] > 0.0:
             light = orders, has_unscaled, delta_scaled
@@ -350,9 +353,13 @@ def _add_star(seen, spread, index, light, phase, tables, work, stars):
         sums, peaks = lane_view(stars.sums, at), lane_view(work.peaks, at)
         scattering, phases = lane_view(stars.scattering, at), lane_view(phase, at)
         star = load(stars.transmittance, at) * direct_beam(
-            seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
-            lane_view(tables.scaled_extinction, at), constituents,
-        )  # fmt: skip
+            seen,
+            work.columns_to_sun_low,
+            work.columns_to_sun_high,
+            spread,
+            lane_view(tables.scaled_extinction, at),
+            constituents,
+        )
         if orders != 0:
             source = splat(0.0)
             for c in range(constituents):
@@ -366,9 +373,13 @@ def _add_star(seen, spread, index, light, phase, tables, work, stars):
                 sums[index, 1 + part] = peaks[part]
         if has_unscaled:
             star = load(stars.transmittance_once, at) * direct_beam(
-                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
-                lane_view(tables.extinction, at), constituents,
-            )  # fmt: skip
+                seen,
+                work.columns_to_sun_low,
+                work.columns_to_sun_high,
+                spread,
+                lane_view(tables.extinction, at),
+                constituents,
+            )
         for c in range(constituents):
             sums[index, 4 + c] += star * scattering[c]
 

@@ -58,9 +58,7 @@ def factor_count(degree, narrow):
 
 
 @inlined
-def fill_factors(
-    point, rays, air, expansion, degree, highest, functions, k, factors, narrow
-):  # fmt: skip
+def fill_factors(point, rays, air, expansion, degree, highest, functions, k, factors, narrow):
     """Factors of the moments in the source function at a point of a ray.
 
     Parameters
@@ -141,7 +139,7 @@ def fill_factors(
 @inlined
 def source_four_suns(
     k, row, f, factors, sun_angles, field, start, wide, highest, degree, rows, narrow
-):  # fmt: skip
+):
     """Source function at a point of a ray, for four sun angles.
 
     Parameters

@@ -219,9 +219,12 @@ class Setup:
     def _columns(self) -> tuple[ColumnTable, FloatArray]:
         medium = self.medium
         return _columns(
-            medium.bottom_radius, medium.top_radius, medium.density, self.column_radii,
+            medium.bottom_radius,
+            medium.top_radius,
+            medium.density,
+            self.column_radii,
             self.column_directions,
-        )  # fmt: skip
+        )
 
     @property
     def table(self) -> ColumnTable:

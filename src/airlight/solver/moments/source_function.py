@@ -81,9 +81,7 @@ def odd_moment(field, level, sun, f, m, degree, narrow):
 
 
 @inlined
-def source_at_point(
-    rows, point, sun, f, step, sine, wide, degree, bright, polarised, narrow
-):  # fmt: skip
+def source_at_point(rows, point, sun, f, step, sine, wide, degree, bright, polarised, narrow):
     """Contribution of multiple scattering at a point to I, Q and U of its ray. [1]
 
     Parameters

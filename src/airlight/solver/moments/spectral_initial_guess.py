@@ -67,9 +67,7 @@ def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[l
         comb = np.abs(wavelengths[batches:] - wavelengths[:-batches]) / wavelengths[batches:]
         helped = bool(np.median(comb) < _WIDE)
     if not helped:
-        return [
-            [slice(first, min(first + LANES, count), 1)] for first in range(0, count, LANES)
-        ]  # fmt: skip
+        return [[slice(first, min(first + LANES, count), 1)] for first in range(0, count, LANES)]
     edges = [min(LANES * (whole * k // groups), count) for k in range(groups + 1)]
     found = []
     for first, last in itertools.pairwise(edges):

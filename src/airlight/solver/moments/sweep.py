@@ -53,7 +53,7 @@ _CACHED = 1_000_000
 @inlined
 def _sweep(
     i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, narrow
-):  # fmt: skip
+):
     """``sweep_radius``, or ``sweep_radius_narrow`` if ``narrow``, a constant."""
     # Unpacked once: in the loop each access of a tuple would count references.
     bottom, top, radii, sun_cosines, first_nodes, rows_at, places = grid
@@ -222,7 +222,7 @@ def _sweep(
 @compiled_loop
 def sweep_radius(
     i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out
-):  # fmt: skip
+):
     """Moments of the next order at one radius, for all sun angles.
 
     Parameters
@@ -244,13 +244,13 @@ def sweep_radius(
     """
     _sweep(
         i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, False
-    )  # fmt: skip
+    )
 
 
 @compiled_loop
 def sweep_radius_narrow(
     i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out
-):  # fmt: skip
+):
     """``sweep_radius`` for at most four wavelengths, two moments in a register.
 
     Both halves of ``norm`` and of ``air`` have the same wavelengths; ``field`` has pairs of
@@ -258,4 +258,4 @@ def sweep_radius_narrow(
     """
     _sweep(
         i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, True
-    )  # fmt: skip
+    )

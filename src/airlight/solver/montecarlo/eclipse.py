@@ -58,9 +58,7 @@ def eclipsed_estimate(
     )
     medium, geometry = solution.medium, solution.geometry
     scale = medium.bottom_radius / geometry.medium.bottom_radius
-    frames = [
-        star.moved(_frame(up[k], along[k], towards), scale) for k in range(len(at))
-    ]  # fmt: skip
+    frames = [star.moved(_frame(up[k], along[k], towards), scale) for k in range(len(at))]
     if hemisphere:
         r = geometry.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, mu, geometry.medium.top_radius)

@@ -200,9 +200,11 @@ def _run_block(
         new_sampling_density(along),
     )
     workspace = (
-        np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1), np.zeros(2),
+        np.zeros(air.scattering.size),
+        np.zeros(settings.kept_orders + 1),
+        np.zeros(2),
         np.zeros((3, 4)),
-    )  # fmt: skip
+    )
     first_order = 1 if query.known is None else 2
     end_r = np.sqrt(max(r * r + query.lengths[line] * (query.lengths[line] + 2 * r * mu), 1))
     end_mu_s = (r * mu_s + query.lengths[line] * nu) / end_r
@@ -237,9 +239,14 @@ def _criterion(
 
 
 def _more(
-    query: Query, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
-    open_: NDArray[np.bool_], settings: MonteCarloSettings, most: int,
-) -> NDArray[np.int64]:  # fmt: skip
+    query: Query,
+    sums: FloatArray,
+    blocks: NDArray[np.int64],
+    known: FloatArray,
+    open_: NDArray[np.bool_],
+    settings: MonteCarloSettings,
+    most: int,
+) -> NDArray[np.int64]:
     """Number of blocks of each task after the next round, shape (tasks,)."""
     means, errors = _statistics(sums, blocks * BLOCK)
     value, error = _criterion(query, means, errors, known)

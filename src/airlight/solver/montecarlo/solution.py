@@ -212,9 +212,13 @@ class MonteCarloSolution(Solution):
         """
         if stokes and order is not None:  # the first, by quadrature
             return super().radiance(
-                altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith,
-                azimuth=azimuth, order=order, stokes=stokes,
-            )  # fmt: skip
+                altitude=altitude,
+                sun_zenith=sun_zenith,
+                view_zenith=view_zenith,
+                azimuth=azimuth,
+                order=order,
+                stokes=stokes,
+            )
         if stokes:
             self.check_polarised()
         self.check_order(order)

@@ -84,8 +84,9 @@ class Positions:
         to_ground: ArrayLike | None = None,
     ) -> Positions:
         """Points from arrays that broadcast; ``to_ground`` by default follows from the geometry."""
-        cosines = [values_in(one, "1", name) for one, name in
-                   ((mu, "mu"), (mu_s, "mu_s"), (nu, "nu"))]  # fmt: skip
+        cosines = [
+            values_in(one, "1", name) for one, name in ((mu, "mu"), (mu_s, "mu_s"), (nu, "nu"))
+        ]
         arrays = np.broadcast_arrays(values_in(r, "m", "r"), *cosines)
         flat = [np.ascontiguousarray(array).ravel() for array in arrays]
         if to_ground is None:

@@ -154,11 +154,16 @@ def started(workers: int) -> Iterator[DaskRunner]:
         try:
             with deaf_to_interrupts():
                 cluster = LocalCluster(
-                    n_workers=workers, threads_per_worker=1, processes=True, memory_limit=0,
-                    host="127.0.0.1", dashboard_address="127.0.0.1:0",
-                    silence_logs=logging.CRITICAL, env={"AIRLIGHT_THREADS": str(threads)},
+                    n_workers=workers,
+                    threads_per_worker=1,
+                    processes=True,
+                    memory_limit=0,
+                    host="127.0.0.1",
+                    dashboard_address="127.0.0.1:0",
+                    silence_logs=logging.CRITICAL,
+                    env={"AIRLIGHT_THREADS": str(threads)},
                     preload="airlight.studies.distribution.worker_process",
-                )  # fmt: skip
+                )
         except RuntimeError as error:
             raise WorkerError(f"processes cannot be started: {_first_line(error)}") from None
         client = None

@@ -200,9 +200,14 @@ class SystemFrameSpec:
     def _render(self, width: int, height: int, progress: Progress | None = None) -> Frame:
         how = self.how
         return render_system(
-            self.system, width=width, height=height, wavelengths=how.wavelengths,
-            quality=how.quality, samples=how.samples, progress=progress,
-        )  # fmt: skip
+            self.system,
+            width=width,
+            height=height,
+            wavelengths=how.wavelengths,
+            quality=how.quality,
+            samples=how.samples,
+            progress=progress,
+        )
 
     def cost(self) -> dict[str, float]:
         """See ``FrameSpec``; samples at the edges of bodies are not counted."""

@@ -123,30 +123,47 @@ class KeyFrames(TomlModel):
 
     path: Annotated[
         str,
-        Field(label="path", help="Animated number: `observer.altitude`, `view.sun_zenith`,"
-            " `haze.particles.optical_depth`.", kind="text", range=(1, 200),
-            example="observer.altitude"),
-    ]  # fmt: skip
+        Field(
+            label="path",
+            help="Animated number: `observer.altitude`, `view.sun_zenith`,"
+            " `haze.particles.optical_depth`.",
+            kind="text",
+            range=(1, 200),
+            example="observer.altitude",
+        ),
+    ]
     values: Annotated[
         Any,
-        Field(label="values",
+        Field(
+            label="values",
             help="Values, with units as in the file; lists for a vector.",
-            listed=True, read=_read_values, example="['2 m', '400 km']"),
-    ]  # fmt: skip
+            listed=True,
+            read=_read_values,
+            example="['2 m', '400 km']",
+        ),
+    ]
     at: (
         Annotated[
             tuple[float, ...],
-            Field(label="moments", help="Normalised time of each value, 0 to 1, ascending;"
-                " default: equidistant.", range=(0.0, 1.0), listed=True,
-                example="[0, 0.5, 1]"),
+            Field(
+                label="moments",
+                help="Normalised time of each value, 0 to 1, ascending; default: equidistant.",
+                range=(0.0, 1.0),
+                listed=True,
+                example="[0, 0.5, 1]",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     law: Annotated[
         str,
-        Field(label="law", help="Interpolation between the values.", kind="choice",
-            choices=lambda: tuple(LAWS)),
-    ] = "linear"  # fmt: skip
+        Field(
+            label="law",
+            help="Interpolation between the values.",
+            kind="choice",
+            choices=lambda: tuple(LAWS),
+        ),
+    ] = "linear"
 
     def __post_init__(self) -> None:
         numbers, _ = self._numbers()

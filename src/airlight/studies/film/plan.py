@@ -35,41 +35,62 @@ class FilmPlan(TomlModel):
     frames: Annotated[
         float,
         Field(label="frames", help="Number of frames.", range=(1, MOST_FRAMES), example="120"),
-    ] = 120.0  # fmt: skip
+    ] = 120.0
     rate: Annotated[
         float,
-        Field(label="rate", help="Frames per second of playback.", range=(1.0, 1000.0),
-            example="30"),
-    ] = 30.0  # fmt: skip
+        Field(
+            label="rate", help="Frames per second of playback.", range=(1.0, 1000.0), example="30"
+        ),
+    ] = 30.0
     start: (
         Annotated[
             str,
-            Field(label="start", help="Time of the first frame, as for `--time`; with its zone"
-                " for a scene.", kind="text", range=(1, 100), example="2026-06-21T20:00Z"),
+            Field(
+                label="start",
+                help="Time of the first frame, as for `--time`; with its zone for a scene.",
+                kind="text",
+                range=(1, 100),
+                example="2026-06-21T20:00Z",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     end: (
         Annotated[
             str,
-            Field(label="end", help="Time of the last frame; requires `start`.", kind="text",
-                range=(1, 100), example="2026-06-21T21:30Z"),
+            Field(
+                label="end",
+                help="Time of the last frame; requires `start`.",
+                kind="text",
+                range=(1, 100),
+                example="2026-06-21T21:30Z",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     zone: (
         Annotated[
             str,
-            Field(label="zone", help="Zone of times without one, for a planet: `Europe/Stockholm`,"
-                " `solar`.", kind="text", range=(1, 60), example="Europe/Stockholm"),
+            Field(
+                label="zone",
+                help="Zone of times without one, for a planet: `Europe/Stockholm`, `solar`.",
+                kind="text",
+                range=(1, 60),
+                example="Europe/Stockholm",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     keys: Annotated[
         tuple[KeyFrames, ...],
-        Field(label="keys", help="Animated numbers, see below.", kind="table",
-            table=KeyFrames, example="[[film.keys]] tables"),
-    ] = ()  # fmt: skip
+        Field(
+            label="keys",
+            help="Animated numbers, see below.",
+            kind="table",
+            table=KeyFrames,
+            example="[[film.keys]] tables",
+        ),
+    ] = ()
 
     def __post_init__(self) -> None:
         if self.frames != int(self.frames):

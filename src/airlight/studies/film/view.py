@@ -53,28 +53,48 @@ class PlanetView(TomlModel):
 
     latitude: Annotated[
         float,
-        Field(label="latitude", help="Latitude of the observer, north positive.", unit="deg",
-            range=(-90.0, 90.0), example="59.3 deg"),
-    ] = 25.0  # fmt: skip
+        Field(
+            label="latitude",
+            help="Latitude of the observer, north positive.",
+            unit="deg",
+            range=(-90.0, 90.0),
+            example="59.3 deg",
+        ),
+    ] = 25.0
     longitude: Annotated[
         float,
-        Field(label="longitude", help="Longitude of the observer, east positive.", unit="deg",
-            range=(-360.0, 360.0), example="18.1 deg"),
-    ] = 30.0  # fmt: skip
+        Field(
+            label="longitude",
+            help="Longitude of the observer, east positive.",
+            unit="deg",
+            range=(-360.0, 360.0),
+            example="18.1 deg",
+        ),
+    ] = 30.0
     altitude: Annotated[
         float,
-        Field(label="altitude", help="Altitude of the observer; below 0, down to the planet's"
-            " deepest basin, on the floor of a basin. Not for `orthographic`.", unit="m",
-            range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE), example="2 m"),
-    ] = 2.0  # fmt: skip
+        Field(
+            label="altitude",
+            help="Altitude of the observer; below 0, down to the planet's"
+            " deepest basin, on the floor of a basin. Not for `orthographic`.",
+            unit="m",
+            range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE),
+            example="2 m",
+        ),
+    ] = 2.0
     sun_zenith: (
         Annotated[
             float,
-            Field(label="sun zenith", help="Zenith angle of the sun; 72 deg without a time.",
-                unit="deg", range=(0.0, 180.0), example="85 deg"),
+            Field(
+                label="sun zenith",
+                help="Zenith angle of the sun; 72 deg without a time.",
+                unit="deg",
+                range=(0.0, 180.0),
+                example="85 deg",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     sun_azimuth: (
         Annotated[
             float,
@@ -86,21 +106,31 @@ class PlanetView(TomlModel):
     look_at: (
         Annotated[
             str,
-            Field(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, `moon` by time, or"
-                " a bearing: `NE`, `315/20`; default: the horizon below the sun.", kind="text",
-                range=(1, 40), example="W"),
+            Field(
+                label="look at",
+                help="`horizon`, `zenith`, `nadir`, `sun`, `moon` by time, or"
+                " a bearing: `NE`, `315/20`; default: the horizon below the sun.",
+                kind="text",
+                range=(1, 40),
+                example="W",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     look_zenith: Annotated[float, LOOK_ZENITH] | None = None
     look_azimuth: (
         Annotated[
             float,
-            Field(label="azimuth", help="Azimuth of the line of sight from the sun's side, 90 to"
-                " its right.", unit="deg", range=(-360.0, 360.0), example="30 deg"),
+            Field(
+                label="azimuth",
+                help="Azimuth of the line of sight from the sun's side, 90 to its right.",
+                unit="deg",
+                range=(-360.0, 360.0),
+                example="30 deg",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     roll: Annotated[float, ROLL] = 0.0
     polariser: Annotated[float, POLARISER] | None = None
     projection: Annotated[
@@ -111,21 +141,33 @@ class PlanetView(TomlModel):
     extent: (
         Annotated[
             float,
-            Field(label="extent", help="Length from left to right for `orthographic`, by default"
-                " the whole disc.", unit="m", range=(1.0, HIGHEST_ALTITUDE), example="14000 km"),
+            Field(
+                label="extent",
+                help="Length from left to right for `orthographic`, by default the whole disc.",
+                unit="m",
+                range=(1.0, HIGHEST_ALTITUDE),
+                example="14000 km",
+            ),
         ]
         | None
-    ) = None  # fmt: skip
+    ) = None
     ground: Annotated[
         str,
-        Field(label="ground", help="Ground below the map's resolution.", kind="choice",
-            choices=lambda: tuple(GROUNDS)),
-    ] = "detailed"  # fmt: skip
+        Field(
+            label="ground",
+            help="Ground below the map's resolution.",
+            kind="choice",
+            choices=lambda: tuple(GROUNDS),
+        ),
+    ] = "detailed"
     stars: Annotated[
         bool,
-        Field(label="stars", help="Stars to magnitude 6.5, by time or by the position"
-            " of the sun.", kind="switch"),
-    ] = False  # fmt: skip
+        Field(
+            label="stars",
+            help="Stars to magnitude 6.5, by time or by the position of the sun.",
+            kind="switch",
+        ),
+    ] = False
 
     def __post_init__(self) -> None:
         if self.look_at is not None:

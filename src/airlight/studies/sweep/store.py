@@ -148,9 +148,11 @@ class SweepStore:
         self._metadata = metadata(grid, stokes=stokes)
         self._contents = contents(grid)
         self._attributes = {
-            AXES_ATTRIBUTE: axes_text(grid, stokes=stokes), "planet": ", ".join(grid.names),
-            **about, **software(),
-        }  # fmt: skip
+            AXES_ATTRIBUTE: axes_text(grid, stokes=stokes),
+            "planet": ", ".join(grid.names),
+            **about,
+            **software(),
+        }
         self._marks = np.zeros((*grid.blocks, 2), np.uint64)
         self._there = (path / ".zgroup").is_file()
         self._whole = 0

@@ -171,9 +171,12 @@ def sweep(
                     if progress is not None:
                         progress(done + 1, len(missing), "radiances")
     return Swept(
-        path=Path(path), computed=len(missing), kept=len(marks) - len(missing), damaged=damaged,
+        path=Path(path),
+        computed=len(missing),
+        kept=len(marks) - len(missing),
+        damaged=damaged,
         radiances=int(np.prod(grid.shape)),
-    )  # fmt: skip
+    )
 
 
 def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:

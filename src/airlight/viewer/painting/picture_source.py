@@ -62,9 +62,13 @@ class Request:
     def displayed(self, frame: Frame, exposure: float) -> NDArray[np.uint8]:
         """Pixels of a frame of the request at an exposure [EV], shape (height, width, 3)."""
         return to_display(
-            frame.rgb, exposure, self.tone_map, eye=bool(self.uniforms.get("eye", False)),
-            glare=self.glare, **frame.lens,
-        )  # fmt: skip
+            frame.rgb,
+            exposure,
+            self.tone_map,
+            eye=bool(self.uniforms.get("eye", False)),
+            glare=self.glare,
+            **frame.lens,
+        )
 
     def same_light(self, other: Request | None) -> bool:
         """Whether both requests have the same radiance."""

@@ -171,11 +171,13 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     pictures = scenes_by_light(scene, solution)
     by_light = [
         one.solution.lines_of_sight(
-            altitude=scene.altitude, sun_zenith=one.light.zenith, view_zenith=zenith,
+            altitude=scene.altitude,
+            sun_zenith=one.light.zenith,
+            view_zenith=zenith,
             azimuth=math.remainder(azimuth - one.light.azimuth, 360.0),
         )[0]
         for one in pictures
-    ]  # fmt: skip
+    ]
     drawn = solution.geometry.optical_lines(by_light[0])
     depth = _depths(solution, drawn)
     transmittance = np.exp(-depth.sum(axis=0))
@@ -286,11 +288,13 @@ def _star(
     azimuth, left = math.atan2(towards[1], towards[0]), 1.0
     if star.occulter is not None:
         x, y, z, radius, left = star.occulter
-        moon = np.array([
-            math.cos(azimuth) * x - math.sin(azimuth) * y,
-            math.sin(azimuth) * x + math.cos(azimuth) * y,
-            z,
-        ])  # fmt: skip
+        moon = np.array(
+            [
+                math.cos(azimuth) * x - math.sin(azimuth) * y,
+                math.sin(azimuth) * x + math.cos(azimuth) * y,
+                z,
+            ]
+        )
         if left <= DARKEST or np.linalg.norm(outside - moon) < 2.0 * math.sin(0.5 * radius):
             return nothing
     numbers = shading_uniforms(star.phase, star.limb, math.hypot(*towards[:2]), float(towards[2]))
@@ -298,9 +302,14 @@ def _star(
     aside = math.sin(azimuth) * numbers["limb_x"] + math.cos(azimuth) * numbers["limb_y"]
     along = float((outside - towards) @ [across, aside, numbers["limb_z"]]) / max(apart, 1e-12)
     powers = disc_powers(
-        1.0 / (left * sun_solid_angle(alpha)), apart, alpha, 0.0, along, star.phase is not None,
+        1.0 / (left * sun_solid_angle(alpha)),
+        apart,
+        alpha,
+        0.0,
+        along,
+        star.phase is not None,
         MoonPhase(numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"]),
-    )  # fmt: skip
+    )
     return np.asarray(transmittance * star.irradiance * (star.darkenings @ powers))
 
 

@@ -58,9 +58,11 @@ class SideRenderer:
         if step.frame is None:
             texture.resize(camera.width, camera.height)
             step.display(
-                texture.view, exposure=exposure, tone_map=request.tone_map,
+                texture.view,
+                exposure=exposure,
+                tone_map=request.tone_map,
                 uniforms=request.uniforms,
-            )  # fmt: skip
+            )
             texture.wait()
         else:
             texture.write(request.displayed(step.frame, exposure))

@@ -19,8 +19,11 @@ NONE, MOON, STAR = KINDS = ("none", "moon", "second sun")
 LIGHT: Final = "view.second_light"
 BY_DATE: Final = "view.moon_by_date"
 PLACED: Final = (
-    "view.second_zenith", "view.second_azimuth", "view.moon_phase", "view.second_radius"
-)  # fmt: skip
+    "view.second_zenith",
+    "view.second_azimuth",
+    "view.moon_phase",
+    "view.second_radius",
+)
 TEMPERATURE: Final = "view.second_temperature"
 #: Paths of the sun's clock that are used here.
 _CLOCK: Final = "view.clock"

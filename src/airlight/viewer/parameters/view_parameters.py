@@ -57,8 +57,9 @@ class ViewValue(Parameter):
 
 def _turning(path: str, label: str, group: str, text: str, **more: Any) -> ViewValue:
     """Declare a periodic angle."""
-    return ViewValue(path=path, label=label, group=group, help=text, unit="deg", step=1.0,
-                     wraps=True, **more)  # fmt: skip
+    return ViewValue(
+        path=path, label=label, group=group, help=text, unit="deg", step=1.0, wraps=True, **more
+    )
 
 
 _ROUND: Final = {"low": 0.0, "high": 360.0, "least": 0.0, "most": 360.0}
@@ -68,8 +69,9 @@ _HALF_ROUND: Final = {"low": -180.0, "high": 180.0, "least": -180.0, "most": 180
 def _choice(
     path: str, label: str, group: str, options: tuple[str, ...], text: str, **more: Any
 ) -> ViewValue:
-    return ViewValue(path=path, label=label, group=group, help=text, kind="choice",
-                     options=options, **more)  # fmt: skip
+    return ViewValue(
+        path=path, label=label, group=group, help=text, kind="choice", options=options, **more
+    )
 
 
 #: Values of the view, in display order. A new slider takes one entry here; if it has a uniform, its
@@ -229,10 +231,15 @@ def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]
      'display.eye', 'light.constituents[0]']
     """
     switches = tuple(
-        Parameter(path=switch_path(index), label=name, group="light", kind="switch",
-                  help=f"Whether {name} scatters and absorbs.")
+        Parameter(
+            path=switch_path(index),
+            label=name,
+            group="light",
+            kind="switch",
+            help=f"Whether {name} scatters and absorbs.",
+        )
         for index, name in enumerate(constituents)
-    )  # fmt: skip
+    )
     return (*VIEW_VALUES, *switches)
 
 

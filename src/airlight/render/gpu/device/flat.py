@@ -119,9 +119,11 @@ def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> N
         raise ParameterError("array.shape", values.shape, f"texels of format {texture.format}")
     if not 0 <= start <= width * height - values.shape[0]:
         raise ParameterError(
-            "start", start, f"0 to {width * height - values.shape[0]}: {values.shape[0]} texels "
+            "start",
+            start,
+            f"0 to {width * height - values.shape[0]}: {values.shape[0]} texels "
             f"into {width * height}",
-        )  # fmt: skip
+        )
     done, end = start, start + values.shape[0]
     while done < end:  # the rest of a partly filled row, whole rows, the beginning of the last row
         row, column = divmod(done, width)

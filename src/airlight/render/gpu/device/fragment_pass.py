@@ -86,9 +86,11 @@ def _layout(found: re.Match[str], filtered: bool, source: str, label: str) -> di
         return {"texture": {"sample_type": sample, "view_dimension": _TEXTURES[kind]}}
     line = source.count("\n", 0, found.start()) + 1
     raise ShaderError(
-        label, line, source.splitlines()[line - 1],
+        label,
+        line,
+        source.splitlines()[line - 1],
         "only uniforms, samplers and sampled textures are supported",
-    )  # fmt: skip
+    )
 
 
 def compiled(device: Device, source: str, label: str) -> Any:

@@ -198,11 +198,14 @@ class Scope:
                 if first is None or second is None:
                     return None
                 operation = {
-                    ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b,
-                    ast.Mult: lambda a, b: a * b, ast.Div: lambda a, b: a / b,
-                    ast.FloorDiv: lambda a, b: a // b, ast.Mod: lambda a, b: a % b,
+                    ast.Add: lambda a, b: a + b,
+                    ast.Sub: lambda a, b: a - b,
+                    ast.Mult: lambda a, b: a * b,
+                    ast.Div: lambda a, b: a / b,
+                    ast.FloorDiv: lambda a, b: a // b,
+                    ast.Mod: lambda a, b: a % b,
                     ast.Pow: lambda a, b: a**b,
-                }.get(type(op))  # fmt: skip
+                }.get(type(op))
                 return None if operation is None else operation(first, second)
             case ast.Compare(left=left, ops=[op], comparators=[right]):
                 first, second = self.fold(left), self.fold(right)
@@ -210,9 +213,13 @@ class Scope:
                     return None
                 sign = COMPARISONS.get(type(op))
                 return {
-                    "<": first < second, "<=": first <= second, ">": first > second,
-                    ">=": first >= second, "==": first == second, "!=": first != second,
-                }.get(sign or "")  # fmt: skip
+                    "<": first < second,
+                    "<=": first <= second,
+                    ">": first > second,
+                    ">=": first >= second,
+                    "==": first == second,
+                    "!=": first != second,
+                }.get(sign or "")
             case ast.BoolOp(op=op, values=values):
                 folded = [self.fold(one) for one in values]
                 decided = isinstance(op, ast.Or)

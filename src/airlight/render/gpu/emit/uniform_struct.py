@@ -93,9 +93,13 @@ class UniformStruct:
     def _table(self, name: str, mark: InTexture) -> TextureTable:
         if mark.whole or mark.packed:
             return TextureTable(
-                name, mark.texture, mark.rank, mark.channels == 4, packed=mark.packed,
+                name,
+                mark.texture,
+                mark.rank,
+                mark.channels == 4,
+                packed=mark.packed,
                 image=mark.image,
-            )  # fmt: skip
+            )
         where = f"{self.name}.table_{name}"
         return TextureTable(
             name, mark.texture, mark.rank, mark.spectral, f"{where}.x", where, 1,

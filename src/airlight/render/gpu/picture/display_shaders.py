@@ -87,9 +87,12 @@ def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
     """Shader of displayed values from linear radiance and glare."""
     emitter = Emitter(dialect)
     light = _called(
-        emitter, glared_texel, FRAME.struct_value(Lens), ("picture", "coarser"),
+        emitter,
+        glared_texel,
+        FRAME.struct_value(Lens),
+        ("picture", "coarser"),
         ("glare", "glare_total", "circle"),
-    )  # fmt: skip
+    )
     display = FRAME.struct_value(Display, fixed)
     shown = emitter.add(displayed, F32, F32, F32, F32, F32, display, name="displayed")
     assert isinstance(shown.result, TupleType)

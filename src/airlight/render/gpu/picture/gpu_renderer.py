@@ -182,10 +182,14 @@ class GpuRenderer:
                     if progress is not None:
                         progress(rows.stop, height, "rendering")
         return Frame.seen_by(
-            camera, rgb, solution.wavelengths, {"solver": solution.report.provenance},
-            device=self.device.name, scene=scene,
+            camera,
+            rgb,
+            solution.wavelengths,
+            {"solver": solution.report.provenance},
+            device=self.device.name,
+            scene=scene,
             star_radius=lights[0].solution.lights[0].angular_radius,
-        )  # fmt: skip
+        )
 
     def _strips(
         self,
@@ -214,9 +218,13 @@ class GpuRenderer:
                 rows = slice(first, min(first + count, height))
                 strip = {**uniforms, "first_row": camera.top + first}
                 self._passes.run(
-                    picture_shader(exact), strip, [view], (LINEAR,),
-                    (0, 0, width, rows.stop - first), light=number,
-                )  # fmt: skip
+                    picture_shader(exact),
+                    strip,
+                    [view],
+                    (LINEAR,),
+                    (0, 0, width, rows.stop - first),
+                    light=number,
+                )
                 yield rows, read_texture(self.device, target)[: rows.stop - first, :, :3]
         finally:
             target.destroy()
@@ -283,9 +291,11 @@ class GpuRenderer:
             display.add_lights(parts, picture, (width, height), LINEAR)
             display.rendered = rendered
         values = {
-            **display_uniforms(exposure, tone_map, encoding), "glare": checked_amount(glare),
-            "circle": scene.camera.circle is not None, **(uniforms or {}),
-        }  # fmt: skip
+            **display_uniforms(exposure, tone_map, encoding),
+            "glare": checked_amount(glare),
+            "circle": scene.camera.circle is not None,
+            **(uniforms or {}),
+        }
         display.display(values, scene.camera.glare_angle, view, target_format)
 
     def _render_light(
@@ -312,16 +322,26 @@ class GpuRenderer:
                     "edges": uniforms["edges"] * band.edge,
                 }
                 self._passes.run(
-                    picture_shader(exact, FRAME.fixed(seen)), uniforms, [view],
-                    (target_format,), (0, band.first, width, band.rows), band.first > 0, number,
-                )  # fmt: skip
+                    picture_shader(exact, FRAME.fixed(seen)),
+                    uniforms,
+                    [view],
+                    (target_format,),
+                    (0, band.first, width, band.rows),
+                    band.first > 0,
+                    number,
+                )
             return
         rows = self._rows_at_once(width, height, exact)
         for first in range(0, height, rows):
             self._passes.run(
-                picture_shader(exact), uniforms, [view], (target_format,),
-                (0, first, width, min(rows, height - first)), first > 0, number,
-            )  # fmt: skip
+                picture_shader(exact),
+                uniforms,
+                [view],
+                (target_format,),
+                (0, first, width, min(rows, height - first)),
+                first > 0,
+                number,
+            )
 
     def _uniforms(
         self, light: SceneForLight, size: tuple[int, int], exact: bool, orders: str, disc: bool

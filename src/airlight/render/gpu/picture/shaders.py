@@ -224,9 +224,13 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
         ), strict=True))),
         march_workspace(emitter), *arrays, name="light_of_pixel",
     )  # fmt: skip
-    column, row = (f"at.{at} + {FRAME.uniform(name).text}" for at, name in (
-        ("x", "first_column"), ("y", "first_row"),
-    ))  # fmt: skip
+    column, row = (
+        f"at.{at} + {FRAME.uniform(name).text}"
+        for at, name in (
+            ("x", "first_column"),
+            ("y", "first_row"),
+        )
+    )
     lines = [
         *filled_by(made, (column, row), dialect),
         *(dialect.let(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),

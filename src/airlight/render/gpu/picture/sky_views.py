@@ -158,9 +158,11 @@ class SkyViews:
             rules=quadratures(FEW.points), panels=FEW.panels, star_radius=uniforms["star_radius"]
         )
         layers = fill_sky_view(
-            tables, observer_from(uniforms), SkyViewWindow.whole(*self.size),
+            tables,
+            observer_from(uniforms),
+            SkyViewWindow.whole(*self.size),
             polarised=uniforms["filter"] > 0,
-        )  # fmt: skip
+        )
         unread = () if uniforms["separated_phases"] else LAYERS[2:4]
         for name, layer in zip(LAYERS, layers, strict=True):
             if len(layer) > 1 and name not in unread:

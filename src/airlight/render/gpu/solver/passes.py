@@ -182,10 +182,13 @@ SWEEP: Final = (
 MIX: Final = (
     SolverPass("sound", mixing.sound, ("sounds",), ("sizes", "weights", "iterates:numbers")),
     SolverPass(
-        "next_guess", mixing.next_guess, ("light",), ("sizes", "weights", "iterates:lanes"),
+        "next_guess",
+        mixing.next_guess,
+        ("light",),
+        ("sizes", "weights", "iterates:lanes"),
         (TextureInput("sounds"),),
     ),
-)  # fmt: skip
+)
 PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
 
 

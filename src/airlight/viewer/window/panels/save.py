@@ -108,16 +108,24 @@ class Saving:
 
     def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> str:
         frame = render_solution(
-            request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
+            request.solution,
+            scene,
+            orders=request.orders,
+            cancel=lambda: self._cancelled,
             progress=self._progress,
-        )  # fmt: skip
+        )
         planet = request.solution.planet
         metadata = {"planet": planet.name if planet else "", **scene.metadata()}
         metadata |= {"orders": request.orders}
         written = write_picture(
-            path, frame, metadata, exposure=exposure, tone_map=request.tone_map,
-            eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
-        )  # fmt: skip
+            path,
+            frame,
+            metadata,
+            exposure=exposure,
+            tone_map=request.tone_map,
+            eye=bool(request.uniforms.get("eye", False)),
+            glare=request.glare,
+        )
         size = f"{scene.camera.width}×{scene.camera.height}"
         return f"saved {written.path}  {size}  {written.size / 1e3:.0f} kB"
 
