@@ -266,7 +266,7 @@ def _about(baked: Baked) -> str:
 {newline.join(tables)}
 //   {PHASES}: sin(theta/2) x {", ".join(baked.light.phases.names)}
 // Functions:
-//   air_radiance(r, mu, mu_s, nu, to_ground)  radiance of the air per irradiance of the star, 1/sr
+//   air_radiance(r, mu, mu_s, nu, to_ground)  path radiance per irradiance of the star, 1/sr
 //   transmittance_to_top(r, mu)               0 for rays that meet the ground
 //   sky_irradiance(r, mu_s)                   of level ground, per irradiance of the star
 //   ends_on_ground(r, mu)                     passed as to_ground
