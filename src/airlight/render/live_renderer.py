@@ -3,8 +3,8 @@
 * The CPU renders where there is no GPU, or where the solution exceeds its capacity.
 * Live frames of the CPU start coarse and become finer; a newer request interrupts all but the
   first.
-* A live frame of a hardware GPU is rendered once, at full resolution. * A software GPU renders from
-a small sky-view LUT while the view changes; after a short time
+* A live frame of a hardware GPU is rendered once, at full resolution.
+* A software GPU renders from a small sky-view LUT while the view changes; after a short time
   without changes the CPU renders the final frame, which, unlike a long pass, leaves the GPU
   queue free for the window.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
