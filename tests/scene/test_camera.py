@@ -96,6 +96,17 @@ def test_view_vectors_have_length_one_or_zero(camera: Camera) -> None:
     assert_allclose(length, np.where(length > 0.5, 1.0, 0.0), atol=ROUNDING)
 
 
+@pytest.mark.parametrize("camera", EVERY_PROJECTION[:-1], ids=name)  # the last has parallel rays
+def test_no_projection_is_mirrored(camera: Camera) -> None:
+    # right cross down is forward
+    width = camera.height if camera.projection == "cubemap" else camera.width
+    view = camera.directions()[:, :width]
+    across, down = np.diff(view, axis=1)[:-1], np.diff(view, axis=0)[:, :-1]
+    turn = np.einsum("ijk,ijk->ij", view[:-1, :-1], np.cross(across, down))
+    assert turn.min() > -ROUNDING
+    assert turn.sum() > 0.1
+
+
 @pytest.mark.parametrize("camera", EVERY_PROJECTION, ids=name)
 def test_rows_by_blocks_are_the_whole_picture(camera: Camera) -> None:
     blocks = [camera.directions(slice(start, start + 7)) for start in range(0, camera.height, 7)]
