@@ -1,4 +1,4 @@
-/** Automatic exposure of a view: the formulas of color/exposure.py and scene/metering.py. */
+/** Automatic exposure of a view: the formulas of image/exposure.py and scene/metering.py. */
 import {
   PIXEL_ANGLES,
   exposure_with_stars,

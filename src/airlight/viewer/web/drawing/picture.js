@@ -196,7 +196,7 @@ export class Picture {
     program.runIn(`${name}_sum`, area);
   }
 
-  /** Render the glare pyramid, unless it is up to date: see color/glare.py. */
+  /** Render the glare pyramid, unless it is up to date: see image/glare.py. */
   renderGlare({ projection, fieldOfView }, width, height, amount) {
     const { program } = this;
     const connected = CONNECTED.includes(projection);

@@ -2,7 +2,7 @@
  * Convergence test and acceleration of the orders of scattering.
  *
  * Arrays of light have shape (node, wavelength), with four wavelengths per node. The formulas per
- * node or wavelength are those of solvers/moments/convergence.py and acceleration.py.
+ * node or wavelength are those of solver/moments/convergence.py and acceleration.py.
  */
 import {
   change_at,
@@ -62,7 +62,7 @@ export function mixingWeights(residuals, lane) {
 
 /**
  * Weights of synthetic acceleration, by node and wavelength; see `acceleration_weights` in
- * solvers/moments/convergence.py.
+ * solver/moments/convergence.py.
  *
  * @param {Float32Array} mean Mean radiance, by radius, sun and wavelength.
  * @param {number} sun_angles

@@ -1,7 +1,7 @@
 /**
  * Optical coefficients for edited amounts of the constituents in viewer/browser/page_solver.py.
  *
- * What an edit changes is emitted from solvers/moments/delta_m.py and packing.py. Tables are
+ * What an edit changes is emitted from solver/moments/delta_m.py and packing.py. Tables are
  * `{values, shape}`, as the emitted functions read them, with four wavelengths on their last axis.
  */
 import { level_weight, delta_m_scaling, optically_thick_weight } from "../generated/formulas.js";

@@ -4,7 +4,7 @@
  * A description from viewer/browser/page_solver.py has the `plan` of gpu/solver/plan.py, its
  * `uniforms`, `scalars` (its tables in order) and `shaders`, the coefficients of the `air`, and the
  * stopping criteria. In thick air, where successive orders converge too slowly, the iteration has
- * synthetic acceleration (synthetic_acceleration.js), as in solvers/moments/iterate.py.
+ * synthetic acceleration (synthetic_acceleration.js), as in solver/moments/iterate.py.
  */
 import { SyntheticAcceleration } from "./synthetic_acceleration.js";
 import {

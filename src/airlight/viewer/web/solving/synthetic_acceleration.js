@@ -1,6 +1,6 @@
 /**
  * Synthetic acceleration of the iteration in optically thick air: see
- * solvers/moments/synthetic_acceleration.py, whose elimination and lateral diffusion are emitted.
+ * solver/moments/synthetic_acceleration.py, whose elimination and lateral diffusion are emitted.
  *
  * The operator K is assembled from the textures of each ray that the passes have filled: `factors`
  * of the moments at its points, `shares`, `bounces` and `projections`, see gpu/solver/passes.py.
