@@ -1,4 +1,4 @@
-"""Section 11 of the physics text: light scattered once, per irradiance of the star."""
+"""Section 11 of the physics text: single scattering, per irradiance of the star."""
 
 from __future__ import annotations
 

@@ -18,9 +18,9 @@ from airlight.errors import ParameterError
 from airlight.geometry.ephemeris.sky import Place
 from airlight.physics.spectra.blackbody import planck_radiance
 from airlight.solver.moments.solution import MomentsSolution
-from airlight.studies.fit.fit_sky import FitSettings
 from airlight.studies.fit.measurements import Measurements
 from airlight.studies.fit.parameter import FitParameter
+from airlight.studies.fit.settings import FitSettings
 from airlight.studies.sweep import Grid
 
 UNIT = pint.UnitRegistry()

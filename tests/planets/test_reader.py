@@ -470,3 +470,14 @@ def test_a_key_of_a_constituent_is_one_declaration(good):
     with pytest.raises(ParameterError, match=r"constituents\[0\]\.glow is 20000.0; allowed: 0 to"):
         Glowing.read(TomlTable({**table, "glow": "20 km"}, "constituents[0]", thickness=1e5))
     assert "glow" in [one.name for one in Glowing.declared()]
+
+
+def test_an_unknown_key_of_the_shell_hides_no_error_of_the_air(good):
+    tables = tomllib.loads(good)
+    tables["shell"]["colour"] = 1
+    tables["constituents"][0]["profile"] = {"kind": "tent", "altitude": "20 km"}
+    with pytest.raises(ParameterError) as refused:
+        read_tables(tables, "test.toml")
+    for one in ("a key of shell is 'colour'", "constituents[0].profile.center is missing"):
+        assert one in str(refused.value)
+    assert "also: a key of constituents[0].profile is 'altitude'" in str(refused.value)

@@ -1,4 +1,4 @@
-"""Pictures of light scattered once, and of the remaining light."""
+"""Pictures of single and of multiple scattering."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def scene(altitude: float) -> Scene:
 
 @pytest.mark.parametrize("altitude", [2.0, 400e3])
 def test_single_and_multiple_light_make_all_light(earth: MomentsSolution, altitude: float) -> None:
-    # Light scattered once and light scattered more often add up to all light; a point star has no
+    # Single and multiple scattering add up to all light; a point star has no
     # disc. Float32: 5e-6 of the brightest.
     one, more, whole = (
         render(earth, scene(altitude), orders=orders).rgb

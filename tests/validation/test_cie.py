@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from airlight.planets import Medium, load_planet
 from airlight.solver import Solution
 from airlight.solver.lines_of_sight import LinesOfSight
-from airlight.solver.solution import Report
+from airlight.solver.report import Report
 from airlight.validation.planets import round_earth
 
 pytest.importorskip("matplotlib")

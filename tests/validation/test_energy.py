@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from airlight.planets import Medium
 from airlight.solver import Solution, solve
 from airlight.solver.lines_of_sight import LinesOfSight
-from airlight.solver.solution import Report
+from airlight.solver.report import Report
 from airlight.validation.planets import flat_earth, furnace, round_earth
 from airlight.validation.reference_earth import WAVELENGTHS
 from airlight.validation.suite import SuiteRun

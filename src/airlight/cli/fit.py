@@ -18,10 +18,11 @@ from airlight.cli.solve_options import NoCache, Quality
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
-    from airlight.studies.fit.fit_sky import FitSettings, SkyFit
+    from airlight.studies.fit.fit_sky import SkyFit
     from airlight.studies.fit.measurements import Measurements
     from airlight.studies.fit.parameter import Prior
     from airlight.studies.fit.photograph import Shot
+    from airlight.studies.fit.settings import FitSettings
 
 EPILOG = examples(
     'airlight fit earth --data radiances.csv --free "aerosol.optical_depth, aerosol.angstrom, '
@@ -67,8 +68,8 @@ class FitOptions(OptionGroup):
     def settings(self, planet: PlanetOptions) -> FitSettings:
         """Settings of the fit."""
         from airlight.physics.units import quantity
-        from airlight.studies.fit.fit_sky import FitSettings
         from airlight.studies.fit.loss import LOSSES
+        from airlight.studies.fit.settings import FitSettings
 
         if self.loss not in LOSSES:
             raise ParameterError("--loss", self.loss, ", ".join(LOSSES))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 from collections.abc import Mapping
 from functools import cached_property
@@ -221,9 +222,12 @@ class Planet(TomlModel):
         with collector:
             found["default_wavelengths"] = section.wavelengths()
         with collector:
-            shell: Shell = SHELL.read_from(section, None)
+            SHELL.read_from(section, None)
+        with contextlib.suppress(ParameterError):  # unknown keys do not hide errors of the air
+            radii = Shell.read_values(section.section(SHELL.name, SHELL.example))
+            shell = Shell(**radii)
             section.thickness = shell.top_radius - shell.bottom_radius
-            found |= {"bottom_radius": shell.bottom_radius, "top_radius": shell.top_radius}
+            found |= radii
             del found["constituents"]
         with collector:
             found |= super().read_values(section, None, **found)

@@ -278,7 +278,7 @@ def finite_disc(run: SuiteRun, planet_name: str, cases: Sequence[Case] = CASES) 
         for n in order
     ]
     return ReportTable(
-        title=f"{planet_name}: light scattered once under a point star, less that under its disc",
+        title=f"{planet_name}: single scattering under a point star, less that under its disc",
         columns=["line of sight", *(f"{nm:g} nm [%]" for nm in WAVELENGTHS)],
         rows=rows,
         note="By exact quadrature, no histories. A solver that weighs the visible part of the disc "

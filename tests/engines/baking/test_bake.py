@@ -24,8 +24,9 @@ from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.medium import Medium
 from airlight.solver.lines_of_sight import LinesOfSight
+from airlight.solver.report import Report
 from airlight.solver.single_scattering import single_scattering
-from airlight.solver.solution import Report, Solution
+from airlight.solver.solution import Solution
 from airlight.solver.tables.layout import Positions
 
 Solve = Callable[..., Any]

@@ -46,7 +46,7 @@ def test_file_read_back_has_the_optical_depths(solved, tmp_path):
     assert_allclose(got, whole, rtol=1e-6)
     assert_allclose([one.profile.scale_height for one in made.constituents],
                     [7.99575e3, 1.2e3], rtol=1e-4)  # fmt: skip
-    assert any("scattered once" in note for note in export.notes)
+    assert any("single scattering" in note for note in export.notes)
 
 
 def test_asymmetry_is_negative_forward_for_old_versions(solved, tmp_path):

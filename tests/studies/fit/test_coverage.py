@@ -9,7 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 from synthetic_sky import PLANET, clean_sky, noisy
 
-from airlight.studies.fit.fit_sky import FitSettings, fit_radiances
+from airlight.studies.fit.fit_sky import fit_radiances
+from airlight.studies.fit.settings import FitSettings
 
 #: Parameters of the truth, far from those of the planet that the fit begins with.
 FREE = ("aerosol.optical_depth", "aerosol.phase_function.asymmetry", "ozone.optical_depth",

@@ -18,11 +18,12 @@ from airlight.solver import solve
 from airlight.solver.moments.delta_m import Optics
 from airlight.solver.moments.settings import MomentsSettings, settings_for
 from airlight.studies.fit import fit_sky
-from airlight.studies.fit.fit_sky import FitSettings, SkyFit, fit_photograph, fit_radiances
+from airlight.studies.fit.fit_sky import SkyFit, fit_photograph, fit_radiances
 from airlight.studies.fit.measurements import Measurements, turned
 from airlight.studies.fit.parameter import Prior
 from airlight.studies.fit.photograph import Shot, read_photograph
 from airlight.studies.fit.report import fitted_file, html, result_lines, warnings_of
+from airlight.studies.fit.settings import FitSettings
 from airlight.studies.fit.sky_model import smooth, smooth_near
 
 #: Wavelengths [nm] and view zenith angles [deg] of predictions.

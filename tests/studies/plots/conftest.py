@@ -13,7 +13,8 @@ pytest.importorskip("matplotlib")
 from airlight import load_planet
 from airlight.planets import Medium, Planet
 from airlight.solver.lines_of_sight import LinesOfSight
-from airlight.solver.solution import Report, Solution
+from airlight.solver.report import Report
+from airlight.solver.solution import Solution
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -343,7 +343,7 @@ class _Scattering:
             return [("scattering", values, _AIR, "sr-1")]
         if isinstance(self.where, AtmospherePlusLayout):
             return self._fitted(smooth_is, dust_is)
-        return self._separated(smooth_is, f"{dust_is}, scattered once")
+        return self._separated(smooth_is, f"{dust_is}, single scattering")
 
     def _fitted(self, smooth_is: str, dust_is: str) -> list[tuple[str, FloatArray, str, str]]:
         """Tables without the azimuth, fitted over it."""

@@ -249,7 +249,7 @@ def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) 
         read_atmosphere(text), planet.star, planet.bottom_radius, planet.ground.albedo, own
     )
     notes = (
-        "Celestia draws light scattered once, and none from the ground",
+        "Celestia renders single scattering, and none from the ground",
         *_of_older(atmosphere),
     )
     return findings(solution, fit, held, notes=notes, progress=progress)

@@ -66,7 +66,7 @@ class Field:
     name : str
         Name in the file, if different from the field's; ``*`` in a table whose keys are names.
     note : str
-        Further sentences for the handbook, after ``help``.
+        Further sentences for the key tables of the documentation, after ``help``.
     kind : str
         ``number`` (also lists of numbers, and ``words`` instead), ``choice``, ``text``, ``switch``,
         ``table``; by default that of the field's type.

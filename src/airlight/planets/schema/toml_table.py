@@ -176,7 +176,8 @@ class TomlTable:
             raise changed(error, self._prefixed) from None
 
     def _prefixed(self, error: ParameterError) -> ParameterError:
-        if error.file is not None or (self.path and error.field.startswith(self.path)):
+        complete = self.path, f"a key of {self.path}"
+        if error.file is not None or (self.path and error.field.startswith(complete)):
             return error
         return error.named(self.name_of(error.field))
 

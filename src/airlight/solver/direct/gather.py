@@ -271,11 +271,6 @@ def extrapolate_linearly(values, low, high):
                 values[m, q] = at_high + above * min(m - high, _CONTINUED)
 
 
-def node_radii(axes: Layout) -> FloatArray:
-    """Radii of the table's nodes, shape (radii,). [m]"""
-    return np.array([radius_of(i, axes) for i in range(axes.radii)])
-
-
 def node_suns(axes: Layout) -> FloatArray:
     """Cosines of the sun's zenith angle at the table's nodes, shape (sun_angles,). [1]"""
     return np.array([sun_of(k, axes) for k in range(axes.sun_angles)])

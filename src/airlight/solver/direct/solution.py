@@ -36,7 +36,8 @@ from airlight.solver.direct.settings import DirectSettings
 from airlight.solver.direct.trapezoid import sphere
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.refracted_geometry import without_refraction
-from airlight.solver.solution import Report, Solution
+from airlight.solver.report import Report
+from airlight.solver.solution import Solution
 
 FloatArray = NDArray[np.float64]
 

@@ -142,11 +142,6 @@ def grid_spacing(umbra: float, end: float) -> tuple[float, float]:
     return middle, asinh(end / middle)
 
 
-def grid_distances(middle: float, width: float, count: int) -> FloatArray:
-    """Distances of the grid's nodes from the axis. [m]"""
-    return np.asarray(middle * np.sinh(width * np.linspace(0.0, 1.0, count)))
-
-
 @inlined
 def direction_functions(u, v, w, shadow, scratch):
     """Real harmonics of a direction, (l, m) at l(l + 1) + m, sines at negative m.

@@ -407,10 +407,7 @@ def reflected_star(
     surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius, depths, directions,
     refraction_table,
 ):  # fmt: skip
-    """Direct irradiance of the ground at the end of a ray, times the reflectance factor. [1]
-
-    Arguments as in ``_first_order``, and ``mu_r`` of ``direct_reflectance``.
-    """
+    """Direct irradiance of the ground at the end of a ray, times ``direct_reflectance``. [1]"""
     mu_sg = star_at_end(ends, i, a, mu_s, nu)
     light = direct_light(mu_sg, bottom, top, star_radius, depths, 0, directions, refraction_table)
     return direct_reflectance(surface, 0, mu_sg, mu_r, nu) * light

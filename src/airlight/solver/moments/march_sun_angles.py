@@ -13,7 +13,6 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.path import MAX_EDGES
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, lane_view, load, maximum, splat, store
 from airlight.kernel.threads import run_blocks
@@ -24,7 +23,6 @@ from airlight.solver.moments.forward_peak import add_peaks, peak_fraction, peak_
 from airlight.solver.moments.harmonics import (
     EVEN,
     legendre_functions,
-    moment_count,
 )
 from airlight.solver.moments.march import line_azimuth, star_columns
 from airlight.solver.moments.march_panels import (
@@ -34,18 +32,20 @@ from airlight.solver.moments.march_panels import (
     place_panels,
     star_place,
 )
-from airlight.solver.moments.march_tables import MarchTables, new_workspace
+from airlight.solver.moments.march_tables import new_workspace
 from airlight.solver.moments.packing import pack
 from airlight.solver.moments.ray_optics import sun_index
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.source import direct_beam, transmittance_columns
+from airlight.solver.moments.sun_angle_workspace import (
+    new_sun_angle_workspace,
+)
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Lines of sight in one block of work, and largest number of sun angles of one line.
+#: Lines of sight in one block of work.
 _BLOCK: Final = 4096
-_STARS: Final = 512
 
 
 class SunAngles(NamedTuple):
@@ -65,73 +65,6 @@ class SunAngles(NamedTuple):
     nu: FloatArray
     length: FloatArray
     half_sine: FloatArray
-
-
-class SunAngleWorkspace(NamedTuple):
-    """Workspace of one thread in addition to that of the march; n sun angles, w lanes.
-
-    Attributes
-    ----------
-    edges : array, shape (n, MAX_EDGES)
-        Ends of the panels for each sun angle. [m]
-    columns_so_far : array, shape (n, nc)
-        Columns up to the next panel. [m]
-    next, counts, rules : array, shape (n,)
-        Index of the next panel, number of edges, and start of the quadrature.
-    faint : array, shape (n,)
-        Multiple scattering is omitted at points that scatter less. [1]
-    together : array, shape (n,)
-        Indices of the sun angles that share a panel.
-    transmittance, transmittance_once : array, shape (w,)
-        Transmittance to a point times its weight, with and without delta-M scaling. [m]
-    scattering : array, shape (nc, w)
-        Scattering coefficients at a point. [m⁻¹]
-    factors : array, shape (k, w)
-        Harmonics of the line at a point times the moments' strengths. [m⁻¹]
-    orders : array, shape (sun_angles, N + 2, w)
-        Sums of the field's harmonics at a point over the degrees, by azimuthal order, and the
-        field's scale, for each sun angle of the field.
-    made : array, shape (sun_angles,)
-        Whether these are computed for the point.
-    sums : array, shape (n, 4 + nc, w)
-        Sums over the line for each sun angle: path radiance, three of ``add_peaks``, single
-        scattering by each constituent.
-    """
-
-    edges: FloatArray
-    columns_so_far: FloatArray
-    next: NDArray[np.int64]
-    counts: NDArray[np.int64]
-    rules: NDArray[np.int64]
-    faint: FloatArray
-    together: NDArray[np.int64]
-    transmittance: Float32Array
-    transmittance_once: Float32Array
-    scattering: Float32Array
-    factors: Float32Array
-    orders: Float32Array
-    made: NDArray[np.bool_]
-    sums: Float32Array
-
-
-def _new_workspace(tables: MarchTables) -> SunAngleWorkspace:
-    lanes, count = tables.lanes, tables.constituents
-    return SunAngleWorkspace(
-        edges=np.empty((_STARS, MAX_EDGES)),
-        columns_so_far=np.empty((_STARS, count)),
-        next=np.empty(_STARS, np.int64),
-        counts=np.empty(_STARS, np.int64),
-        rules=np.empty(_STARS, np.int64),
-        faint=np.empty(_STARS),
-        together=np.empty(_STARS, np.int64),
-        transmittance=np.empty(lanes, np.float32),
-        transmittance_once=np.empty(lanes, np.float32),
-        scattering=np.empty((count, lanes), np.float32),
-        factors=np.empty((moment_count(tables.degree), lanes), np.float32),
-        orders=np.empty((tables.sun_angles, tables.degree + 2, lanes), np.float32),
-        made=np.empty(tables.sun_angles, np.bool_),
-        sums=np.empty((_STARS, 4 + count, lanes), np.float32),
-    )
 
 
 def scattering_by_constituent(
@@ -169,7 +102,7 @@ def scattering_by_constituent(
         phase = pack(geometry.medium.phase_function(seen[rows]))
         angles = SunAngles(*(values[rows] for values in sights))
         result = np.empty((len(phase), 1 + constituents, tables.lanes), np.float32)
-        work, stars = new_workspace(tables), _new_workspace(tables)
+        work, stars = new_workspace(tables), new_sun_angle_workspace(tables)
         _march_all(angles, orders, delta_scaled, phase, tables, work, stars, result)
         out[rows], once[rows] = result[:, 0, :count], result[:, 1:, :count]
 

@@ -34,7 +34,8 @@ from airlight.solver.moments.packing import filled, pack, pack_light
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.moments.setup import Setup
 from airlight.solver.refracted_geometry import RefractedGeometry
-from airlight.solver.solution import Report, Solution
+from airlight.solver.report import Report
+from airlight.solver.solution import Solution
 from airlight.solver.tables.column_ratios import column_rows, rational_mean_density
 from airlight.solver.tables.columns import ColumnTable, density_table
 

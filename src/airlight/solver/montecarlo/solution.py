@@ -21,8 +21,9 @@ from airlight.solver.montecarlo.estimate import Estimate, Query, estimate
 from airlight.solver.montecarlo.history_optics import history_optics
 from airlight.solver.montecarlo.refracted_paths import refracted_direct_irradiance
 from airlight.solver.montecarlo.settings import MonteCarloSettings
+from airlight.solver.report import Report
 from airlight.solver.single_scattering import reflected_once, single_scattering
-from airlight.solver.solution import Report, Solution
+from airlight.solver.solution import Solution
 from airlight.solver.star_light import direct_irradiance
 from airlight.solver.stokes_frame import STOKES, star_planes, to_meridian
 

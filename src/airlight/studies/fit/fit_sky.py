@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 from typing import Any, Final, NamedTuple
@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.physics.units import Measure, quantity
 from airlight.planets.medium import Medium
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
@@ -27,8 +26,9 @@ from airlight.solver.solution import Solution
 from airlight.studies.fit.free_parameters import FreeParameter, free_parameter
 from airlight.studies.fit.least_squares import Data, FitResult, fit
 from airlight.studies.fit.measurements import Measurements
-from airlight.studies.fit.parameter import FitParameter, Prior
+from airlight.studies.fit.parameter import FitParameter
 from airlight.studies.fit.photograph import Photograph
+from airlight.studies.fit.settings import FitSettings, adapted, check_names
 from airlight.studies.fit.sky_model import (
     Nuisance,
     ObservedDirections,
@@ -50,53 +50,6 @@ _SCALES: Final = (0.2, 5.0)
 _DARKEST: Final = 1e-3
 #: Number of wavelengths of a photograph's colours.
 _COLOUR_WAVELENGTHS: Final = 12
-
-
-@dataclass(frozen=True, kw_only=True)
-class FitSettings:
-    """Settings of a fit.
-
-    Attributes
-    ----------
-    free : sequence of str
-        Free parameters: names for ``free_parameter``; of the instrument ``scale``,
-        ``pointing.azimuth``, ``pointing.zenith``; of a camera ``white_balance.red``,
-        ``white_balance.blue``.
-    per_scan : sequence of str
-        Parameters of the instrument that are fitted per scan.
-    bounds : mapping of str to (float, float)
-        Narrower bounds by name.
-    priors : mapping of str to Prior
-    starts : mapping of str to float
-        Initial values; default: the planet's. Like bounds and priors, numbers in the parameter's
-        unit, texts with a unit or quantities.
-    uncertainty : float, optional
-        Relative standard deviation of all values; default: that of the data, or estimated. [1]
-    loss : str
-        Name from ``airlight.studies.fit.loss.LOSSES``.
-    quality : str
-        Quality of the solver.
-    overrides : mapping
-        Changes of the planet's file.
-    keep : bool
-        Whether to cache predictions on disk, so that an interrupted fit resumes.
-    """
-
-    free: Sequence[str]
-    per_scan: Sequence[str] = ()
-    bounds: Mapping[str, tuple[Measure, Measure]] = field(default_factory=dict)
-    priors: Mapping[str, Prior] = field(default_factory=dict)
-    starts: Mapping[str, Measure] = field(default_factory=dict)
-    uncertainty: float | None = None
-    loss: str = "linear"
-    quality: str = "default"
-    overrides: Mapping[str, Any] = field(default_factory=dict)
-    keep: bool = True
-
-    def __post_init__(self) -> None:
-        if self.uncertainty is not None:
-            share = quantity(self.uncertainty, "1", "uncertainty")
-            object.__setattr__(self, "uncertainty", share)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -251,7 +204,7 @@ class _Base:
         own = (SCALE, AZIMUTH, ZENITH, RED, BLUE)
         names = [name for name in self.settings.free if name not in own]
         found = [free_parameter(name, self.tables, self.planet, wavelengths) for name in names]
-        return [replace(one, parameter=_adapted(one.parameter, self.settings)) for one in found]
+        return [replace(one, parameter=adapted(one.parameter, self.settings)) for one in found]
 
 
 class _Seen(NamedTuple):
@@ -324,39 +277,6 @@ def _fitted(
     )
 
 
-def check_names(settings: FitSettings, always: Sequence[str] = ()) -> None:
-    """Raise an error for bounds, priors and starts of fixed parameters, and repeated names."""
-    free = [*settings.free, *settings.per_scan]
-    free += [name for name in always if name not in free]
-    for name in free:
-        if free.count(name) > 1:
-            raise ParameterError("free", name, "each parameter once")
-    tables = {"bounds": settings.bounds, "prior": settings.priors, "start": settings.starts}
-    for word, given in tables.items():
-        for name in given:
-            if name not in free:
-                raise ParameterError(word, name, f"one of the free parameters: {', '.join(free)}")
-
-
-def _adapted(parameter: FitParameter, settings: FitSettings) -> FitParameter:
-    """Parameter with the start, bounds and prior of the settings."""
-    name = parameter.name
-    low, high = parameter.low, parameter.high
-    if name in settings.bounds:
-        low, high = (parameter.number(one, f"bounds of {name}") for one in settings.bounds[name])
-        if not parameter.low <= low < high <= parameter.high:
-            raise ParameterError(f"bounds of {name}", f"{low:g}..{high:g}", parameter.range_text)
-    start = parameter.number(
-        settings.starts.get(name, min(max(parameter.start, low), high)), f"start of {name}"
-    )
-    prior = settings.priors.get(name)
-    if prior is not None:
-        mean, sigma = prior.mean, prior.sigma
-        mean, sigma = (parameter.number(one, f"prior of {name}") for one in (mean, sigma))
-        prior = Prior(mean=mean, sigma=sigma)
-    return replace(parameter, low=low, high=high, start=start, prior=prior)
-
-
 # --- the instrument ---------------------------------------------------------------------------
 
 
@@ -395,7 +315,7 @@ def _nuisance(
             name=kind, unit="deg", start=0.0, low=-MOST_TURN, high=MOST_TURN, least_step=0.1
         )
         form = "zenith" if kind == ZENITH else "azimuth"
-    parameter = replace(_adapted(plain, settings), name=name)
+    parameter = replace(adapted(plain, settings), name=name)
     return Nuisance(parameter=parameter, kind=form, values=values, scans=scans)
 
 
@@ -409,7 +329,7 @@ def _camera(settings: FitSettings, first: FloatArray, data: Photograph) -> list[
         name=SCALE, start=ratio, low=1e-3 * ratio, high=1e3 * ratio, least_step=0.01 * ratio
     )
     found = [
-        Nuisance(parameter=_adapted(exposure, settings), kind="factor", values=whole, scans=one)
+        Nuisance(parameter=adapted(exposure, settings), kind="factor", values=whole, scans=one)
     ]
     channel = np.arange(first.size) % 3
     for name in settings.free:
@@ -418,7 +338,7 @@ def _camera(settings: FitSettings, first: FloatArray, data: Photograph) -> list[
         elif name in (RED, BLUE):
             plain = FitParameter(name=name, start=1.0, low=0.1, high=10.0, least_step=0.01)
             chosen = channel == (0 if name == RED else 2)
-            parameter = _adapted(plain, settings)
+            parameter = adapted(plain, settings)
             found.append(Nuisance(parameter=parameter, kind="factor", values=chosen, scans=one))
     return found
 

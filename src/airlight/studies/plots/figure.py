@@ -30,8 +30,6 @@ PALETTE: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E
 LINE_STYLES: Final = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (2, 1)))
 #: Colour of annotations and guide lines.
 GREY: Final = "#555555"
-#: Background of swatches.
-BLACK: Final = "#000000"
 
 #: Range of wavelengths in which the eye is reasonably sensitive. [nm]
 VISIBLE: Final = (380.0, 750.0)

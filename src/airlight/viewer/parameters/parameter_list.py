@@ -222,10 +222,3 @@ def _parameter(key: Field, path: str, cursor: _Cursor, **more: Any) -> Parameter
         synonyms=key.synonyms,
         **more,
     )
-
-
-def finite_range(parameter: Parameter) -> tuple[float, float]:
-    """Limits of a parameter; an infinite limit is replaced by the slider's end. [unit]"""
-    least = parameter.least if math.isfinite(parameter.least) else parameter.low
-    most = parameter.most if math.isfinite(parameter.most) else parameter.high
-    return least, most

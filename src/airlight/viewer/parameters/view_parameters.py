@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from airlight.image.exposure import DEFAULT_EXPOSURE
 from airlight.image.glare import MOST as MOST_GLARE
 from airlight.image.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
@@ -212,8 +211,6 @@ VIEW_VALUE: Final[Mapping[str, ViewValue]] = {one.path: one for one in VIEW_VALU
 DEFAULTS: Final[Mapping[str, Value]] = {one.path: one.default for one in VIEW_VALUES}
 #: Paths of view values that need a new solution, besides the constituents' switches.
 SOLVED: Final = tuple(one.path for one in VIEW_VALUES if one.part == "planet")
-#: Exposure for the sunlit Earth without automatic exposure. [EV]
-FIXED_EXPOSURE: Final = DEFAULT_EXPOSURE
 
 
 def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]:

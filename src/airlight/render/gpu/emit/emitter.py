@@ -22,6 +22,7 @@ from typing import Any, Final
 from airlight.kernel.shader_fields import shader_fields
 from airlight.render.gpu.emit import single_precision
 from airlight.render.gpu.emit.dialect import Dialect, ShaderDialect
+from airlight.render.gpu.emit.emitted import Emitted
 from airlight.render.gpu.emit.lane_views import LaneViews
 from airlight.render.gpu.emit.scope import SubsetError
 from airlight.render.gpu.emit.shader_types import (
@@ -34,7 +35,7 @@ from airlight.render.gpu.emit.shader_types import (
     UniformValue,
     Value,
 )
-from airlight.render.gpu.emit.statements import Emitted, FunctionBody
+from airlight.render.gpu.emit.statements import FunctionBody
 from airlight.render.gpu.emit.wgsl import WGSL
 
 __all__ = ["Emitted", "Emitter", "SubsetError"]

@@ -7,11 +7,11 @@ emitted repeatedly until the types are stable.
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from typing import Any, Final
+from collections.abc import Sequence
+from typing import Final
 
-from airlight.render.gpu.emit.dialect import Dialect, Named
+from airlight.render.gpu.emit.dialect import Named
+from airlight.render.gpu.emit.emitted import Emitted
 from airlight.render.gpu.emit.expressions import Expressions
 from airlight.render.gpu.emit.scope import Functions, SubsetError
 from airlight.render.gpu.emit.shader_types import (
@@ -38,55 +38,6 @@ _UNROLLED: Final = 4
 #: Largest number of operations of an unrolled loop: drivers inline every call, so that unrolling
 #: multiplies their compile time.
 _MOST_OPERATIONS: Final = 12
-
-
-@dataclass
-class Emitted:
-    """Emitted function.
-
-    Attributes
-    ----------
-    name : str
-        Name in the shader.
-    function : callable
-        Python function.
-    parameters : tuple of (str, Value)
-        All parameters, including those bound to constants.
-    result : Scalar, TupleType or None
-        Type of the result; None if the function only fills arrays.
-    text : str
-        Source in the target language.
-    arrays : set of str
-        Array fields of struct values in use, by parameter name; only these are passed.
-    """
-
-    name: str
-    function: Callable[..., Any]
-    parameters: tuple[tuple[str, Value], ...]
-    result: Scalar | TupleType | None = None
-    text: str = ""
-    arrays: set[str] = field(default_factory=set)
-
-    def argument_lists(self, dialect: Dialect) -> list[list[Named]]:
-        """Run-time arguments of each parameter: names and types.
-
-        Parameters
-        ----------
-        dialect : Dialect
-            Target language.
-        """
-        handed: list[list[Named]] = []
-        for name, value in self.parameters:
-            several: list[Named] = []
-            if isinstance(value, StructValue):
-                for one, kind in value.fields.items():
-                    array = f"{name}_{one}"
-                    if isinstance(kind, LocalArray) and array in self.arrays:
-                        several += [(array, kind)] if dialect.at_run_time(kind) else []
-            elif dialect.at_run_time(value):
-                several.append((name, value if isinstance(value, ShaderTable) else run_time(value)))
-            handed.append(several)
-        return handed
 
 
 class FunctionBody:

@@ -11,7 +11,8 @@ from functools import cache
 from typing import Final
 
 from airlight.render.gpu.emit.dialect import ShaderDialect
-from airlight.render.gpu.emit.emitter import Emitted, Emitter
+from airlight.render.gpu.emit.emitted import Emitted
+from airlight.render.gpu.emit.emitter import Emitter
 from airlight.render.gpu.emit.shader_types import (
     F32,
     FLAT_WIDTH,
