@@ -206,10 +206,8 @@ def look(line, mirrored, air, peaks, polarised, observer, tables, work):
     terms = MarchTerms(air, peaks, polarised)
     march(segment, orders, terms, tables, work, work.radiance)
     if air and to_ground and not mirrored:
-        mu_s, angle = star_on_ground(
-            line, r, start_mu, nu, length, work.columns_total[tables.constituents - 1],
-            observer, tables,
-        )  # fmt: skip
+        column = work.columns_total[tables.constituents - 1]
+        mu_s, angle = star_on_ground(line, r, start_mu, nu, length, column, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
         for at in range(0, tables.lanes, LANES):
             received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)

@@ -261,6 +261,7 @@ def _first_order(i, tables, rows, ratios, refraction_table, out, sky_out, narrow
     kinds = np.empty(most, np.int64)
     along, stars = RayPoints(turned, places, lifts), StarPoints(seen, low_at, high_at, kinds)
     size = np.float32(max(star_radius, 1e-9))
+    star_tables = bottom, top, star_radius, ground_depths, directions, refraction_table
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -369,32 +370,11 @@ def _first_order(i, tables, rows, ratios, refraction_table, out, sky_out, narrow
                     scattering_q = exact * scattering_q * pair(part, part_2)
                 if below:
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
-                    light = direct_light(
-                        mu_sg,
-                        bottom,
-                        top,
-                        star_radius,
-                        ground_depths,
-                        0,
-                        directions,
-                        refraction_table,
-                    )
-                    reflected = direct_reflectance(surface, 0, mu_sg, mu_r, nu) * light
+                    reflected = reflected_star(surface, mu_sg, mu_r, nu, star_tables)
                     if narrow:
                         mu_sg = star_at_end(ends, i, a, mu_s, nu_2)
-                        light = direct_light(
-                            mu_sg,
-                            bottom,
-                            top,
-                            star_radius,
-                            ground_depths,
-                            0,
-                            directions,
-                            refraction_table,
-                        )
-                        reflected = pair(
-                            reflected, direct_reflectance(surface, 0, mu_sg, mu_r, nu_2) * light
-                        )
+                        reflected_2 = reflected_star(surface, mu_sg, mu_r, nu_2, star_tables)
+                        reflected = pair(reflected, reflected_2)
                     radiance = radiance + whole * reflected
                 if not (lit or below):
                     continue
@@ -426,6 +406,20 @@ def _first_order(i, tables, rows, ratios, refraction_table, out, sky_out, narrow
             project_polarised(polarised_lanes, mu, weight, j, harmonics, moments_out)
             if not below:
                 sky_lanes[j] += np.float32(all_flux[i, a]) * azimuthal_lanes[0]
+
+
+@inlined
+def reflected_star(surface, mu_s, mu_r, nu, star_tables):
+    """Direct irradiance of the ground times ``direct_reflectance``. [1]
+
+    Parameters
+    ----------
+    star_tables : tuple
+        Arguments of ``direct_light`` apart from ``mu_s`` and ``local``.
+    """
+    bottom, top, star_radius, depths, directions, refraction_table = star_tables
+    light = direct_light(mu_s, bottom, top, star_radius, depths, 0, directions, refraction_table)
+    return direct_reflectance(surface, 0, mu_s, mu_r, nu) * light
 
 
 @compiled_loop
