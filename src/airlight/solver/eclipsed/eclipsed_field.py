@@ -136,8 +136,8 @@ def _key(solution: MomentsSolution, star: OccultedStar) -> str:
     digest = hashlib.sha256(f"eclipsed {fingerprint(Path(__file__))}".encode())
     digest.update(solution.settings.as_text().encode())
     digest.update(solution.medium.fingerprint().encode())
-    digest.update(np.array([star.x, star.y, star.z, star.radius, star.star_x, star.star_y,
-                            star.star_z, star.nearness, star.scale]).tobytes())  # fmt: skip
+    moon, light = (star.x, star.y, star.z, star.radius), (star.star_x, star.star_y, star.star_z)
+    digest.update(np.array([*moon, *light, star.nearness, star.scale]).tobytes())
     digest.update(star.roots.tobytes())
     return digest.hexdigest()[:40]
 
