@@ -11,17 +11,17 @@ from airlight.physics.optics.phase_functions import cornette_shanks, rayleigh
 from airlight.physics.optics.phase_table import _interpolate
 from airlight.solver.moments.acceleration import combine
 from airlight.solver.moments.convergence import (
-    _add,
-    _approach,
-    _replace,
+    add_weighted,
     counted_changes,
+    damp_towards,
     geometric_tail,
     is_near,
+    replace_unsound,
 )
 from airlight.solver.moments.delta_m import delta_m_scaling
 from airlight.solver.moments.elimination import factorise, substitute
 from airlight.solver.moments.first_order import first_order_radius_narrow
-from airlight.solver.moments.iterate_update import _accelerate, _add_orders, _fill_quantities
+from airlight.solver.moments.iterate_update import _add_orders, accelerate_nodes, fill_quantities
 from airlight.solver.moments.opaque_culling import norms_into
 from airlight.solver.moments.packing import _pack_sun
 from airlight.solver.moments.rays import trace_into
@@ -59,16 +59,16 @@ LOOPS: Final = (
     substitute,
     multiply,
     spread_onto,
-    _replace,
+    replace_unsound,
     _pack_sun,
     sweep_radius_narrow,
     _add_orders,
-    _accelerate,
-    _fill_quantities,
+    accelerate_nodes,
+    fill_quantities,
     counted_changes,
     geometric_tail,
     combine,
-    _add,
-    _approach,
+    add_weighted,
+    damp_towards,
     is_near,
 )

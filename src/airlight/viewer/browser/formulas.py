@@ -38,16 +38,44 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.solver.moments.acceleration import combine
 from airlight.solver.moments.convergence import (
     acceleration_weight,
-    change_at,
-    count_at,
+    add_weighted,
+    counted_changes,
+    damp_towards,
     geometric_tail,
     is_near,
+    is_positive,
+    lateral_threshold_of,
+    replace_unsound,
+    tail_steps,
 )
 from airlight.solver.moments.delta_m import delta_m_scaling
 from airlight.solver.moments.elimination import factorise, substitute
+from airlight.solver.moments.iterate_update import accelerate_nodes, fill_quantities
 from airlight.solver.moments.packing import floor_below, level_weight, optically_thick_weight
-from airlight.solver.moments.synthetic_acceleration import lateral_diffusion_equations
+from airlight.solver.moments.stopping import (
+    is_converged,
+    logarithmic_progress,
+    stricter_tolerance,
+)
+from airlight.solver.moments.synthetic_acceleration import (
+    lateral_diffusion_equations,
+    multiply,
+    spread_onto,
+    take_terms,
+)
+from airlight.solver.moments.synthetic_operator import gather_levels, project_radii
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
+
+
+def _table(rank: int) -> ShaderTable:
+    """Table of numbers; parameters give the names."""
+    return ShaderTable("table", rank)
+
+
+def _lanes(rank: int) -> ShaderTable:
+    """Table of lanes."""
+    return ShaderTable("table", rank, spectral=True)
+
 
 #: Tables of a metered picture.
 _STARS: Final = ("bright", "weight", "near", "light")
@@ -88,11 +116,27 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     light_visibility: (),
     light_left: (),
     disc_factor: (),
-    change_at: (),
-    count_at: (),
+    stricter_tolerance: (),
+    is_converged: (),
+    logarithmic_progress: (),
+    counted_changes: (_table(3), _table(3), _table(1), F32, _table(1), _table(2), _table(1)),
+    tail_steps: (I32,),
     geometric_tail: (F32, F32, I32),
     combine: (LocalArray(1), I32, LocalArray(1)),
+    add_weighted: (_table(4), _table(4), _table(1)),
+    damp_towards: (_table(4), _table(4), _table(3)),
+    replace_unsound: (_table(4), _table(4), _table(3)),
+    accelerate_nodes: (
+        *(_table(3) for _ in range(4)),
+        _table(2),
+        _table(1),
+        F32,
+        _table(3),
+    ),
+    fill_quantities: (_table(4), _table(4), I32, _table(4), _table(4)),
     is_near: (),
+    is_positive: (),
+    lateral_threshold_of: (),
     floor_below: (),
     acceleration_weight: (),
     node_value: (F32, F32, F32, ShaderTable("first_nodes"), ShaderTable("row")),
@@ -103,6 +147,11 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
         LocalArray(1),
         LocalArray(1),
     ),
+    take_terms: (_lanes(3), _lanes(2), I32, I32, I32, _lanes(2)),
+    spread_onto: (_table(2), _lanes(2), _table(1), I32, _lanes(1), _lanes(2)),
+    multiply: (_lanes(2), _lanes(2), _lanes(2)),
+    gather_levels: (_table(2), _lanes(3), _lanes(3)),
+    project_radii: (_table(2), _lanes(3), I32, I32, _lanes(2)),
     factorise: (LocalArray(1, VEC4), I32),
     substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
     delta_m_scaling: (
