@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -160,7 +160,9 @@ def animate(
                 made,
                 folder,
                 how=how,
-                finish=Finish(suffix=f".{frame.format_}", **frame.keywords()),
+                finish=Finish(
+                    suffix=f".{frame.format_}", exposure=frame.ev, **asdict(frame.settings())
+                ),
                 movie=movie,
                 on_message=note,
                 progress=counted,

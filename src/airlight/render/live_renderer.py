@@ -25,6 +25,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import Cancelled, ParameterError
+from airlight.image.display_settings import DisplaySettings
 from airlight.kernel.memory import give_back
 from airlight.render import render
 from airlight.render.background_compilation import MARCH_LOOPS, SKY_VIEW_LOOPS
@@ -32,8 +33,6 @@ from airlight.render.render_scene import CPU
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     import numpy as np
     from numpy.typing import NDArray
 
@@ -106,16 +105,14 @@ class LiveFrame:
         small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
         return self.renderer.render(small, orders=self.orders).rgb
 
-    def display(
-        self, view: Any, *, exposure: float, tone_map: str, uniforms: Mapping[str, float]
-    ) -> None:
+    def display(self, view: Any, *, exposure: float, settings: DisplaySettings) -> None:
         """Display into a texture of ``LIVE_FORMAT`` on the GPU.
 
         Parameters
         ----------
         view : wgpu.GPUTextureView
             View of the target, of the camera's size.
-        exposure, tone_map, uniforms :
+        exposure, settings :
             Arguments of ``GpuRenderer.display``.
         """
         assert self.renderer is not None
@@ -125,8 +122,7 @@ class LiveFrame:
             LIVE_FORMAT,
             orders=self.orders,
             exposure=exposure,
-            tone_map=tone_map,
-            uniforms=uniforms,
+            settings=settings,
         )
 
 
@@ -371,5 +367,5 @@ def _render_small(step: LiveFrame) -> None:
         usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
     )
     ready = replace(step, scene=small)
-    ready.display(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
+    ready.display(texture.create_view(), exposure=0.0, settings=DisplaySettings())
     ready.linear(_TINY)

@@ -28,6 +28,7 @@ from airlight import (
     solve,
 )
 from airlight.image.display import to_display
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.exposure import automatic_exposure
 from airlight.image.four_wavelengths import four_wavelengths
 from airlight.planets import Constituent
@@ -426,8 +427,8 @@ def test_what_is_drawn_is_exposed_and_tone_mapped(
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
     target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
     shows().display(
-        seen, target.create_view(), "rgba8unorm", exposure=exposure, tone_map=tone_map,
-        uniforms={"eye": float(eye)},
+        seen, target.create_view(), "rgba8unorm", exposure=exposure,
+        settings=DisplaySettings(tone_map=tone_map, eye=eye, glare=0.0),
     )  # fmt: skip
     rgb = shows().render(seen).rgb
     wanted = to_display(rgb, exposure, tone_map, eye=eye)
@@ -449,8 +450,9 @@ def test_another_display_draws_no_light_again(
     target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
 
     def shown(pictures: GpuRenderer, exposure: float, tone_map: str, scene: Scene) -> np.ndarray:
+        settings = DisplaySettings(tone_map=tone_map, glare=0.0)
         pictures.display(
-            scene, target.create_view(), "rgba8unorm", exposure=exposure, tone_map=tone_map
+            scene, target.create_view(), "rgba8unorm", exposure=exposure, settings=settings
         )
         return read_texture(device, target)
 

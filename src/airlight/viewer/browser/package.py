@@ -14,7 +14,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.image.display import DEFAULT_TONE_MAP
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.gamut import PRIMARIES
 from airlight.image.texels import DECODED
 from airlight.image.xyz import rgb_to_xyz
@@ -194,7 +194,7 @@ def program() -> dict[str, Any]:
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
         },
-        "display": display_uniforms(0.0, DEFAULT_TONE_MAP, "srgb"),
+        "display": display_uniforms(0.0, DisplaySettings()),
         "primaries": list(PRIMARIES),
         "orders": ORDERS,
         "view_uniforms": {

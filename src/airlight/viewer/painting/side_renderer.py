@@ -57,12 +57,7 @@ class SideRenderer:
         texture = self._canvases.next()
         if step.frame is None:
             texture.resize(camera.width, camera.height)
-            step.display(
-                texture.view,
-                exposure=exposure,
-                tone_map=request.tone_map,
-                uniforms=request.uniforms,
-            )
+            step.display(texture.view, exposure=exposure, settings=request.display)
             texture.wait()
         else:
             texture.write(request.displayed(step.frame, exposure))

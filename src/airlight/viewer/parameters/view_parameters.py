@@ -7,9 +7,10 @@ heading minus the sun's bearing: see ``scene_of``.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Final
 
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.glare import MOST as MOST_GLARE
 from airlight.image.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
@@ -45,8 +46,8 @@ class ViewValue(Parameter):
         Part that a change invalidates: ``planet`` (the solution), ``view`` (the picture's
         radiance) or ``display`` (its displayed colours).
     uniform : str
-        Name of the shader uniform with this value, if any: a number itself, a choice as the index
-        of its option, a switch as 0 or 1.
+        Name of the uniform of a page's shaders with this value, if any: a number itself, a choice
+        as the index of its option, a switch as 0 or 1.
     """
 
     default: Value
@@ -251,23 +252,22 @@ def switch_path(index: int) -> str:
     return f"light.constituents[{index}]"
 
 
-def uniforms_of(view: Mapping[str, Value]) -> dict[str, float]:
-    """Values of the shader uniforms that are view values, by name.
+def settings_of(view: Mapping[str, Value]) -> DisplaySettings:
+    """Display settings of a view: each field ``NAME`` from its view value ``display.NAME``.
 
     Parameters
     ----------
     view : mapping
-        View values by path; those of the sky's date are missing where a planet has none.
+        View values by path.
 
     Examples
     --------
-    >>> uniforms_of({**DEFAULTS, "display.tone_map": tuple(TONE_MAPS)[2]})
-    {'eye': 1.0, 'tone_map': 2.0, 'glare': 1.0}
+    >>> settings_of({**DEFAULTS, "display.tone_map": "agx"}).tone_map
+    'agx'
     """
-    return {
-        one.uniform: float(one.options.index(str(value)) if one.options else value)
-        for one, value in ((one, view[one.path]) for one in VIEW_VALUES if one.uniform)
-    }
+    paths = {one.name: f"display.{one.name}" for one in fields(DisplaySettings)}
+    values = {name: view[path] for name, path in paths.items() if path in VIEW_VALUE}
+    return DisplaySettings(**values)  # type: ignore[arg-type]
 
 
 def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:

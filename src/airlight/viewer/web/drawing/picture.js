@@ -274,7 +274,7 @@ export class Picture {
     return 2 * columns * rows;
   }
 
-  /** Uniforms that are view values, by name: `uniforms_of` in Python. */
+  /** Uniforms that are view values, by name. */
   viewUniforms(values) {
     const numbers = {};
     for (const [name, { path, options }] of Object.entries(this.fixed.view_uniforms)) {
