@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -161,7 +161,9 @@ def animate(
                 folder,
                 how=how,
                 finish=Finish(
-                    suffix=f".{frame.format_}", exposure=frame.ev, **asdict(frame.settings())
+                    suffix=f".{frame.format_}",
+                    exposure=frame.ev,
+                    **{**made.display, **frame.given_settings()},
                 ),
                 movie=movie,
                 on_message=note,

@@ -36,6 +36,13 @@ class ToneOptions(OptionGroup):
     glare: float = option(
         "Lens glare around the sun: 1 is a typical lens, 0 none, at most 10.", "NUMBER", 1.0
     )
+    white_balance: str = option(
+        "Light that is shown white: daylight (5500 K), star (the star's own light), scene (the "
+        "mean of the picture), d65 (the display's white); auto: daylight under a star like the "
+        "sun, otherwise star.",
+        "auto|daylight|star|scene|d65|KELVIN",
+        "auto",
+    )
 
     @property
     def ev(self) -> Any:
@@ -70,11 +77,12 @@ class ToneOptions(OptionGroup):
         with named_errors(*names):
             return DisplaySettings(**{name: getattr(self, name) for name in names})
 
-    def view_values(self) -> dict[str, Any]:
-        """Given display settings as view values, by path."""
-        chosen = vars(self.settings())
-        given = [name for name in chosen if name in vars(self) and given_options(self, name)]
-        return {f"display.{name}": chosen[name] for name in given}
+    def given_settings(self) -> dict[str, Any]:
+        """Display settings that differ from their defaults, by name."""
+        from airlight.image.display_settings import DisplaySettings
+
+        plain = vars(DisplaySettings())
+        return {name: one for name, one in vars(self.settings()).items() if one != plain[name]}
 
 
 @dataclass(frozen=True, kw_only=True)

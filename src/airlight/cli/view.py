@@ -91,7 +91,7 @@ def view(
                 **words,
                 "display.automatic": ev == "auto",
                 "display.exposure": 0.0 if ev == "auto" else ev,
-                **display.view_values(),
+                **{f"display.{name}": one for name, one in display.given_settings().items()},
                 "light.quality": quality,
             },
             look=look,

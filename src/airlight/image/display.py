@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.image.display_settings import DisplaySettings, display_settings
-from airlight.image.displayed import displayed
+from airlight.image.displayed import Display, displayed
 from airlight.image.encoding import encoding_named
 from airlight.image.exposure import automatic_exposure, exposure_factor
 from airlight.image.gamut import RGB_TO_P3
 from airlight.image.glare import Glare
 from airlight.image.tone_maps import tone_map_named
+from airlight.image.white_balance import White, adapt, scene_white
 from airlight.kernel import compiled_loop
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.threads import run_blocks
@@ -53,6 +54,27 @@ def resolve_exposure(
     return float(exposure)
 
 
+def display_of(
+    rgb: NDArray[np.floating],
+    exposure: float,
+    settings: DisplaySettings,
+    star_white: White | None = None,
+) -> Display:
+    """Parameters of ``displayed`` for a frame.
+
+    Parameters
+    ----------
+    rgb, settings, star_white :
+        Arguments of ``to_display``.
+    exposure : float
+        Exposure. [EV]
+    """
+    mean = None
+    if settings.white_balance == "scene":
+        mean = scene_white(rgb, exposure_factor(exposure))
+    return settings.display(exposure, star_white, mean)
+
+
 def decoded_light(values: NDArray[np.floating], settings: DisplaySettings) -> NDArray[Any]:
     """Displayed light from displayed values: the inverse of encoding and primaries.
 
@@ -72,8 +94,12 @@ def decoded_light(values: NDArray[np.floating], settings: DisplaySettings) -> ND
     return light if settings.primaries == "srgb" else light @ np.linalg.inv(RGB_TO_P3).T
 
 
-def exposed_light(values: NDArray[np.floating], settings: DisplaySettings) -> NDArray[Any]:
-    """Light after exposure from displayed values: the inverse of encoding, primaries and tone map.
+def exposed_light(
+    values: NDArray[np.floating],
+    settings: DisplaySettings,
+    gains: tuple[float, float, float] = (1.0, 1.0, 1.0),
+) -> NDArray[Any]:
+    """Light after exposure from displayed values: the inverse of the steps of ``displayed``.
 
     Not undone: mesopic vision, which darkens and fades what is below 4 cd m⁻²; glare, 3 % of the
     light; dither, half a step.
@@ -84,6 +110,8 @@ def exposed_light(values: NDArray[np.floating], settings: DisplaySettings) -> ND
         Encoded values, 0 to 1. [1]
     settings : DisplaySettings
         Settings that they were displayed with.
+    gains : (float, float, float)
+        Gains of their white balance, see ``adapt``. [1]
 
     Returns
     -------
@@ -96,7 +124,9 @@ def exposed_light(values: NDArray[np.floating], settings: DisplaySettings) -> ND
     >>> exposed_light(shown / 65535.0, DisplaySettings()).round(4)[0, 0]
     array([0.18, 0.18, 0.18])
     """
-    return tone_map_named(settings.tone_map).inverse(decoded_light(values, settings))
+    light = tone_map_named(settings.tone_map).inverse(decoded_light(values, settings))
+    long, medium, short = gains
+    return adapt(light, (1.0 / long, 1.0 / medium, 1.0 / short))
 
 
 @compiled_loop
@@ -139,6 +169,7 @@ def to_display(
     pixel_angle: float = 0.0,
     circle: tuple[int, int] | None = None,
     origin: tuple[int, int] = (0, 0),
+    star_white: White | None = None,
     **changes: Any,
 ) -> NDArray[Any]:
     """Integer pixel values of a frame of linear light.
@@ -163,6 +194,9 @@ def to_display(
         [pixel]
     origin : (int, int)
         Column and row of the first pixel in a larger picture. [pixel]
+    star_white : (float, float), optional
+        Chromaticity of the star's light, ``Frame.star_white``; without it the white balance
+        ``auto`` is the display's own white.
     **changes :
         Single fields of ``settings``: ``eye=False``, ``bits=16``.
 
@@ -180,7 +214,8 @@ def to_display(
         raise ParameterError("rgb", rgb.shape, "an array of shape (height, width, 3)")
     changes |= {"tone_map": tone_map, "encoding": encoding}
     chosen = display_settings(settings, **changes).adapted(exposure)
-    most, display = chosen.white_level, chosen.display(resolve_exposure(rgb, exposure))
+    most, used = chosen.white_level, resolve_exposure(rgb, exposure)
+    display = display_of(rgb, used, chosen, star_white)
     lens = Glare(rgb, pixel_angle, chosen.glare, circle, origin)
     height, width = rgb.shape[:2]
     picture = zeros((height, width, 3), _TYPES[chosen.bits])

@@ -13,11 +13,21 @@ from airlight.image.exposure import exposure_factor
 from airlight.image.gamut import primaries_number
 from airlight.image.glare import checked_amount
 from airlight.image.tone_maps import TONE_MAPS, tone_map_named
+from airlight.image.white_balance import (
+    DAYLIGHT,
+    WHITE_BALANCES,
+    White,
+    check_temperature,
+    white_gains,
+    white_temperature,
+)
 
 #: Default tone map of pictures.
 DEFAULT_TONE_MAP: Final = "natural"
 #: Bits per channel of a picture.
 BITS: Final = (8, 16)
+#: Chromaticity of a light that is not known.
+UNKNOWN: Final = (0.0, 0.0)
 #: Name of no encoding in metadata.
 LINEAR: Final = "linear"
 #: Texts of ``eye`` in metadata.
@@ -45,11 +55,17 @@ class DisplaySettings:
         Whether to add reproducible dither of one quantisation step.
     glare : float
         Amount of glare, 0 to 10: 1 is that of a lens. [1]
+    white_balance : str or float
+        Light that is shown white, one of ``WHITE_BALANCES`` or its temperature, 5200 or
+        ``"5200 K"``; ``auto`` is daylight of 5500 K under a star like the sun, and the star's own
+        light under others.
+    white_temperature : float
+        Temperature for the white balance ``"kelvin"``; a number as ``white_balance`` sets both. [K]
 
     Raises
     ------
     ParameterError
-        If a name, the bits or the glare are not allowed.
+        If a setting is not allowed.
 
     Examples
     --------
@@ -64,8 +80,15 @@ class DisplaySettings:
     bits: int = 8
     dither: bool = True
     glare: float = 1.0
+    white_balance: str | float = "auto"
+    white_temperature: float = DAYLIGHT
 
     def __post_init__(self) -> None:
+        if self.white_balance not in WHITE_BALANCES:
+            kelvin = white_temperature(self.white_balance)
+            object.__setattr__(self, "white_temperature", kelvin)
+            object.__setattr__(self, "white_balance", "kelvin")
+        check_temperature(self.white_temperature)
         tone_map_named(self.tone_map)
         if self.encoding is not None:
             encoding_named(self.encoding)
@@ -83,14 +106,28 @@ class DisplaySettings:
         """Settings with mesopic vision decided: by default with the exposure ``"auto"``."""
         return self if self.eye is not None else replace(self, eye=exposure == "auto")
 
-    def display(self, exposure: float) -> Display:
-        """Parameters of ``displayed`` at an exposure. [EV]
+    def display(
+        self, exposure: float, star: White | None = None, scene: White | None = None
+    ) -> Display:
+        """Parameters of ``displayed``.
+
+        Parameters
+        ----------
+        exposure : float
+            Exposure. [EV]
+        star : (float, float), optional
+            Chromaticity of the star, see ``star_white``.
+        scene : (float, float), optional
+            Chromaticity of the scene's mean light, see ``scene_white``.
 
         Raises
         ------
         ParameterError
             If the exposure is not allowed.
         """
+        which = WHITE_BALANCES.index(str(self.white_balance))
+        light, mean = star or UNKNOWN, scene or UNKNOWN
+        long, medium, short = white_gains(which, self.white_temperature, *light, *mean)
         return Display(
             exposure=exposure_factor(exposure),
             eye=bool(self.eye),
@@ -98,16 +135,21 @@ class DisplaySettings:
             primaries=primaries_number(self.primaries),
             encoding=-1 if self.encoding is None else list(ENCODINGS).index(self.encoding),
             dither=1.0 / self.white_level if self.dither else 0.0,
+            gain_long=long,
+            gain_medium=medium,
+            gain_short=short,
         )
 
     def metadata(self) -> dict[str, str]:
         """Metadata of a picture with these settings: the inverse of ``from_metadata``."""
+        kelvin = self.white_balance == "kelvin"
         return {
             "eye": _EYE[bool(self.eye)],
             "tone_map": self.tone_map,
             "encoding": self.encoding or LINEAR,
             "primaries": self.primaries,
             "glare": f"{self.glare:g}",
+            "white_balance": f"{self.white_temperature:g} K" if kelvin else str(self.white_balance),
         }
 
     @classmethod
@@ -116,7 +158,7 @@ class DisplaySettings:
 
         Examples
         --------
-        >>> shown = DisplaySettings(eye=True, tone_map="hable", primaries="display-p3")
+        >>> shown = DisplaySettings(eye=True, tone_map="hable", white_balance=5200.0)
         >>> DisplaySettings.from_metadata(shown.metadata()) == shown
         True
         """

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from airlight.image.white_balance import White
     from airlight.kernel.background_compiler import BackgroundCompiler
     from airlight.kernel.threads import Cancel
     from airlight.render.gpu.device.device import Device
@@ -105,14 +106,21 @@ class LiveFrame:
         small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
         return self.renderer.render(small, orders=self.orders).rgb
 
-    def display(self, view: Any, *, exposure: float, settings: DisplaySettings) -> None:
+    def display(
+        self,
+        view: Any,
+        *,
+        exposure: float,
+        settings: DisplaySettings,
+        scene_white: White | None = None,
+    ) -> None:
         """Display into a texture of ``LIVE_FORMAT`` on the GPU.
 
         Parameters
         ----------
         view : wgpu.GPUTextureView
             View of the target, of the camera's size.
-        exposure, settings :
+        exposure, settings, scene_white :
             Arguments of ``GpuRenderer.display``.
         """
         assert self.renderer is not None
@@ -123,6 +131,7 @@ class LiveFrame:
             orders=self.orders,
             exposure=exposure,
             settings=settings,
+            scene_white=scene_white,
         )
 
 

@@ -140,7 +140,7 @@ def write_picture(
     elif suffix == ".hdr":
         write_hdr(path, rgb, metadata)
     else:
-        from airlight.image.display import resolve_exposure, to_display
+        from airlight.image.display import display_of, resolve_exposure, to_display
 
         used = frame.exposure if exposure == "auto" else resolve_exposure(rgb, exposure)
         pixels = to_display(rgb, used, settings=chosen, **frame.lens)
@@ -148,6 +148,8 @@ def write_picture(
             left, top, width, height = crop
             metadata["crop"] = ",".join(map(str, crop))
             pixels = np.ascontiguousarray(pixels[top : top + height, left : left + width])
+        white = display_of(rgb, used, chosen, frame.star_white)[-3:]
+        metadata["white_gains"] = " ".join(f"{gain:.8g}" for gain in white)
         texts = {**metadata, "exposure": f"{used:.10g} EV", **chosen.metadata()}
         if frame.pixel_angle == 0.0:
             del texts["glare"]

@@ -14,6 +14,7 @@ from airlight.geometry.refraction import apparent_sun
 from airlight.image.display_settings import DisplaySettings
 from airlight.image.spectral import sun_color
 from airlight.image.texels import CHANNELS
+from airlight.image.white_balance import White
 from airlight.image.xyz import luminance
 from airlight.kernel.shader_fields import scalars_of
 from airlight.physics.constants import LUMINOUS_EFFICACY
@@ -251,17 +252,22 @@ def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
     return {name: float(x) for name, x in zip(names, color / np.maximum(white, 1e-30), strict=True)}
 
 
-def display_uniforms(exposure: float, settings: DisplaySettings) -> dict[str, float]:
+def display_uniforms(
+    exposure: float,
+    settings: DisplaySettings,
+    star: White | None = None,
+    scene: White | None = None,
+) -> dict[str, float]:
     """Uniforms of a display.
 
     Parameters
     ----------
-    exposure : float
-        Exposure. [EV]
     settings : DisplaySettings
         Display settings.
+    exposure, star, scene :
+        Arguments of ``DisplaySettings.display``.
     """
-    numbers = settings.display(exposure)._asdict() | {"glare": settings.glare}
+    numbers = settings.display(exposure, star, scene)._asdict() | {"glare": settings.glare}
     return {name: float(value) for name, value in numbers.items()}
 
 

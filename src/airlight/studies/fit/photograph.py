@@ -216,7 +216,10 @@ def _pixels(path: Path, shot: Shot) -> tuple[FloatArray, NDArray[np.bool_]]:
     mapped = own | ({} if shot.tone_map is None else {"tone_map": shot.tone_map})
     settings = DisplaySettings.from_metadata({**mapped, "encoding": encoding})
     shown = "tone_map" in mapped
-    light = exposed_light(encoded, settings) if shown else decoded_light(encoded, settings)
+    long, medium, short = map(float, own.get("white_gains", "1 1 1").split())
+    light = decoded_light(encoded, settings)
+    if shown:
+        light = exposed_light(encoded, settings, (long, medium, short))
     sound = (encoded.max(axis=-1) < _BRIGHT) & (encoded.min(axis=-1) > _DARK)
     return np.asarray(light, dtype=np.float64), sound
 

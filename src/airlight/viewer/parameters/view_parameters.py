@@ -13,6 +13,7 @@ from typing import Any, Final
 from airlight.image.display_settings import DisplaySettings
 from airlight.image.glare import MOST as MOST_GLARE
 from airlight.image.tone_maps import TONE_MAPS
+from airlight.image.white_balance import COLDEST, DAYLIGHT, HOTTEST, WHITE_BALANCES
 from airlight.scene.camera import Camera
 from airlight.scene.flight import LOWEST_ALTITUDE
 from airlight.scene.ground_detail import GROUNDS
@@ -194,6 +195,15 @@ VIEW_VALUES: Final = (
               most=MOST_GLARE, step=0.1, default=1.0, part="display", uniform="glare",
               help="Lens glare around the sun: 1 is a typical lens, 0 none.",
               synonyms=("bloom", "glow", "halo", "lens", "flare", "sun")),
+    _choice("display.white_balance", "white balance", "display", WHITE_BALANCES,
+            "Light that is shown white: auto is daylight under a sun, else the star.",
+            default="auto", part="display",
+            synonyms=("colour", "color", "temperature", "kelvin", "warm", "cool", "tint", "awb")),
+    ViewValue(path="display.white_temperature", label="white temperature", group="display",
+              unit="K", low=2500.0, high=10000.0, least=COLDEST, most=HOTTEST, scale="log",
+              step=1.05, default=DAYLIGHT, part="display",
+              help="Colour temperature of the white balance kelvin.",
+              synonyms=("white balance", "kelvin", "colour", "color", "warm", "cool")),
     _choice("light.orders", "orders of scattering", "light", ORDERS,
             "All light, that scattered or reflected once, or that scattered more often.",
             default="all", synonyms=("single scattering", "multiple scattering", "bounces")),

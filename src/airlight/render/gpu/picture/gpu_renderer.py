@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.image.display_settings import DisplaySettings
+from airlight.image.white_balance import White, star_white
 from airlight.kernel.cost import DEVICE, timed
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
@@ -189,6 +190,7 @@ class GpuRenderer:
             device=self.device.name,
             scene=scene,
             star_radius=lights[0].solution.lights[0].angular_radius,
+            star_white=star_white(lights[0].solution.lights[0].spectrum),
         )
 
     def _strips(
@@ -241,6 +243,7 @@ class GpuRenderer:
         exposure: float | None = None,
         size: tuple[int, int] | None = None,
         settings: DisplaySettings | None = None,
+        scene_white: White | None = None,
     ) -> None:
         """Render and display into a texture.
 
@@ -258,6 +261,8 @@ class GpuRenderer:
             Size of the target; by default the camera's. [pixel]
         settings : DisplaySettings, optional
             Display settings.
+        scene_white : (float, float), optional
+            Chromaticity of the scene's mean light, for the white balance ``scene``.
         """
         width, height = size or (scene.camera.width, scene.camera.height)
         lights = scenes_by_light(scene, self._require_solution())
@@ -277,7 +282,12 @@ class GpuRenderer:
             display.add_lights(parts, picture, (width, height), LINEAR)
             display.rendered = rendered
         values = {
-            **display_uniforms(exposure, settings or DisplaySettings()),
+            **display_uniforms(
+                exposure,
+                settings or DisplaySettings(),
+                star_white(lights[0].solution.lights[0].spectrum),
+                scene_white,
+            ),
             "circle": scene.camera.circle is not None,
         }
         display.display(values, scene.camera.glare_angle, view, target_format)
