@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 
 from airlight import Camera, Scene, solve
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.four_wavelengths import few_wavelengths
 from airlight.render.gpu.device.device import Device, NoDevice, open_device
 from airlight.render.gpu.device.flat import flat_texture, read_texture, update_flat
@@ -130,11 +131,12 @@ def test_drawn_frame(
     view, following = target(device, size).create_view(), scenes(place, size)
     pictures = GpuRenderer(device, table)
     pictures.set_solution(solution)
+    settings = DisplaySettings(tone_map="aces", glare=0.0)
     spent: list[float] = []
 
     def frame() -> None:
         began = process_time()
-        pictures.display(following(), view, FORMAT, exposure=-2.5, tone_map="aces")
+        pictures.display(following(), view, FORMAT, exposure=-2.5, settings=settings)
         device.wait()
         spent.append(process_time() - began)
 

@@ -19,7 +19,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.image.display import display_of, display_rows, to_display
+from airlight.image.display import display_rows, to_display
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.exposure import automatic_exposure
 from airlight.image.tone_maps import TONE_MAPS
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -133,7 +134,7 @@ def by_device() -> None:
 
     def shown(glare: float, again: bool) -> None:
         chain.drawn = object() if again else "sky"
-        numbers = {**display_uniforms(-4.0, "natural", "srgb"), "glare": glare}
+        numbers = display_uniforms(-4.0, DisplaySettings(glare=glare))
         chain.display(numbers, PIXEL, target, TARGET)
 
     works = {
@@ -172,7 +173,7 @@ def main() -> None:
     for name, rgb in made.items():
         exposure = automatic_exposure(rgb)
         wall = shortest(partial(to_display, rgb, exposure), time.perf_counter)
-        display = display_of(exposure)
+        display = DisplaySettings().display(exposure)
         picture = np.empty(rgb.shape, np.uint8)
         own = shortest(partial(display_rows, rgb, picture, 0, 255.0, display), time.thread_time)
         print(f"{name:12s} {1e3 * wall:6.1f} ms  {1e9 * own / rgb[..., 0].size:5.0f} ns a pixel")

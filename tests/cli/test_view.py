@@ -41,7 +41,7 @@ def test_help_names_every_option_of_the_view(capsys: pytest.CaptureFixture[str])
         ),
         (["earth", "--altitude", "5 kg"], "--altitude"),
         (["earth", "--sun-zenith", "200"], "view.sun_zenith is 200.0; allowed: 0 to 180 deg"),
-        (["earth", "--tone-map", "rosy"], "display.tone_map is 'rosy'; allowed: natural"),
+        (["earth", "--tone-map", "rosy"], "--tone-map is 'rosy'; allowed: natural"),
         (["earth", "--set", "air.colour=1"], "a key of constituents[0] is 'colour'"),
         (["earth", "--screenshot", "window.jpg"], "window.jpg: the name of a screenshot ends in"),
         (["earth", "--screenshot", "no/such/window.png"], "no/such"),

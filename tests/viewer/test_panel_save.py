@@ -14,18 +14,21 @@ from PIL import Image
 
 from airlight import Camera, Scene, load_planet
 from airlight.image.display import to_display
+from airlight.image.display_settings import DisplaySettings
 from airlight.render import render
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.window.film import sun_path, sunlit
 from airlight.viewer.window.panels.save import Saving
 
+ACES = DisplaySettings(tone_map="aces", eye=False)
+
 
 @pytest.fixture
 def shown(solved: Callable[..., MomentsSolution]) -> Picture:
     solution = solved(load_planet("earth-atmosphere-plus"), (680.0, 550.0, 440.0), "preview")
     scene = Scene(camera=Camera(width=40, height=24), altitude=1e3, sun_zenith=50.0)
-    request = Request(solution=solution, scene=scene, orders="multiple", tone_map="aces")
+    request = Request(solution=solution, scene=scene, orders="multiple", display=ACES)
     return Picture(
         view=None,
         width=40,

@@ -9,7 +9,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
-from airlight.image.tone_maps import TONE_MAPS
 from airlight.planets import load_planet, planet_names
 from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.nested_tables import Tables
@@ -22,7 +21,7 @@ from airlight.viewer.parameters.view_parameters import (
     DEFAULTS,
     VIEW_VALUES,
     scene_of,
-    uniforms_of,
+    settings_of,
     view_parameters,
 )
 
@@ -193,30 +192,24 @@ def test_presets_are_all_there() -> None:
 
 
 def test_a_value_of_the_view_that_names_a_uniform_is_a_number_of_the_shaders() -> None:
-    # Declared once: the name must be a field of the struct, and every value must fit into it.
+    # Declared once: the page sends the index of an option or the number itself under this name,
+    # which must be what the display settings of the same view give.
     for one in VIEW_VALUES:
         if one.uniform:
             assert one.uniform in FRAME.layout()["numbers"]
             ends = (False, True) if one.kind == "switch" else (one.least, one.most)
             for value in one.options or ends:
-                number = uniforms_of({**DEFAULTS, one.path: value})[one.uniform]
-                assert math.isfinite(number)
+                sent = float(one.options.index(str(value)) if one.options else value)
+                settings = settings_of({**DEFAULTS, one.path: value})
+                assert display_uniforms(0.0, settings)[one.uniform] == sent
     names = [one.uniform for one in VIEW_VALUES if one.uniform]
     assert len(set(names)) == len(names) > 0
 
 
-def test_the_tone_map_that_the_view_sends_is_the_one_that_the_picture_counts() -> None:
-    # The shaders' number of tone maps is the second method.
-    for name in TONE_MAPS:
-        sent = uniforms_of({**DEFAULTS, "display.tone_map": name})["tone_map"]
-        assert sent == display_uniforms(0.0, name, "srgb")["tone_map"]
-
-
-def test_a_planet_without_a_date_has_all_uniforms() -> None:
+def test_a_planet_without_a_date_has_all_display_settings() -> None:
     # a planet of one's own has no date of its sky: its page and its window need none
-    from airlight.viewer.parameters.view_parameters import DEFAULTS, uniforms_of
     from airlight.viewer.session.session import Session
 
     session = Session("exoplanet")
     assert "view.clock" not in session.values
-    assert uniforms_of(session.values) == uniforms_of({**DEFAULTS, **session.values})
+    assert settings_of(session.values) == settings_of({**DEFAULTS, **session.values})

@@ -36,6 +36,7 @@ SUN = Vec3(*(numbers(-0.5, 0.5) for _ in "xyz"))
 VECTORS = tuple(Vec3(*(numbers(-1.0, 1.0) for _ in "xyz")) for _ in range(2))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
+TEMPERATURES = np.geomspace(2000.0, 25000.0, COUNT)
 #: Formulas that write to an array, which are compared in a separate test.
 FILLING = {"combine", "delta_m_scaling", "factorise", "substitute", "lateral_diffusion_equations"}
 
@@ -79,6 +80,14 @@ LOOPS: dict[str, tuple[Any, ...]] = {
 IN_PLACE = {"add_weighted", "damp_towards", "replace_unsound"}
 #: Arguments of each function: numbers, or tables, which are the same for all calls.
 CASES: dict[str, tuple[Any, ...]] = {
+    "black_body_x": (TEMPERATURES,),
+    "black_body_y": (TEMPERATURES,),
+    "mccamy_temperature": (numbers(0.25, 0.5), numbers(0.25, 0.45)),
+    "white_gains": (
+        RNG.integers(0, 6, COUNT), TEMPERATURES, numbers(0.25, 0.5), numbers(0.25, 0.45),
+        numbers(0.25, 0.5), numbers(0.25, 0.45),
+    ),
+    "scene_weight": (*(numbers(-0.1, 2.0) for _ in "rgb"), 0.3),
     "days_of_date": DATES,
     "date_after": (*DATES, numbers(-500.0, 500.0)),
     "orbit_of": (RNG.integers(0, 3, COUNT), numbers(-0.5, 0.5)),

@@ -6,6 +6,7 @@ import base64
 import io
 import json
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -23,7 +24,7 @@ from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.scene.surface_map import SurfaceMap, from_pixels, surface_map
 from airlight.viewer.browser.package import ground_map
 from airlight.viewer.browser.page import page_data, page_text
-from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, uniforms_of
+from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, settings_of
 
 WIDTH, HEIGHT = 240, 135
 #: Coarser shape than usual, on both sides: software draws it in a second.
@@ -136,7 +137,7 @@ def page_map(name: str) -> SurfaceMap:
     return from_pixels(name, pixels(data["image"]), data["water"] and pixels(data["water"]))
 
 
-def drawn(native: GpuRenderer, values: dict[str, Any], primaries: float = 0.0) -> np.ndarray:
+def drawn(native: GpuRenderer, values: dict[str, Any], primaries: str = "srgb") -> np.ndarray:
     """Picture drawn by ``native`` for a display of these primaries. [0 to 255]"""
     import wgpu
 
@@ -146,8 +147,7 @@ def drawn(native: GpuRenderer, values: dict[str, Any], primaries: float = 0.0) -
     target = native.device.device.create_texture(size=size, format="rgba32float", usage=use)
     native.display(
         scene, target.create_view(), "rgba32float", exposure=values["display.exposure"],
-        tone_map=values["display.tone_map"], encoding="srgb", glare=values["display.glare"],
-        uniforms={"eye": uniforms_of(values)["eye"], "primaries": primaries},
+        settings=replace(settings_of(values), primaries=primaries),
     )  # fmt: skip
     return 255.0 * np.clip(read_texture(native.device, target)[..., :3], 0.0, 1.0)
 
@@ -201,7 +201,9 @@ def test_a_page_on_a_wide_screen_draws_for_its_primaries(
 ) -> None:
     name, changes = VIEWS["mars, sunset"]
     native.set_solution(solutions(name))
-    wide, narrow = (drawn(native, {**DEFAULTS, **FIXED, **changes}, one) for one in (1.0, 0.0))
+    wide, narrow = (
+        drawn(native, {**DEFAULTS, **FIXED, **changes}, one) for one in ("display-p3", "srgb")
+    )
     page = page_by(name, "webgl2")
     page.evaluate("airlight.ready.then(() => { airlight.device.space = 'display-p3'; })")
     seen = painted_by(page, {**FIXED, **changes})

@@ -160,7 +160,11 @@ def animate(
                 made,
                 folder,
                 how=how,
-                finish=Finish(suffix=f".{frame.format_}", **frame.keywords()),
+                finish=Finish(
+                    suffix=f".{frame.format_}",
+                    exposure=frame.ev,
+                    **{**made.display, **frame.given_settings()},
+                ),
                 movie=movie,
                 on_message=note,
                 progress=counted,

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 from airlight.cli import options
-from airlight.cli.option_groups import OptionGroup, given_options, option
+from airlight.cli.option_groups import OptionGroup, given_options, named_errors, option
 from airlight.errors import ConflictError, ParameterError
+
+if TYPE_CHECKING:
+    from airlight.image.display_settings import DisplaySettings
 
 #: Options of the exposure; the last three are a camera's.
 _EXPOSURE: Final = ("exposure", "iso", "aperture", "shutter")
@@ -32,6 +35,13 @@ class ToneOptions(OptionGroup):
     tone_map: str = option("Tone map: {image.tone_maps:TONE_MAPS}.", "NAME", "natural")
     glare: float = option(
         "Lens glare around the sun: 1 is a typical lens, 0 none, at most 10.", "NUMBER", 1.0
+    )
+    white_balance: str = option(
+        "Light that is shown white: daylight (5500 K), star (the star's own light), scene (the "
+        "mean of the picture), d65 (the display's white); auto: daylight under a star like the "
+        "sun, otherwise star.",
+        "auto|daylight|star|scene|d65|KELVIN",
+        "auto",
     )
 
     @property
@@ -59,6 +69,21 @@ class ToneOptions(OptionGroup):
                 raise ParameterError(f"--{name}", getattr(self, name), "above 0, below 1e9")
         return camera_exposure(self.iso, self.aperture, self.shutter)
 
+    def settings(self) -> DisplaySettings:
+        """Display settings, of the options named as their fields."""
+        from airlight.image.display_settings import DisplaySettings
+
+        names = {one.name for one in fields(DisplaySettings)} & set(vars(self))
+        with named_errors(*names):
+            return DisplaySettings(**{name: getattr(self, name) for name in names})
+
+    def given_settings(self) -> dict[str, Any]:
+        """Display settings that differ from their defaults, by name."""
+        from airlight.image.display_settings import DisplaySettings
+
+        plain = vars(DisplaySettings())
+        return {name: one for name, one in vars(self.settings()).items() if one != plain[name]}
+
 
 @dataclass(frozen=True, kw_only=True)
 class DisplayOptions(ToneOptions):
@@ -78,8 +103,6 @@ class DisplayOptions(ToneOptions):
         shown : bool
             Whether the picture has false colours.
         """
-        from airlight.image.glare import checked_amount
-        from airlight.image.tone_maps import TONE_MAPS
         from airlight.render.picture import LINEAR
 
         phrase = f"does not apply to {suffix} files, which hold linear radiance"
@@ -87,18 +110,12 @@ class DisplayOptions(ToneOptions):
             phrase = "cannot be combined with --show, whose colours are a scale"
         for given in given_options(self, *_NAMES) if shown or suffix in LINEAR else ():
             raise ConflictError(given, phrase)
-        if self.bits not in (8, 16):
-            raise ParameterError("--bits", self.bits, "8 or 16")
-        _ = self.ev
-        if self.tone_map not in TONE_MAPS:
-            raise ParameterError("--tone-map", self.tone_map, ", ".join(TONE_MAPS))
-        checked_amount(self.glare, "--glare")
+        self.keywords()
 
     def keywords(self) -> dict[str, Any]:
-        """Display settings as keyword arguments of ``write_picture``."""
-        others = {name: getattr(self, name) for name in _NAMES if name not in _EXPOSURE}
-        return {"exposure": self.ev, **others}
+        """Exposure and display settings as keyword arguments of ``write_picture``."""
+        return {"exposure": self.ev, "settings": self.settings()}
 
 
-#: Fields of a display, those of a subclass apart.
+#: Fields of the options of a display.
 _NAMES: Final = tuple(one.name for one in fields(DisplayOptions))

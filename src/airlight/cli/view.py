@@ -80,8 +80,6 @@ def view(
     words = {}
     if given_options(camera, "projection"):
         words["view.projection"] = options.projection(camera.projection)
-    if given_options(display, "tone_map"):
-        words["display.tone_map"] = display.tone_map
     show(
         Start(
             planet=planet.planet,
@@ -93,7 +91,7 @@ def view(
                 **words,
                 "display.automatic": ev == "auto",
                 "display.exposure": 0.0 if ev == "auto" else ev,
-                "display.glare": display.glare,
+                **{f"display.{name}": one for name, one in display.given_settings().items()},
                 "light.quality": quality,
             },
             look=look,

@@ -9,18 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.image.display_settings import DisplaySettings, display_settings
 from airlight.image.displayed import Display, displayed
-from airlight.image.encoding import ENCODINGS, encoding_named
+from airlight.image.encoding import encoding_named
 from airlight.image.exposure import automatic_exposure, exposure_factor
-from airlight.image.gamut import primaries_number
+from airlight.image.gamut import RGB_TO_P3
 from airlight.image.glare import Glare
-from airlight.image.tone_maps import TONE_MAPS, tone_map_named
+from airlight.image.tone_maps import tone_map_named
+from airlight.image.white_balance import White, adapt, scene_white
 from airlight.kernel import compiled_loop
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.threads import run_blocks
 
-#: Default tone map of pictures.
-DEFAULT_TONE_MAP: Final = "natural"
 #: Pixels per block of rows.
 _BLOCK: Final = 16_384
 #: Array types of pictures by bits per channel.
@@ -55,47 +55,78 @@ def resolve_exposure(
 
 
 def display_of(
+    rgb: NDArray[np.floating],
     exposure: float,
-    tone_map: str = DEFAULT_TONE_MAP,
-    encoding: str | None = "srgb",
-    *,
-    eye: bool = False,
-    primaries: str = "srgb",
-    step: float = 1.0 / 255.0,
+    settings: DisplaySettings,
+    star_white: White | None = None,
 ) -> Display:
-    """Parameters of a display from names.
+    """Parameters of ``displayed`` for a frame.
 
     Parameters
     ----------
+    rgb, settings, star_white :
+        Arguments of ``to_display``.
     exposure : float
         Exposure. [EV]
-    tone_map : str
-        Name from ``TONE_MAPS``.
-    encoding : str or None
-        Name from ``ENCODINGS``; None for a target with its own encoding.
-    eye : bool
-        Whether to simulate mesopic vision.
-    primaries : str
-        Name from ``PRIMARIES``.
-    step : float
-        Quantisation step for dither; 0 for none. [1]
-
-    Raises
-    ------
-    ParameterError
-        If a name or the exposure is not allowed.
     """
-    tone_map_named(tone_map)
-    if encoding is not None:
-        encoding_named(encoding)
-    return Display(
-        exposure=exposure_factor(exposure),
-        eye=eye,
-        tone_map=list(TONE_MAPS).index(tone_map),
-        primaries=primaries_number(primaries),
-        encoding=-1 if encoding is None else list(ENCODINGS).index(encoding),
-        dither=float(step),
-    )
+    mean = None
+    if settings.white_balance == "scene":
+        mean = scene_white(rgb, exposure_factor(exposure))
+    return settings.display(exposure, star_white, mean)
+
+
+def decoded_light(values: NDArray[np.floating], settings: DisplaySettings) -> NDArray[Any]:
+    """Displayed light from displayed values: the inverse of encoding and primaries.
+
+    Parameters
+    ----------
+    values, settings :
+        Arguments of ``exposed_light``.
+
+    Returns
+    -------
+    array, shape (..., 3)
+        Linear sRGB, same floating type. [1]
+    """
+    light = values
+    if settings.encoding is not None:
+        light = encoding_named(settings.encoding).decode(values)
+    return light if settings.primaries == "srgb" else light @ np.linalg.inv(RGB_TO_P3).T
+
+
+def exposed_light(
+    values: NDArray[np.floating],
+    settings: DisplaySettings,
+    gains: tuple[float, float, float] = (1.0, 1.0, 1.0),
+) -> NDArray[Any]:
+    """Light after exposure from displayed values: the inverse of the steps of ``displayed``.
+
+    Not undone: mesopic vision, which darkens and fades what is below 4 cd m⁻²; glare, 3 % of the
+    light; dither, half a step.
+
+    Parameters
+    ----------
+    values : array, shape (..., 3)
+        Encoded values, 0 to 1. [1]
+    settings : DisplaySettings
+        Settings that they were displayed with.
+    gains : (float, float, float)
+        Gains of their white balance, see ``adapt``. [1]
+
+    Returns
+    -------
+    array, shape (..., 3)
+        Linear sRGB after exposure, same floating type. [1]
+
+    Examples
+    --------
+    >>> shown = to_display(np.full((1, 1, 3), 0.18), 0.0, bits=16, dither=False)
+    >>> exposed_light(shown / 65535.0, DisplaySettings()).round(4)[0, 0]
+    array([0.18, 0.18, 0.18])
+    """
+    light = tone_map_named(settings.tone_map).inverse(decoded_light(values, settings))
+    long, medium, short = gains
+    return adapt(light, (1.0 / long, 1.0 / medium, 1.0 / short))
 
 
 @compiled_loop
@@ -131,17 +162,15 @@ def display_rows(rgb, picture, first, left, most, display):
 def to_display(
     rgb: NDArray[np.floating],
     exposure: float | Literal["auto"] = "auto",
-    tone_map: str = DEFAULT_TONE_MAP,
-    encoding: str = "srgb",
+    tone_map: str | None = None,
+    encoding: str | None = None,
     *,
-    eye: bool | None = None,
-    primaries: str = "srgb",
-    bits: int = 8,
-    dither: bool = True,
-    glare: float = 1.0,
+    settings: DisplaySettings | None = None,
     pixel_angle: float = 0.0,
     circle: tuple[int, int] | None = None,
     origin: tuple[int, int] = (0, 0),
+    star_white: White | None = None,
+    **changes: Any,
 ) -> NDArray[Any]:
     """Integer pixel values of a frame of linear light.
 
@@ -154,21 +183,10 @@ def to_display(
     exposure : float or "auto"
         Exposure; ``"auto"``: ``automatic_exposure`` of the picture. For scenes see
         ``scene_exposure``. [EV]
-    tone_map : str
-        Tone map, one of ``TONE_MAPS``.
-    encoding : str
-        Encoding, ``"srgb"`` or ``"gamma"``.
-    eye : bool, optional
-        Whether to simulate mesopic vision below 4 cd m⁻², see ``mesopic``; default: with automatic
-        exposure.
-    primaries : str
-        Primaries of the display, one of ``PRIMARIES``.
-    bits : int
-        Bits per channel, 8 or 16.
-    dither : bool
-        Whether to add reproducible dither of one quantisation step.
-    glare : float
-        Amount of glare, 0 to 10: 1 is that of a lens. [1]
+    tone_map, encoding : str, optional
+        Fields of ``settings``.
+    settings : DisplaySettings, optional
+        Tone map, mesopic vision, encoding, primaries, bits, dither and glare.
     pixel_angle : float
         Angle of a pixel, ``Frame.pixel_angle``; 0 for no glare. [rad]
     circle : (int, int), optional
@@ -176,12 +194,16 @@ def to_display(
         [pixel]
     origin : (int, int)
         Column and row of the first pixel in a larger picture. [pixel]
+    star_white : (float, float), optional
+        Chromaticity of the star's light, ``Frame.star_white``; without it the white balance
+        ``auto`` is the display's own white.
+    **changes :
+        Single fields of ``settings``: ``eye=False``, ``bits=16``.
 
     Raises
     ------
     ParameterError
-        If the array has another shape, or a name, the bits, the exposure or the glare are not
-        allowed.
+        If the array has another shape, or the exposure or a setting is not allowed.
 
     Examples
     --------
@@ -190,20 +212,13 @@ def to_display(
     """
     if rgb.ndim != 3 or rgb.shape[-1] != 3:
         raise ParameterError("rgb", rgb.shape, "an array of shape (height, width, 3)")
-    if bits not in _TYPES:
-        raise ParameterError("bits", bits, "8 or 16")
-    most = 2.0**bits - 1.0
-    display = display_of(
-        resolve_exposure(rgb, exposure),
-        tone_map,
-        encoding,
-        eye=exposure == "auto" if eye is None else eye,
-        primaries=primaries,
-        step=1.0 / most if dither else 0.0,
-    )
-    lens = Glare(rgb, pixel_angle, glare, circle, origin)
+    changes |= {"tone_map": tone_map, "encoding": encoding}
+    chosen = display_settings(settings, **changes).adapted(exposure)
+    most, used = chosen.white_level, resolve_exposure(rgb, exposure)
+    display = display_of(rgb, used, chosen, star_white)
+    lens = Glare(rgb, pixel_angle, chosen.glare, circle, origin)
     height, width = rgb.shape[:2]
-    picture = zeros((height, width, 3), _TYPES[bits])
+    picture = zeros((height, width, 3), _TYPES[chosen.bits])
     rows = max(1, _BLOCK // max(1, width))
 
     def show(index: int) -> None:

@@ -6,8 +6,9 @@ from typing import Annotated, NamedTuple
 
 from airlight.image.dither import dithered
 from airlight.image.encoding import encoded
-from airlight.image.eye import seen_by_eye
+from airlight.image.eye import cones_and_rods, with_rods
 from airlight.image.tone_maps import shown_light
+from airlight.image.white_balance import white_balanced
 from airlight.kernel import inlined
 from airlight.kernel.shader_fields import CHOICE
 
@@ -29,6 +30,8 @@ class Display(NamedTuple):
         Index in ``ENCODINGS``; -1 for a target with its own encoding.
     dither : float
         Quantisation step for dither; 0 for none. [1]
+    gain_long, gain_medium, gain_short : float
+        Gains of the cone responses from ``white_gains``. [1]
     """
 
     exposure: float
@@ -37,11 +40,16 @@ class Display(NamedTuple):
     primaries: Annotated[int, CHOICE]
     encoding: Annotated[int, CHOICE]
     dither: float
+    gain_long: float
+    gain_medium: float
+    gain_short: float
 
 
 @inlined
 def displayed(red, green, blue, px, py, display):
-    """Displayed values of linear light: vision, exposure, tone map, gamut, encoding, dither. [1]
+    """Displayed values of linear light. [1]
+
+    Mesopic vision, white balance, exposure, tone map, gamut, encoding and dither, in this order.
 
     Parameters
     ----------
@@ -50,15 +58,22 @@ def displayed(red, green, blue, px, py, display):
     px, py : float
         Position from the picture's left and top edge. [pixel]
     display : Display
-        Exposure, eye, tone map, primaries, encoding and dither.
+        Parameters of all steps.
 
     Returns
     -------
     red, green, blue : float
         Encoded values, 0 to 1. [1]
     """
+    cones, rods = 1.0, 0.0
     if display.eye:
-        red, green, blue = seen_by_eye(red, green, blue)
+        cones, rods = cones_and_rods(red, green, blue)
+    # Cones adapt to the white of the scene; what rods see has no colour to adapt.
+    red, green, blue = white_balanced(
+        red, green, blue, display.gain_long, display.gain_medium, display.gain_short
+    )
+    if display.eye:
+        red, green, blue = with_rods(red, green, blue, cones, rods)
     red, green, blue = shown_light(
         display.tone_map,
         display.primaries,

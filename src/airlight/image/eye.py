@@ -50,22 +50,33 @@ def rod_share(bright):
 
 
 @kernel
-def seen_by_eye(red, green, blue):
-    """Scalar form of ``mesopic``."""
+def cones_and_rods(red, green, blue):
+    """Weight of cone vision [1], and scotopic luminance times that of rods [unit of the colour]."""
     bright = luminance_of(red, green, blue)
     share = rod_share(LUMINOUS_EFFICACY * bright)
     if share <= 0.0 or not bright > 0.0:
-        return red, green, blue
+        return 1.0, 0.0
     x = _XR * red + _XG * green + _XB * blue
     z = _ZR * red + _ZG * green + _ZB * blue
     rods = (_RODS * (1.0 + (bright + z) / max(x, 1e-3 * bright)) - _LESS) / _OF_D65
-    rods = bright * share * min(max(rods, _LEAST), _MOST)
-    cones = 1.0 - share
+    return 1.0 - share, bright * share * min(max(rods, _LEAST), _MOST)
+
+
+@kernel
+def with_rods(red, green, blue, cones, rods):
+    """Colour that cones see, weighted, and the bluish grey that rods see."""
     return (
         cones * red + rods * _NIGHT_RED,
         cones * green + rods * _NIGHT_GREEN,
         cones * blue + rods * _NIGHT_BLUE,
     )
+
+
+@kernel
+def seen_by_eye(red, green, blue):
+    """Scalar form of ``mesopic``."""
+    cones, rods = cones_and_rods(red, green, blue)
+    return with_rods(red, green, blue, cones, rods)
 
 
 @compiled_loop

@@ -25,6 +25,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import Cancelled, ParameterError
+from airlight.image.display_settings import DisplaySettings
 from airlight.kernel.memory import give_back
 from airlight.render import render
 from airlight.render.background_compilation import MARCH_LOOPS, SKY_VIEW_LOOPS
@@ -32,11 +33,10 @@ from airlight.render.render_scene import CPU
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     import numpy as np
     from numpy.typing import NDArray
 
+    from airlight.image.white_balance import White
     from airlight.kernel.background_compiler import BackgroundCompiler
     from airlight.kernel.threads import Cancel
     from airlight.render.gpu.device.device import Device
@@ -107,7 +107,12 @@ class LiveFrame:
         return self.renderer.render(small, orders=self.orders).rgb
 
     def display(
-        self, view: Any, *, exposure: float, tone_map: str, uniforms: Mapping[str, float]
+        self,
+        view: Any,
+        *,
+        exposure: float,
+        settings: DisplaySettings,
+        scene_white: White | None = None,
     ) -> None:
         """Display into a texture of ``LIVE_FORMAT`` on the GPU.
 
@@ -115,7 +120,7 @@ class LiveFrame:
         ----------
         view : wgpu.GPUTextureView
             View of the target, of the camera's size.
-        exposure, tone_map, uniforms :
+        exposure, settings, scene_white :
             Arguments of ``GpuRenderer.display``.
         """
         assert self.renderer is not None
@@ -125,8 +130,8 @@ class LiveFrame:
             LIVE_FORMAT,
             orders=self.orders,
             exposure=exposure,
-            tone_map=tone_map,
-            uniforms=uniforms,
+            settings=settings,
+            scene_white=scene_white,
         )
 
 
@@ -371,5 +376,5 @@ def _render_small(step: LiveFrame) -> None:
         usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
     )
     ready = replace(step, scene=small)
-    ready.display(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
+    ready.display(texture.create_view(), exposure=0.0, settings=DisplaySettings())
     ready.linear(_TINY)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from airlight.image.png import read_png_header, write_png
 from airlight.physics.units import Measure, quantity, without_unit
 
 if TYPE_CHECKING:
+    from airlight.image.display_settings import DisplaySettings
     from airlight.scene.frame import Frame
 
 #: Suffixes of the formats that can be written.
@@ -70,15 +71,11 @@ def write_picture(
     metadata: Mapping[str, str] | None = None,
     *,
     exposure: float | str = "auto",
-    tone_map: str = "natural",
-    encoding: str = "srgb",
-    primaries: str = "srgb",
-    eye: bool | None = None,
-    bits: int = 8,
-    glare: float = 1.0,
+    settings: DisplaySettings | None = None,
     pixel_angle: Measure = 0.0,
     layers: Mapping[str, NDArray[np.float32]] | None = None,
     crop: tuple[int, int, int, int] | None = None,
+    **changes: Any,
 ) -> Written:
     """Write a frame's colours as PNG (exposed, tone mapped, encoded), or linear as EXR or HDR.
 
@@ -97,15 +94,8 @@ def write_picture(
     exposure : float or "auto"
         Exponent of two that multiplies the colours; ``auto``: see ``Frame.exposure`` and, for an
         array, ``airlight.image.exposure.automatic_exposure``. Only for PNG. [EV]
-    tone_map, encoding, primaries : str
-        Names of ``airlight.image``. Only for PNG.
-    eye : bool, optional
-        Whether to simulate mesopic vision below 4 cd m⁻²; default: with exposure ``auto``. Only for
-        PNG.
-    bits : int
-        Bits per channel of a PNG, 8 or 16.
-    glare : float
-        Amount of glare, 0 to 10; 1 is that of a lens. Only for PNG. [1]
+    settings : DisplaySettings, optional
+        Tone map, mesopic vision, encoding, primaries, bits, dither and glare. Only for PNG.
     pixel_angle : float
         Angle of a pixel of an array; without it there is no glare. [rad]
     layers : mapping of str to array, optional
@@ -113,6 +103,8 @@ def write_picture(
     crop : (int, int, int, int), optional
         Written window: left and top edge, width and height. Exposure and glare are those of the
         whole picture. Only for PNG. [pixel]
+    **changes :
+        Single fields of ``settings``: ``tone_map="agx"``, ``bits=16``.
 
     Returns
     -------
@@ -122,12 +114,15 @@ def write_picture(
     Raises
     ------
     ParameterError
-        For an unknown name, other bits, or an exposure or glare that is not allowed.
+        For an exposure or a setting that is not allowed.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
     suffix = picture_suffix(path)
+    from airlight.image.display_settings import display_settings
     from airlight.scene.frame import Frame
+
+    chosen = display_settings(settings, **changes).adapted(exposure)
 
     if isinstance(picture, Frame):
         frame = picture
@@ -145,28 +140,20 @@ def write_picture(
     elif suffix == ".hdr":
         write_hdr(path, rgb, metadata)
     else:
-        from airlight.image.display import resolve_exposure, to_display
+        from airlight.image.display import display_of, resolve_exposure, to_display
 
         used = frame.exposure if exposure == "auto" else resolve_exposure(rgb, exposure)
-        eye = exposure == "auto" if eye is None else eye
-        pixels = to_display(
-            rgb, used, tone_map, encoding, eye=eye, primaries=primaries, bits=bits, glare=glare,
-            **frame.lens,
-        )  # fmt: skip
+        pixels = to_display(rgb, used, settings=chosen, **frame.lens)
         if crop is not None:
             left, top, width, height = crop
             metadata["crop"] = ",".join(map(str, crop))
             pixels = np.ascontiguousarray(pixels[top : top + height, left : left + width])
-        display = {
-            "exposure": f"{used:.10g} EV",
-            "eye": "adapted" if eye else "by day",
-            "tone_map": tone_map,
-            "encoding": encoding,
-            "primaries": primaries,
-        }
-        display |= {"glare": f"{glare:g}"} if frame.pixel_angle > 0.0 else {}
-        texts = {**metadata, **display}
-        write_png(path, pixels, texts, encoding=encoding, primaries=primaries)
+        white = display_of(rgb, used, chosen, frame.star_white)[-3:]
+        metadata["white_gains"] = " ".join(f"{gain:.8g}" for gain in white)
+        texts = {**metadata, "exposure": f"{used:.10g} EV", **chosen.metadata()}
+        if frame.pixel_angle == 0.0:
+            del texts["glare"]
+        write_png(path, pixels, texts, encoding=str(chosen.encoding), primaries=chosen.primaries)
     return Written(path=Path(path), size=Path(path).stat().st_size, exposure=used)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.image.white_balance import star_white
 from airlight.kernel.cost import LINES, timed
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
@@ -124,6 +125,7 @@ def render(
         polarised=layers[1:] if stokes else None,
         scene=scene,
         star_radius=solution.lights[0].angular_radius,
+        star_white=star_white(solution.lights[0].spectrum),
     )
 
 

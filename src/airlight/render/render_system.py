@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.image.white_balance import star_white
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.light_source import LightSource
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -166,6 +167,7 @@ class _BodyTracer:
             device=CPU,
             scene=self._metered(),
             star_radius=max((one.angular_radius for one in self._seen.values()), default=0.0),
+            star_white=star_white(self._star.spectrum),
         )
 
     def _metered(self) -> Scene | None:

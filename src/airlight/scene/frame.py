@@ -39,6 +39,9 @@ class Frame:
         Rendered scene.
     star_radius : float
         Angular radius of the star. [rad]
+    star_white : (float, float) or None
+        Chromaticity x, y of the star's light outside the air, for the white balance; None if
+        unknown. [1]
     origin : (int, int)
         First column and row of the frame in the uncropped frame. [pixel]
     """
@@ -50,6 +53,7 @@ class Frame:
     circle: tuple[int, int] | None = None
     scene: Scene | None = None
     star_radius: float = 0.0
+    star_white: tuple[float, float] | None = None
     origin: tuple[int, int] = (0, 0)
 
     @classmethod
@@ -86,8 +90,9 @@ class Frame:
 
     @property
     def lens(self) -> dict[str, Any]:
-        """Lens arguments of ``airlight.image.to_display``, also for a cropped frame."""
-        return {"pixel_angle": self.pixel_angle, "circle": self.circle, "origin": self.origin}
+        """Arguments of ``airlight.image.to_display`` about lens and star, also if cropped."""
+        names = ("pixel_angle", "circle", "origin", "star_white")
+        return {name: getattr(self, name) for name in names}
 
     @property
     def stokes(self) -> NDArray[np.float64]:

@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, Scene, load_planet
 from airlight.image.display import to_display
+from airlight.image.display_settings import DisplaySettings
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
@@ -26,7 +27,7 @@ def pictures(device: Device, solved: Callable[..., MomentsSolution]) -> GpuRende
 
 
 def shown(
-    pictures: GpuRenderer, seen: Scene, kind: str = "rgba8unorm", **more: float
+    pictures: GpuRenderer, seen: Scene, kind: str = "rgba8unorm", glare: float = 0.0, **more: float
 ) -> np.ndarray:
     """Picture of a device. [0 to 255]"""
     import wgpu
@@ -34,7 +35,9 @@ def shown(
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
     size = (seen.camera.width, seen.camera.height, 1)
     target = pictures.device.device.create_texture(size=size, format=kind, usage=use)
-    pictures.display(seen, target.create_view(), kind, **{"exposure": -5.0, **more})
+    settings = DisplaySettings(glare=glare)
+    given = {"exposure": -5.0, **more}
+    pictures.display(seen, target.create_view(), kind, settings=settings, **given)
     return 255.0 * read_texture(pictures.device, target)[..., :3]
 
 

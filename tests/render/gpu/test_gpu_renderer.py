@@ -28,8 +28,10 @@ from airlight import (
     solve,
 )
 from airlight.image.display import to_display
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.exposure import automatic_exposure
 from airlight.image.four_wavelengths import four_wavelengths
+from airlight.image.white_balance import star_white
 from airlight.planets import Constituent
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
@@ -406,16 +408,22 @@ def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
 
 
 @pytest.mark.parametrize(
-    ("tone_map", "name", "exposure", "eye"),
+    ("tone_map", "name", "exposure", "eye", "white"),
     [
-        ("hable", "aloft", -2.0, False),
-        ("aces", "aloft", -2.0, False),
-        ("natural", "aloft", -4.0, False),
-        ("natural", "dusk", 8.0, True),
+        ("hable", "aloft", -2.0, False, "d65"),
+        ("aces", "aloft", -2.0, False, 3500.0),
+        ("natural", "aloft", -4.0, False, "auto"),
+        ("natural", "dusk", 8.0, True, 3500.0),
     ],
 )
 def test_what_is_drawn_is_exposed_and_tone_mapped(
-    tone_map: str, name: str, exposure: float, eye: bool, device: Device, shows: Shows
+    tone_map: str,
+    name: str,
+    exposure: float,
+    eye: bool,
+    white: str | float,
+    device: Device,
+    shows: Shows,
 ) -> None:
     # The array functions by name, in double precision, of the same linear light: half of 1/255 for
     # rounding to 8 bits, each.
@@ -426,13 +434,15 @@ def test_what_is_drawn_is_exposed_and_tone_mapped(
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
     target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
     shows().display(
-        seen, target.create_view(), "rgba8unorm", exposure=exposure, tone_map=tone_map,
-        uniforms={"eye": float(eye)},
+        seen, target.create_view(), "rgba8unorm", exposure=exposure,
+        settings=DisplaySettings(tone_map=tone_map, eye=eye, glare=0.0, white_balance=white),
     )  # fmt: skip
     rgb = shows().render(seen).rgb
-    wanted = to_display(rgb, exposure, tone_map, eye=eye)
+    star = star_white(None)
+    wanted = to_display(rgb, exposure, tone_map, eye=eye, white_balance=white, star_white=star)
     # dither is the same number of the same pixel; the eye counts where it is dark
-    assert np.any(wanted != to_display(rgb, exposure, tone_map, eye=not eye)) == eye
+    other = to_display(rgb, exposure, tone_map, eye=not eye, white_balance=white, star_white=star)
+    assert np.any(wanted != other) == eye
     shown = np.rint(255.0 * read_texture(device, target)[..., :3])
     assert_allclose(shown, wanted, rtol=0.0, atol=1.0)
 
@@ -449,8 +459,9 @@ def test_another_display_draws_no_light_again(
     target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
 
     def shown(pictures: GpuRenderer, exposure: float, tone_map: str, scene: Scene) -> np.ndarray:
+        settings = DisplaySettings(tone_map=tone_map, glare=0.0)
         pictures.display(
-            scene, target.create_view(), "rgba8unorm", exposure=exposure, tone_map=tone_map
+            scene, target.create_view(), "rgba8unorm", exposure=exposure, settings=settings
         )
         return read_texture(device, target)
 

@@ -18,7 +18,19 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight.geometry import path, refraction, shell, sun_disc, vectors
 from airlight.geometry.mappings import sky_view, transmittance
 from airlight.geometry.vectors import Vec3
-from airlight.image import aces, agx, dither, encoding, eye, gamut, natural, oklab, tone_maps, xyz
+from airlight.image import (
+    aces,
+    agx,
+    dither,
+    encoding,
+    eye,
+    gamut,
+    natural,
+    oklab,
+    tone_maps,
+    white_balance,
+    xyz,
+)
 from airlight.image.encoding import ENCODINGS
 from airlight.image.floating import physical_light
 from airlight.image.gamut import in_gamut
@@ -215,6 +227,16 @@ COLORS = [
     # From a luminance of 0.002 to 4 cd/m², as from 0.0001 to 1000 W/m²/sr.
     Case(eye.rod_share, (np.geomspace(1e-4, 1e2, COUNT),), atol=POWER),
     Case(eye.seen_by_eye, tuple(1e-4 * one for one in LIGHTS), rtol=4 * POWER),
+    # The scotopic luminance is a difference of ratios up to 10, times 1.33.
+    Case(eye.cones_and_rods, tuple(1e-4 * one for one in LIGHTS), rtol=4 * POWER, atol=EPS),
+    Case(eye.with_rods, (*LIGHTS, 0.3, 0.1), rtol=8 * EPS, atol=EPS),
+    # Sums of three products each way, of cones' responses up to the largest channel.
+    Case(
+        white_balance.white_balanced,
+        (*LIGHTS, 1.02, 0.99, 0.8),
+        rtol=64 * EPS,
+        atol=64 * EPS * 20.0,
+    ),
     Case(gamut.signed_light, (LIGHTS[0] - 1.0,), rtol=EPS),
     # Differences of channels up to 1, with weights up to 4.
     Case(gamut.light_of_cones, (1, *UNITS), atol=16 * EPS),

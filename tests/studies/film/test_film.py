@@ -179,6 +179,15 @@ def test_a_wrong_film_is_refused_in_one_line(tmp_path: Path, old: str, new: str,
     assert "\n" not in str(caught.value)
 
 
+def test_display_settings_of_a_film_are_those_of_its_file(tmp_path: Path) -> None:
+    text = FILM + "\n[display]\nwhite_balance = '4000 K'\ntone_map = 'agx'\n"
+    film = load_film(written(tmp_path, text), {"display.glare": 0.5})
+    assert film.display == {"white_balance": "4000 K", "tone_map": "agx", "glare": 0.5}
+    for wrong, line in (("bits = 16", "display is 'bits'"), ("glare = 20", "display.glare is 20")):
+        with pytest.raises(ParameterError, match=line):
+            load_film(written(tmp_path, f"{FILM}\n[display]\n{wrong}\n"))
+
+
 def test_the_tables_of_the_page_are_those_of_the_declarations() -> None:
     # written by builders/file_keys.py
     root = Path(__file__).parents[3]

@@ -19,6 +19,7 @@ from airlight.engines.composition.pinhole import Pinhole
 from airlight.engines.composition.placement import PinholeView, Placement, pinhole_view
 from airlight.engines.composition.relight import Relight, SurfaceLight
 from airlight.errors import Cancelled, ConflictError, ParameterError, warn
+from airlight.image.white_balance import White, star_white
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.physics.units import without_unit
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -60,6 +61,8 @@ class Composed:
         Scene with the observer, light and field of view of the image.
     star_radius : float
         Angular radius of the star. [rad]
+    star_white : (float, float)
+        Chromaticity of the star's light outside the air. [1]
     marched : float
         Fraction of surface pixels that were marched instead of interpolated in froxels.
     error : float
@@ -71,6 +74,7 @@ class Composed:
     scale: FloatArray
     scene: Scene
     star_radius: float
+    star_white: White
     marched: float
     error: float
 
@@ -80,6 +84,7 @@ class Composed:
         return Frame(
             rgb=(self.rgb * self.scale).astype(np.float32),
             pixel_angle=self.scene.camera.glare_angle,
+            star_white=self.star_white,
             metadata={"unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931"},
         )
 
@@ -208,6 +213,7 @@ def compose(
         scale=surface.scale,
         scene=view.scene,
         star_radius=solution.lights[0].angular_radius,
+        star_white=star_white(solution.lights[0].spectrum),
         marched=float(counts[1] / max(counts[0], 1.0)),
         error=error,
     )

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.refraction import apparent_sun
-from airlight.image.display import display_of
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.spectral import sun_color
 from airlight.image.texels import CHANNELS
+from airlight.image.white_balance import White
 from airlight.image.xyz import luminance
 from airlight.kernel.shader_fields import scalars_of
 from airlight.physics.constants import LUMINOUS_EFFICACY
@@ -251,22 +252,23 @@ def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
     return {name: float(x) for name, x in zip(names, color / np.maximum(white, 1e-30), strict=True)}
 
 
-def display_uniforms(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
-    """Uniforms of an 8-bit display: exposure, tone map, encoding, dither.
+def display_uniforms(
+    exposure: float,
+    settings: DisplaySettings,
+    star: White | None = None,
+    scene: White | None = None,
+) -> dict[str, float]:
+    """Uniforms of a display.
 
     Parameters
     ----------
-    exposure : float
-        Exposure. [EV]
-    tone_map : str
-        Name from ``TONE_MAPS``.
-    encoding : str or None
-        Name from ``ENCODINGS``; None for a target with its own encoding.
+    settings : DisplaySettings
+        Display settings.
+    exposure, star, scene :
+        Arguments of ``DisplaySettings.display``.
     """
-    return {
-        name: float(value)
-        for name, value in display_of(exposure, tone_map, encoding)._asdict().items()
-    }
+    numbers = settings.display(exposure, star, scene)._asdict() | {"glare": settings.glare}
+    return {name: float(value) for name, value in numbers.items()}
 
 
 def order_number(orders: str) -> float:

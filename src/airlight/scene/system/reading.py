@@ -156,6 +156,7 @@ def system_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
 def _read(file: TomlTable, changes: Mapping[str, Mapping[str, Any]]) -> System:
     values: dict[str, Any] = {"folder": file.folder, "changes": changes}
     file.raw("film")
+    file.raw("display")
     values["name"] = file.text("name", "a title, such as 'Earth and Moon'")
     values["description"] = file.text("description", "a sentence", "")
     time = _time(file)

@@ -87,7 +87,7 @@ def animate(
     how : Quality, optional
         Size of the frames, accuracy of the solution and the rendering.
     finish : Finish, optional
-        Format, exposure and display.
+        Format, exposure and display; default: those of the film's file.
     movie : str or Path, optional
         Path of an MP4.
     scheduler, workers : optional
@@ -107,7 +107,7 @@ def animate(
     WorkerError
         If the connection to workers or their scheduler is lost.
     """
-    how, finish = how or Quality(), finish or Finish()
+    how, finish = how or Quality(), finish or Finish(**film.display)
     job = _Job(film, how, finish, progress)
     frames = FramesFolder(Path(folder), film.name, finish.suffix, film.plan.count)
     say = on_message or (lambda line: None)

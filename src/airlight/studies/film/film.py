@@ -42,6 +42,8 @@ class Film:
         Folder of relative paths.
     view : mapping, optional
         Table of a ``PlanetView``, for a film of one planet; None for a scene.
+    display : mapping
+        Display settings of its table ``[display]``, by name: fields of ``DisplaySettings``.
     """
 
     name: str
@@ -50,6 +52,7 @@ class Film:
     file: str
     folder: Path | None = None
     view: Tables | None = field(default=None)
+    display: Tables = field(default_factory=dict)
 
     def frame_spec(self, number: int, how: Quality) -> FrameSpec:
         """Specification of a frame.

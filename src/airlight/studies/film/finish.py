@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
+from airlight.image.display_settings import DisplaySettings
 from airlight.render.picture import write_picture
 from airlight.scene.frame import Frame
 
 
 @dataclass(frozen=True, kw_only=True)
-class Finish:
-    """File format and display settings of a film; but for the suffix those of ``write_picture``.
+class Finish(DisplaySettings):
+    """File format, exposure and display settings of a film.
 
     Attributes
     ----------
@@ -23,25 +24,10 @@ class Finish:
     exposure : float, "auto" or "locked"
         ``auto`` meters three frames per second and smooths the result; ``locked`` applies the
         metering of the first frame to all frames. [EV]
-    eye : bool, optional
-        Whether mesopic vision of the dark-adapted eye is simulated; by default where the exposure
-        is metered.
-    tone_map, encoding, primaries : str
-        Names of ``airlight.image``.
-    bits : int
-        Bits per channel of a PNG, 8 or 16.
-    glare : float
-        Amount of glare. [1]
     """
 
     suffix: str = ".png"
     exposure: float | Literal["auto", "locked"] = "auto"
-    eye: bool | None = None
-    tone_map: str = "natural"
-    encoding: str = "srgb"
-    primaries: str = "srgb"
-    bits: int = 8
-    glare: float = 1.0
 
 
 def finished(frame: Frame, finish: Finish, metadata: Mapping[str, str]) -> bytes:
@@ -55,9 +41,9 @@ def finished(frame: Frame, finish: Finish, metadata: Mapping[str, str]) -> bytes
         Metadata for the header, without computation times, so that equal frames are equal files.
     """
     inherited = {name: text for name, text in frame.metadata.items() if name != "solver"}
-    plain = Frame(rgb=frame.rgb, **frame.lens, scene=frame.scene, star_radius=frame.star_radius)
-    display = asdict(finish)
+    plain = replace(frame, polarised=None, metadata={})
     with tempfile.TemporaryDirectory(prefix="airlight-") as folder:
-        path = Path(folder) / f"frame{display.pop('suffix')}"
-        write_picture(path, plain, {**inherited, **metadata}, **display)
+        path = Path(folder) / f"frame{finish.suffix}"
+        texts = {**inherited, **metadata}
+        write_picture(path, plain, texts, exposure=finish.exposure, settings=finish)
         return path.read_bytes()

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from airlight.errors import ParameterError
+from airlight.image.display_settings import DisplaySettings
 from airlight.planets.parameters import MISSING
 from airlight.planets.reading.overrides import overridden
 from airlight.planets.reading.reader import (
@@ -20,6 +21,9 @@ from airlight.scene.system.reading import system_names, system_text
 from airlight.studies.film.film import Film
 from airlight.studies.film.plan import FilmPlan
 from airlight.studies.film.view import PlanetView
+
+#: Keys of the table ``[display]``; those of a file's format are options of its writer.
+DISPLAY: Final = ("tone_map", "eye", "glare", "white_balance")
 
 
 def load_film(name_or_path: str | Path, changes: Mapping[str, Any] | None = None) -> Film:
@@ -55,7 +59,7 @@ def load_film(name_or_path: str | Path, changes: Mapping[str, Any] | None = None
         names = suggestion(name, (*planet_names(), *system_names()))
         raise ParameterError("film", name, f"{names}; or the path to a TOML file")
     tables = nested_tables(file_text(path), str(path))
-    if not {"bodies", "planet", "scene", "film", "view"} & set(tables):
+    if not {"bodies", "planet", "scene", "film", "view", "display"} & set(tables):
         tables = {"planet": str(path.resolve())}
     return _film(tables, str(path), path.parent, changes)
 
@@ -72,7 +76,7 @@ def _film(
 def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[str, Any]) -> Film:
     tables = dict(tables)
     stem = Path(file).stem
-    plan_table, view = tables.pop("film", {}), None
+    plan_table, view, display = tables.pop("film", {}), None, tables.pop("display", {})
     if "bodies" in tables:
         what, text_file, inside = dict(tables), file, folder
         title = str(tables.get("name", stem))
@@ -95,7 +99,8 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
         section.finish()
         if which[0] == "scene":
             what.pop("film", None)
-    own = {"film": plan_table} | ({} if view is None else {"view": view})
+            what.pop("display", None)
+    own = {"film": plan_table, "display": display} | ({} if view is None else {"view": view})
     mine = {p: value for p, value in changes.items() if p.split(".")[0].split("[")[0] in own}
     own = overridden(own, mine) if mine else own
     rest = {path: value for path, value in changes.items() if path not in mine}
@@ -104,4 +109,24 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
     if view is not None:
         PlanetView.read(TomlTable(own["view"], "view", folder))
     name, seen = title if "name" in tables else stem, own.get("view")
-    return Film(name=name, plan=plan, tables=what, file=text_file, folder=inside, view=seen)
+    return Film(
+        name=name,
+        plan=plan,
+        tables=what,
+        file=text_file,
+        folder=inside,
+        view=seen,
+        display=_display(own["display"]),
+    )
+
+
+def _display(table: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Validated table ``[display]``."""
+    for name in table:
+        if name not in DISPLAY:
+            raise ParameterError("display", name, ", ".join(DISPLAY))
+    try:
+        DisplaySettings(**table)
+    except ParameterError as error:
+        raise error.named(f"display.{error.field}") from None
+    return table

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError, warn
 from airlight.files.input_files import LARGEST_PICTURE, check_input
+from airlight.image.header import PREFIX
 from airlight.kernel.memory import check_picture
 from airlight.scene.camera import Camera
 from airlight.scene.limits import HIGHEST_ALTITUDE, within
@@ -31,8 +32,6 @@ _LEAST_SHARE: Final = 0.2
 _PARTS: Final = 4
 #: Smallest number of directions of a photograph.
 FEWEST: Final = 12
-#: Name of the encoding of linear values.
-LINEAR: Final = "linear"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -105,7 +104,8 @@ class Shot:
         Encoding of a PNG or JPEG: ``srgb``, ``gamma`` or ``linear``; EXR is linear.
     tone_map : str, optional
         Tone map to invert, from ``airlight.image.tone_maps.TONE_MAPS``; default: that of the
-        metadata of an airlight PNG, otherwise none.
+        metadata of an airlight PNG, otherwise none. Other display settings in the metadata are
+        inverted with it.
     above : float
         Smallest elevation of used directions. [deg]
     exclude_sun : float
@@ -204,22 +204,23 @@ def _pixels(path: Path, shot: Shot) -> tuple[FloatArray, NDArray[np.bool_]]:
             count = np.count_nonzero(~finite)
             warn(f"{path}: {count} pixels are not finite and are excluded")
         return linear, finite & (linear.max(axis=-1) > 0.0)
+    from airlight.image.display import decoded_light, exposed_light
+    from airlight.image.display_settings import LINEAR, DisplaySettings
+    from airlight.image.encoding import ENCODINGS
+
     encoded, texts = _encoded(path)
-    tone_map = shot.tone_map or texts.get("airlight.tone_map")
-    encoding = texts.get("airlight.encoding", shot.encoding)
+    own = {k.removeprefix(PREFIX): v for k, v in texts.items() if k.startswith(PREFIX)}
+    encoding = own.get("encoding", shot.encoding)
+    if encoding not in (*ENCODINGS, LINEAR):
+        raise ParameterError("encoding", encoding, ", ".join((*ENCODINGS, LINEAR)))
+    mapped = own | ({} if shot.tone_map is None else {"tone_map": shot.tone_map})
+    settings = DisplaySettings.from_metadata({**mapped, "encoding": encoding})
+    shown = "tone_map" in mapped
+    long, medium, short = map(float, own.get("white_gains", "1 1 1").split())
+    light = decoded_light(encoded, settings)
+    if shown:
+        light = exposed_light(encoded, settings, (long, medium, short))
     sound = (encoded.max(axis=-1) < _BRIGHT) & (encoded.min(axis=-1) > _DARK)
-    if encoding == LINEAR:
-        light = encoded
-    else:
-        from airlight.image.encoding import ENCODINGS
-
-        if encoding not in ENCODINGS:
-            raise ParameterError("encoding", encoding, ", ".join((*ENCODINGS, LINEAR)))
-        light = ENCODINGS[encoding].decode(encoded)
-    if tone_map is not None:
-        from airlight.image.tone_maps import tone_map_named
-
-        light = tone_map_named(tone_map).inverse(light)
     return np.asarray(light, dtype=np.float64), sound
 
 

@@ -11,6 +11,7 @@ from airlight.geometry.ephemeris import moon_formula, sun_formula
 from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.image.exposure import eased, exposure_with_stars
 from airlight.image.glare import glare_levels, glare_share
+from airlight.image.white_balance import scene_weight, white_gains
 from airlight.image.xyz import luminance_of
 from airlight.physics.optics.altitude_nodes import node_value
 from airlight.physics.optics.moon_phase import moon_phase_factor
@@ -91,6 +92,8 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     luminance_of: (),
     exposure_with_stars: (*(ShaderTable(one) for one in _STARS), I32, F32, F32),
     eased: (),
+    scene_weight: (),
+    white_gains: (I32, *(F32 for _ in range(5))),
     left_out: (),
     metering_weight: (I32, *(F32 for _ in range(5)), VEC3, F32),
     glare_levels: (),

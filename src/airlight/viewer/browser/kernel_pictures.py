@@ -17,7 +17,7 @@ from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.parameters.parameter import Value
-from airlight.viewer.parameters.view_parameters import scene_of
+from airlight.viewer.parameters.view_parameters import scene_of, settings_of
 
 #: Largest exposure, either way. [EV]
 _MOST: Final = 100.0
@@ -120,9 +120,7 @@ class KernelPictures:
         if view["display.automatic"]:
             exposure += frame.exposure
         exposure = min(max(exposure, -_MOST), _MOST)
-        eye, glare = bool(view["display.eye"]), float(view["display.glare"])
-        tone_map = str(view["display.tone_map"])
-        shown = to_display(frame.rgb, exposure, tone_map, eye=eye, glare=glare, **frame.lens)
+        shown = to_display(frame.rgb, exposure, settings=settings_of(view), **frame.lens)
         return {"exposure": exposure, "png": _png(shown)}
 
 

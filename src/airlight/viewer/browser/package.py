@@ -14,9 +14,10 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.image.display import DEFAULT_TONE_MAP
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.gamut import PRIMARIES
 from airlight.image.texels import DECODED
+from airlight.image.white_balance import WHITE_BALANCES, star_white
 from airlight.image.xyz import rgb_to_xyz
 from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.render.gpu.device.flat import FORMATS
@@ -194,8 +195,9 @@ def program() -> dict[str, Any]:
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
         },
-        "display": display_uniforms(0.0, DEFAULT_TONE_MAP, "srgb"),
+        "display": display_uniforms(0.0, DisplaySettings()),
         "primaries": list(PRIMARIES),
+        "white_balances": list(WHITE_BALANCES),
         "orders": ORDERS,
         "view_uniforms": {
             one.uniform: {"path": one.path, "options": list(one.options)}
@@ -223,7 +225,8 @@ def solution_package(
     -------
     numbers : dict
         JSON values: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the shell
-        [m], ``star`` (angular radius [rad]), ``geometry`` of refracted rays, the ``ground`` map,
+        [m], ``star`` (angular radius [rad]), ``star_white`` (its chromaticity), ``geometry`` of
+        refracted rays, the ``ground`` map,
         the ``body`` of the planet, data of a ``second`` light, and ``viewpoints``.
     tables : dict
         Format and values of each texture.
@@ -244,6 +247,7 @@ def solution_package(
         "radius": float(medium.bottom_radius),
         "thickness": float(medium.thickness),
         "star": float(star.angular_radius),
+        "star_white": star_white(star.spectrum),
         "geometry": refracted_geometry(solution),
         "ground": ground_map(None if mapped is None else surface_map(mapped)),
         "body": None if solution.planet is None else solution.planet.body,

@@ -32,7 +32,7 @@ from airlight.viewer.navigation.viewpoints import view_in
 from airlight.viewer.parameters.amounts import amounts_of
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.sun_clock import OF_DATE
-from airlight.viewer.parameters.view_parameters import VIEW_VALUES, scene_of, uniforms_of
+from airlight.viewer.parameters.view_parameters import VIEW_VALUES, scene_of, settings_of
 from airlight.viewer.session.session import Session
 
 #: Largest size of a page. [byte]
@@ -261,9 +261,7 @@ def first_picture(
     exposure = float(values["display.exposure"])
     if values["display.automatic"]:
         exposure += frame.exposure
-    tone_map, glare = str(values["display.tone_map"]), float(values["display.glare"])
-    eye = bool(uniforms_of(values)["eye"])
-    pixels = to_display(frame.rgb, exposure, tone_map, eye=eye, glare=glare, **frame.lens)
+    pixels = to_display(frame.rgb, exposure, settings=settings_of(values), **frame.lens)
     perspective = values["view.projection"] == "perspective"
     return {
         "address": "data:image/webp;base64," + base64.b64encode(_webp(pixels)).decode(),

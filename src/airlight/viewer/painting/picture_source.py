@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any, Final, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.image.display import to_display
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.exposure import DEFAULT_EXPOSURE
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
@@ -18,6 +19,8 @@ from airlight.viewer.session.adaptation import Adaptation
 
 #: Options for the displayed orders of scattering.
 Orders = Literal["all", "single", "multiple"]
+#: Default display of a request.
+_BY_DAY: Final = DisplaySettings(eye=False)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -38,14 +41,10 @@ class Request:
         Exposure that eases towards the metered exposure; by default the metered exposure itself.
     held : bool
         Whether the automatic exposure is locked.
-    tone_map : str
-        Name from ``airlight.image.tone_maps.TONE_MAPS``.
-    glare : float
-        Glare relative to a typical lens. [1]
+    display : DisplaySettings
+        Display settings.
     orders : str
         ``all``, ``single`` (scattered or reflected once) or ``multiple`` (all but once).
-    uniforms : mapping
-        View values that the shaders take as uniforms, by name; see ``uniforms_of``.
     """
 
     solution: MomentsSolution
@@ -54,21 +53,12 @@ class Request:
     automatic: bool = False
     adaptation: Adaptation | None = None
     held: bool = False
-    tone_map: str = "natural"
-    glare: float = 1.0
+    display: DisplaySettings = _BY_DAY
     orders: Orders = "all"
-    uniforms: Mapping[str, float] = field(default_factory=dict)
 
     def displayed(self, frame: Frame, exposure: float) -> NDArray[np.uint8]:
         """Pixels of a frame of the request at an exposure [EV], shape (height, width, 3)."""
-        return to_display(
-            frame.rgb,
-            exposure,
-            self.tone_map,
-            eye=bool(self.uniforms.get("eye", False)),
-            glare=self.glare,
-            **frame.lens,
-        )
+        return to_display(frame.rgb, exposure, settings=self.display, **frame.lens)
 
     def same_light(self, other: Request | None) -> bool:
         """Whether both requests have the same radiance."""
@@ -87,9 +77,7 @@ class Request:
             and self.exposure == other.exposure
             and self.automatic == other.automatic
             and self.held == other.held
-            and self.tone_map == other.tone_map
-            and self.glare == other.glare
-            and self.uniforms == other.uniforms
+            and self.display == other.display
         )
 
 

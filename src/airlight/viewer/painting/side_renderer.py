@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterator
 from time import perf_counter, sleep
 from typing import Any, Final
 
-from airlight.image.exposure import MOST_EXPOSURE
+from airlight.image.exposure import MOST_EXPOSURE, exposure_factor
+from airlight.image.white_balance import scene_white
 from airlight.render.live_renderer import LiveFrame, LiveRenderer
 from airlight.scene.metering import METERED, scene_exposure
 from airlight.scene.picture_size import scaled
@@ -57,11 +58,11 @@ class SideRenderer:
         texture = self._canvases.next()
         if step.frame is None:
             texture.resize(camera.width, camera.height)
+            white = None
+            if request.display.white_balance == "scene":
+                white = scene_white(step.linear(METERED), exposure_factor(exposure))
             step.display(
-                texture.view,
-                exposure=exposure,
-                tone_map=request.tone_map,
-                uniforms=request.uniforms,
+                texture.view, exposure=exposure, settings=request.display, scene_white=white
             )
             texture.wait()
         else:

@@ -7,11 +7,13 @@ heading minus the sun's bearing: see ``scene_of``.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Final
 
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.glare import MOST as MOST_GLARE
 from airlight.image.tone_maps import TONE_MAPS
+from airlight.image.white_balance import COLDEST, DAYLIGHT, HOTTEST, WHITE_BALANCES
 from airlight.scene.camera import Camera
 from airlight.scene.flight import LOWEST_ALTITUDE
 from airlight.scene.ground_detail import GROUNDS
@@ -45,8 +47,8 @@ class ViewValue(Parameter):
         Part that a change invalidates: ``planet`` (the solution), ``view`` (the picture's
         radiance) or ``display`` (its displayed colours).
     uniform : str
-        Name of the shader uniform with this value, if any: a number itself, a choice as the index
-        of its option, a switch as 0 or 1.
+        Name of the uniform of a page's shaders with this value, if any: a number itself, a choice
+        as the index of its option, a switch as 0 or 1.
     """
 
     default: Value
@@ -193,6 +195,15 @@ VIEW_VALUES: Final = (
               most=MOST_GLARE, step=0.1, default=1.0, part="display", uniform="glare",
               help="Lens glare around the sun: 1 is a typical lens, 0 none.",
               synonyms=("bloom", "glow", "halo", "lens", "flare", "sun")),
+    _choice("display.white_balance", "white balance", "display", WHITE_BALANCES,
+            "Light that is shown white: auto is daylight under a sun, else the star.",
+            default="auto", part="display",
+            synonyms=("colour", "color", "temperature", "kelvin", "warm", "cool", "tint", "awb")),
+    ViewValue(path="display.white_temperature", label="white temperature", group="display",
+              unit="K", low=2500.0, high=10000.0, least=COLDEST, most=HOTTEST, scale="log",
+              step=1.05, default=DAYLIGHT, part="display",
+              help="Colour temperature of the white balance kelvin.",
+              synonyms=("white balance", "kelvin", "colour", "color", "warm", "cool")),
     _choice("light.orders", "orders of scattering", "light", ORDERS,
             "All light, that scattered or reflected once, or that scattered more often.",
             default="all", synonyms=("single scattering", "multiple scattering", "bounces")),
@@ -251,23 +262,22 @@ def switch_path(index: int) -> str:
     return f"light.constituents[{index}]"
 
 
-def uniforms_of(view: Mapping[str, Value]) -> dict[str, float]:
-    """Values of the shader uniforms that are view values, by name.
+def settings_of(view: Mapping[str, Value]) -> DisplaySettings:
+    """Display settings of a view: each field ``NAME`` from its view value ``display.NAME``.
 
     Parameters
     ----------
     view : mapping
-        View values by path; those of the sky's date are missing where a planet has none.
+        View values by path.
 
     Examples
     --------
-    >>> uniforms_of({**DEFAULTS, "display.tone_map": tuple(TONE_MAPS)[2]})
-    {'eye': 1.0, 'tone_map': 2.0, 'glare': 1.0}
+    >>> settings_of({**DEFAULTS, "display.tone_map": "agx"}).tone_map
+    'agx'
     """
-    return {
-        one.uniform: float(one.options.index(str(value)) if one.options else value)
-        for one, value in ((one, view[one.path]) for one in VIEW_VALUES if one.uniform)
-    }
+    paths = {one.name: f"display.{one.name}" for one in fields(DisplaySettings)}
+    values = {name: view[path] for name, path in paths.items() if path in VIEW_VALUE}
+    return DisplaySettings(**values)  # type: ignore[arg-type]
 
 
 def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:

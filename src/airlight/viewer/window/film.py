@@ -103,8 +103,8 @@ def write_film(
     path : str or Path
         Path that ends in ``.webp`` or ``.png``.
     picture : Picture
-        Picture whose solution, orders, tone map and exposure are used; automatic exposure starts
-        there and adapts smoothly.
+        Picture whose solution, orders, display settings and exposure are used; automatic exposure
+        starts there and adapts smoothly.
     scenes : tuple of Scene
         Scenes, one for each frame.
 

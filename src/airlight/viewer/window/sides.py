@@ -11,7 +11,7 @@ from airlight.render.solve_planet import PlanetSolver
 from airlight.viewer.background.solver_thread import SolverResult, SolverStatus, SolverThread
 from airlight.viewer.painting.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.painting.picture_thread import PictureThread
-from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
+from airlight.viewer.parameters.view_parameters import scene_of, settings_of
 from airlight.viewer.session.session import Session, SessionSide
 
 #: Time for which a picture counts as new. [s]
@@ -90,10 +90,8 @@ class Sides:
             automatic=automatic and not follows,
             adaptation=session.adaptation if leads else None,
             held=session.holds_exposure,
-            tone_map=str(view["display.tone_map"]),
-            glare=float(view["display.glare"]),
+            display=settings_of(view),
             orders=cast(Orders, view["light.orders"]),
-            uniforms=uniforms_of(view),
         )
 
     def picture(self, side: str = "") -> Picture | None:

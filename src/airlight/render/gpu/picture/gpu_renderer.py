@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import Cancelled, ParameterError
-from airlight.image.glare import checked_amount
+from airlight.image.display_settings import DisplaySettings
+from airlight.image.white_balance import White, star_white
 from airlight.kernel.cost import DEVICE, timed
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
@@ -189,6 +190,7 @@ class GpuRenderer:
             device=self.device.name,
             scene=scene,
             star_radius=lights[0].solution.lights[0].angular_radius,
+            star_white=star_white(lights[0].solution.lights[0].spectrum),
         )
 
     def _strips(
@@ -239,11 +241,9 @@ class GpuRenderer:
         orders: str = "all",
         disc: bool = True,
         exposure: float | None = None,
-        tone_map: str = "natural",
-        encoding: str | None = "srgb",
-        glare: float = 0.0,
         size: tuple[int, int] | None = None,
-        uniforms: Mapping[str, float] | None = None,
+        settings: DisplaySettings | None = None,
+        scene_white: White | None = None,
     ) -> None:
         """Render and display into a texture.
 
@@ -257,21 +257,12 @@ class GpuRenderer:
             View of the target.
         exposure : float, optional
             Exposure; by default linear radiance is written. [EV]
-        tone_map : str
-            Name from ``TONE_MAPS``.
-        encoding : str or None
-            Name from ``ENCODINGS``; None for a target with its own encoding.
-        glare : float
-            Glare relative to a typical lens. [1]
         size : (int, int), optional
             Size of the target; by default the camera's. [pixel]
-        uniforms : mapping, optional
-            Further uniforms of the display, by name.
-
-        Raises
-        ------
-        ParameterError
-            If the amount of glare is not 0 to 10.
+        settings : DisplaySettings, optional
+            Display settings.
+        scene_white : (float, float), optional
+            Chromaticity of the scene's mean light, for the white balance ``scene``.
         """
         width, height = size or (scene.camera.width, scene.camera.height)
         lights = scenes_by_light(scene, self._require_solution())
@@ -291,10 +282,13 @@ class GpuRenderer:
             display.add_lights(parts, picture, (width, height), LINEAR)
             display.rendered = rendered
         values = {
-            **display_uniforms(exposure, tone_map, encoding),
-            "glare": checked_amount(glare),
+            **display_uniforms(
+                exposure,
+                settings or DisplaySettings(),
+                star_white(lights[0].solution.lights[0].spectrum),
+                scene_white,
+            ),
             "circle": scene.camera.circle is not None,
-            **(uniforms or {}),
         }
         display.display(values, scene.camera.glare_angle, view, target_format)
 

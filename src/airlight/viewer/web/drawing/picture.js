@@ -4,10 +4,10 @@
  * A description from viewer/browser/package.py has planet-independent data — `plan`
  * and `shaders` (see program.js), `sky` (sizes of the sky-view LUT), `layers` (its textures),
  * `metering` (longer side of the metered frame), `projections` with their fields of view, `display`
- * (uniforms of an 8-bit display), `primaries`, `orders`, and `view_uniforms` (uniforms that are view
- * values) — and data of a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture`
- * whose ownership is transferred), `ground` (see ground.js), `radius`, `thickness`, `star` and
- * `geometry` (see view_uniforms.js).
+ * (uniforms of an 8-bit display), `primaries`, `white_balances`, `orders`, and `view_uniforms` (uniforms that
+ * are view values) — and data of a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture`
+ * whose ownership is transferred), `ground` (see ground.js), `radius`, `thickness`, `star`,
+ * `star_white` and `geometry` (see view_uniforms.js).
  */
 import { automaticExposure } from "./exposure.js";
 import { groundTexels } from "./ground.js";
@@ -23,6 +23,8 @@ import {
   disc_factor,
   glare_levels,
   glare_share,
+  scene_weight,
+  white_gains,
 } from "../generated/formulas.js";
 import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
@@ -138,6 +140,7 @@ export class Picture {
     program.setAll({
       ...fixed.display,
       ...this.viewUniforms(values),
+      ...(await this.whiteUniforms(values, lights, width, height, 2 ** exposure)),
       exposure: 2 ** exposure,
       primaries: fixed.primaries.indexOf(this.device.space),
     });
@@ -274,13 +277,27 @@ export class Picture {
     return 2 * columns * rows;
   }
 
-  /** Uniforms that are view values, by name: `uniforms_of` in Python. */
+  /** Uniforms that are view values, by name. */
   viewUniforms(values) {
     const numbers = {};
     for (const [name, { path, options }] of Object.entries(this.fixed.view_uniforms)) {
       numbers[name] = options.length ? options.indexOf(values[path]) : Number(values[path]);
     }
     return numbers;
+  }
+
+  /** Uniforms of the white balance: `DisplaySettings.display` in Python. */
+  async whiteUniforms(values, lights, width, height, factor) {
+    const { fixed, planet } = this;
+    const name = values["display.white_balance"];
+    let mean = [0, 0];
+    if (name === "scene") {
+      mean = sceneWhite(await this.metered(lights, width, height), factor, fixed.xyz);
+    }
+    const which = fixed.white_balances.indexOf(name);
+    const kelvin = values["display.white_temperature"];
+    const [long, medium, short] = white_gains(which, kelvin, ...planet.star_white, ...mean);
+    return { gain_long: long, gain_medium: medium, gain_short: short };
   }
 
   /** Key of the sky-view LUT of a light. */
@@ -311,17 +328,47 @@ export class Picture {
     return described(found, fixed);
   }
 
+  /** Size of a metered frame. [pixel] */
+  meteredSize(width, height) {
+    const share = this.fixed.metering / Math.max(width, height);
+    return [width, height].map((x) => Math.max(1, Math.round(x * share)));
+  }
+
+  /** Linear sRGB of a small frame, four values per pixel. [W m⁻² sr⁻¹] */
+  async metered(lights, width, height) {
+    const [wide, high] = this.meteredSize(width, height);
+    this.sum("metering", lights.map((one) => this.uniformsOf(one, wide, high)), wide, high);
+    return this.program.read("metering");
+  }
+
   /** Automatic exposure of the view. [EV] */
   async found(lights, width, height) {
-    const { program, fixed, planet } = this;
-    const share = fixed.metering / Math.max(width, height);
-    const [wide, high] = [width, height].map((x) => Math.max(1, Math.round(x * share)));
-    this.sum("metering", lights.map((one) => this.uniformsOf(one, wide, high)), wide, high);
+    const { fixed, planet } = this;
+    const [wide, high] = this.meteredSize(width, height);
+    const rgba = await this.metered(lights, width, height);
     const { camera, suns } = lights[0];
-    const rgba = await program.read("metering");
     const number = Object.keys(fixed.projections).indexOf(camera.projection);
     return automaticExposure(rgba, [wide, high], { ...camera, suns }, number, planet.star);
   }
+}
+
+/**
+ * Chromaticity of a scene's mean light: `scene_white` in Python.
+ *
+ * @param {Float32Array} rgba Linear sRGB, four values per pixel. [W m⁻² sr⁻¹]
+ * @param {number} factor Factor of the exposure. [1]
+ * @param {number[][]} toXyz XYZ of each channel.
+ * @returns {[number, number]} x and y; 0 if there is no light.
+ */
+function sceneWhite(rgba, factor, toXyz) {
+  const total = [0, 0, 0];
+  for (let i = 0; i < rgba.length; i += 4) {
+    const color = rgba.subarray(i, i + 3);
+    const weight = scene_weight(...color, factor);
+    if (weight > 0) color.forEach((one, c) => (total[c] += weight * one));
+  }
+  const [x, y, z] = [0, 1, 2].map((k) => total.reduce((s, one, c) => s + one * toXyz[c][k], 0));
+  return y > 0 ? [x / (x + y + z), y / (x + y + z)] : [0, 0];
 }
 
 /**

@@ -117,15 +117,7 @@ class Saving:
         planet = request.solution.planet
         metadata = {"planet": planet.name if planet else "", **scene.metadata()}
         metadata |= {"orders": request.orders}
-        written = write_picture(
-            path,
-            frame,
-            metadata,
-            exposure=exposure,
-            tone_map=request.tone_map,
-            eye=bool(request.uniforms.get("eye", False)),
-            glare=request.glare,
-        )
+        written = write_picture(path, frame, metadata, exposure=exposure, settings=request.display)
         size = f"{scene.camera.width}×{scene.camera.height}"
         return f"saved {written.path}  {size}  {written.size / 1e3:.0f} kB"
 
