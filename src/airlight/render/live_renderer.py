@@ -34,9 +34,6 @@ from airlight.scene.picture_size import scaled
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    import numpy as np
-    from numpy.typing import NDArray
-
     from airlight.kernel.background_compiler import BackgroundCompiler
     from airlight.kernel.threads import Cancel
     from airlight.render.gpu.device.device import Device
@@ -98,13 +95,13 @@ class LiveFrame:
             return CPU
         return "GPU in software" if self.renderer.device.software else "GPU"
 
-    def linear(self, width: float) -> NDArray[np.float32]:
-        """Linear sRGB radiance; the GPU renders it at a width of at most ``width`` pixels."""
+    def metered(self, width: float) -> Frame:
+        """Linear frame; the GPU renders it at a width of at most ``width`` pixels."""
         if self.frame is not None:
-            return self.frame.rgb
+            return self.frame
         assert self.renderer is not None
         small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
-        return self.renderer.render(small, orders=self.orders).rgb
+        return self.renderer.render(small, orders=self.orders)
 
     def display(
         self, view: Any, *, exposure: float, tone_map: str, uniforms: Mapping[str, float]
@@ -372,4 +369,4 @@ def _render_small(step: LiveFrame) -> None:
     )
     ready = replace(step, scene=small)
     ready.display(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
-    ready.linear(_TINY)
+    ready.metered(_TINY)

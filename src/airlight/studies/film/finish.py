@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Literal
 
@@ -55,7 +55,7 @@ def finished(frame: Frame, finish: Finish, metadata: Mapping[str, str]) -> bytes
         Metadata for the header, without computation times, so that equal frames are equal files.
     """
     inherited = {name: text for name, text in frame.metadata.items() if name != "solver"}
-    plain = Frame(rgb=frame.rgb, **frame.lens, scene=frame.scene, star_radius=frame.star_radius)
+    plain = replace(frame, polarised=None, metadata={})
     display = asdict(finish)
     with tempfile.TemporaryDirectory(prefix="airlight-") as folder:
         path = Path(folder) / f"frame{display.pop('suffix')}"

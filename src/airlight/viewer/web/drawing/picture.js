@@ -3,7 +3,8 @@
  *
  * A description from viewer/browser/package.py has planet-independent data — `plan`
  * and `shaders` (see program.js), `sky` (sizes of the sky-view LUT), `layers` (its textures),
- * `metering` (longer side of the metered frame), `projections` with their fields of view, `display`
+ * `metering` (longer side of the metered frame), `filter_exposure` (exposure added for a polariser),
+ * `projections` with their fields of view, `display`
  * (uniforms of an 8-bit display), `primaries`, `orders`, and `view_uniforms` (uniforms that are view
  * values) — and data of a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture`
  * whose ownership is transferred), `ground` (see ground.js), `radius`, `thickness`, `star` and
@@ -23,6 +24,7 @@ import {
   disc_factor,
   glare_levels,
   glare_share,
+  luminance_of,
 } from "../generated/formulas.js";
 import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
@@ -316,12 +318,26 @@ export class Picture {
     const { program, fixed, planet } = this;
     const share = fixed.metering / Math.max(width, height);
     const [wide, high] = [width, height].map((x) => Math.max(1, Math.round(x * share)));
-    this.sum("metering", lights.map((one) => this.uniformsOf(one, wide, high)), wide, high);
+    // A polariser is left out: see unfiltered in scene/metering.py.
+    const numbers = lights.map((one) => ({ ...this.uniformsOf(one, wide, high), filter: NONE }));
+    this.sum("metering", numbers, wide, high);
     const { camera, suns } = lights[0];
     const rgba = await program.read("metering");
     const number = Object.keys(fixed.projections).indexOf(camera.projection);
-    return automaticExposure(rgba, [wide, high], { ...camera, suns }, number, planet.star);
+    const colors = [planet.uniforms, ...lights.slice(1).map((one) => one.numbers)];
+    const white = colors.reduce((sum, one) => sum + whiteOf(one), 0);
+    const seen = { ...camera, suns };
+    const found = automaticExposure(rgba, [wide, high], seen, number, planet.star, white);
+    return found + (camera.filter ? fixed.filter_exposure : 0);
   }
+}
+
+/** Luminance of a white surface that faces a light: white_luminance in scene/metering.py. */
+function whiteOf(numbers) {
+  const sums = ["red", "green", "blue"].map((channel) =>
+    [0, 1, 2, 3].reduce((sum, i) => sum + numbers[`${channel}_${i}`], 0),
+  );
+  return Math.max(luminance_of(...sums), 0) / Math.PI;
 }
 
 /**
