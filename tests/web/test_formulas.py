@@ -122,15 +122,27 @@ CASES: dict[str, tuple[Any, ...]] = {
     "apparent_sun_cosine": STAR,
     "luminance_of": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
     "exposure_of": (
-        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500), numbers(0.0, 900.0)
+        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500), numbers(0.0, 900.0),
+        numbers(0.0, 60.0) * RNG.integers(0, 2, COUNT),
     ),
     "exposure_with_stars": (
         np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500) * (np.arange(500) < 400),
         RNG.uniform(0.0, 1.0, 500) * (np.arange(500) >= 400), RNG.integers(0, 2, 500),
         RNG.integers(0, 3, COUNT), numbers(0.0, 900.0), numbers(250.0, 1000.0),
+        numbers(0.0, 60.0) * RNG.integers(0, 2, COUNT),
     ),
+    "metered_light": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
+    "lit_share": (POSITIVE, numbers(-1.0, 9.0)),
+    "lit_end": (
+        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500),
+        RNG.integers(0, 90, COUNT),
+    ),
+    "unlit_exposure": (numbers(0.0, 60.0) * RNG.integers(0, 2, COUNT),),
     "star_limited": (numbers(-20.0, 20.0), POSITIVE, POSITIVE[::-1], numbers(0.1, 10.0)),
-    "weighted_index": (RNG.uniform(0.0, 1.0, 500), RNG.integers(0, 90, COUNT), numbers(0.0, 1.0)),
+    "weighted_index": (
+        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500),
+        RNG.integers(0, 90, COUNT), numbers(-1.0, 9.0), numbers(0.0, 1.0),
+    ),
     "adapted_key": (np.geomspace(1e-6, 1e5, COUNT),),
     "eased": (*SPEEDS, numbers(0.0, 1.0), numbers(-0.1, 0.5)),
     "disc_factor": (numbers(1e-5, 1.0),),

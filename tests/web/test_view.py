@@ -60,11 +60,11 @@ def test_automatic_exposure_is_that_of_the_scene(modules: Callable[..., Any]) ->
     view = {**VIEW, "view.look_zenith": 70.0, "view.heading": 141.0}
     got = page.evaluate(
         """([rgba, view]) => automaticExposure(
-          new Float32Array(rgba), [16, 9], cameraOf(view, { perspective: [1e-3, 170] }), 0, 0.005
+          new Float32Array(rgba), [16, 9], cameraOf(view, { perspective: [1e-3, 170] }), 0, 0.005, 4.0
         )""",
         [rgba.ravel().tolist(), view],
     )
-    wanted = scene_exposure(rgb, scene, 0.005)
+    wanted = scene_exposure(rgb, scene, 0.005, 4.0)
     assert_allclose(got, wanted, rtol=1e-12)
     assert abs(wanted - automatic_exposure(rgb)) > 1.0  # the weights count
 
@@ -84,7 +84,7 @@ def test_automatic_exposure_leaves_out_every_light(modules: Callable[..., Any]) 
     got = page.evaluate(
         """([rgba, view, suns]) => automaticExposure(
           new Float32Array(rgba), [16, 9],
-          { ...cameraOf(view, { perspective: [1e-3, 170] }), suns }, 0, 0.005
+          { ...cameraOf(view, { perspective: [1e-3, 170] }), suns }, 0, 0.005, 0
         )""",
         [rgba.ravel().tolist(), view, suns],
     )

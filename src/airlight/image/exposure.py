@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.image.glare import COARSEST, FINEST, TOTAL
-from airlight.image.xyz import luminance
+from airlight.image.xyz import luminance, luminance_of
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.large_arrays import release
 from airlight.physics.constants import LUMINOUS_EFFICACY
@@ -25,31 +24,40 @@ MOST_EXPOSURE: Final = 100.0
 #: quarter's lower end, and of its highlights. [1]
 _KEY: Final = 0.35
 _BRIGHT: Final = 0.55
-_HIGHLIGHT: Final = 1.5
-#: Fractions of the picture below the bright quarter and below the highlights, and fraction of its
-#: darkest part, which the key ignores.
+HIGHLIGHT: Final = 1.5
+#: Fractions of the lit part below the bright quarter and below the highlights, and between which it
+#: determines the key: without shade, and without glint.
 _QUARTER: Final = 0.75
-_BRIGHT_SHARE: Final = 0.98
+_BRIGHT_SHARE: Final = 0.96
 _SHADE: Final = 0.25
+_GLINT: Final = 0.95
+#: Largest reduction of the exposure for the bright quarter and the highlights. [EV]
+_PROTECTION: Final = 1.5
+#: Least displayed level of a white surface that faces the star, for highlights. [1]
+_WHITE: Final = 0.75
 #: Pixels darker than this fraction of the bright end are ignored, such as black space.
 _DARK: Final = 1e-4
+#: Fraction of all pixels that may be brighter than the brightest one that counts as lit.
+_DISCS: Final = 0.005
+#: Light over that of the lit part from which on a pixel begins to be lit, and is. [1]
+_UNLIT: Final = 1e-3
+_LIT: Final = 1.0 / 60.0
+#: Light of a red pixel over its red channel, which saturates long before the luminance of a low sun
+#: and its sky; of other colours the luminance counts. [1]
+_RED: Final = 0.55
+#: Luminance over that of white of a dark body, such as the Moon or a cloudless Earth, which black
+#: space is assumed to hold on this fraction of the picture: five pixels of a metered frame. [1]
+_BODY: Final = 0.12
+_UNSEEN: Final = 5e-4
 #: Luminance below which the exposure follows the eye's dark adaptation: that of a sky half an hour
 #: after sunset, which should look like dusk. [cd m⁻²]
 _PHOTOPIC: Final = 30.0
 #: Factor of the key where most of the picture is black space, and exponent of the fraction that is
 #: not: as photographers expose a planet, a mostly dark picture with bright parts. [1]
 _LOW_KEY: Final = 0.6
-_LIT: Final = 1.0 / 3.0
+_LIT_POWER: Final = 1.0 / 3.0
 #: Exponent of brightness as a function of luminance. [Stevens & Stevens 1963]
 _BRIGHTNESS: Final = 1.0 / 3.0
-#: Fraction of the picture that the glare of a star may fill with the level ``_HIGHLIGHT``. [1]
-_GLOW: Final = 0.04
-#: Largest further reduction of the exposure if this makes the surroundings darker. [EV]
-_SUBJECT: Final = 8.0
-#: Displayed level of the brightest part of a disc that is the subject. [1]
-_DISC: Final = 0.8
-#: Radiance that glare spreads at an angle, times its square, per irradiance, see ``glare``. [1]
-_SPREAD: Final = TOTAL / (2.0 * math.pi * math.log(COARSEST / FINEST))
 #: Luminance of a moonless, starless night; darker pictures are not brightened further. [cd m⁻²]
 _NIGHT: Final = 1e-4
 #: Approximate number of pixels sampled, every k-th row and column.
@@ -134,18 +142,83 @@ def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
     return min(max(log2(LUMINOUS_EFFICACY / saturating), -MOST_EXPOSURE), MOST_EXPOSURE)
 
 
+@kernel
+def metered_light(red, green, blue):
+    """Light of a pixel that is metered: its luminance, or 0.55 of its red. [W m⁻² sr⁻¹]
+
+    Parameters
+    ----------
+    red, green, blue : float
+        Linear sRGB. [W m⁻² sr⁻¹]
+    """
+    return max(luminance_of(red, green, blue), _RED * red)
+
+
+@kernel
+def lit_share(bright, end):
+    """Weight of a pixel in the lit part of a picture, from 0 to 1 where it is lit. [1]
+
+    Parameters
+    ----------
+    bright : float
+        Light of the pixel. [W m⁻² sr⁻¹]
+    end : float
+        Light of the lit part; 0 if all pixels count. [W m⁻² sr⁻¹]
+    """
+    if end <= 0.0:
+        return 1.0
+    x = min(max(log2(bright / (_UNLIT * end)) / log2(_LIT / _UNLIT), 0.0), 1.0)
+    return x * x * (3.0 - 2.0 * x)
+
+
 @inlined
-def weighted_index(weight, first, share):
-    """Index at which the cumulative weight from ``first`` on reaches a fraction of the total."""
+def weighted_index(bright, weight, first, end, share):
+    """Index at which the weight of the lit part from ``first`` on reaches a fraction of its total.
+
+    Parameters
+    ----------
+    bright, weight : array, shape (n,)
+        Arguments of ``exposure_of``.
+    first : int
+        First index.
+    end : float
+        Argument of ``lit_share``. [W m⁻² sr⁻¹]
+    share : float
+        Fraction. [1]
+    """
     total = 0.0
     for i in range(first, weight.size):
-        total += weight[i]
+        total += weight[i] * lit_share(bright[i], end)
     reached = 0.0
     for i in range(first, weight.size):
-        reached += weight[i]
+        reached += weight[i] * lit_share(bright[i], end)
         if reached >= share * total:
             return i
     return weight.size - 1
+
+
+@inlined
+def lit_end(bright, weight, first):
+    """Light of the lit part: pixels at least that bright have half of the whole light.
+
+    It hardly depends on how much dark there is around a crescent or an arc. The brightest half per
+    cent, such as a sun, counts no more than the next. [W m⁻² sr⁻¹]
+
+    Parameters
+    ----------
+    bright, weight, first :
+        Arguments of ``weighted_index``.
+    """
+    most = bright[weighted_index(bright, weight, first, 0.0, 1.0 - _DISCS)]
+    total = 0.0
+    for i in range(first, weight.size):
+        total += weight[i] * min(bright[i], most)
+    reached = 0.0
+    for i in range(first, weight.size):
+        reached += weight[i] * min(bright[i], most)
+        if reached >= 0.5 * total:
+            return min(bright[i], most)
+    return most
 
 
 @kernel
@@ -160,116 +233,72 @@ def adapted_key(bright):
     return _KEY / (1.0 + _PHOTOPIC / max(bright, _NIGHT)) ** _BRIGHTNESS
 
 
+@kernel
+def unlit_exposure(white):
+    """Exposure of a picture without any light. [EV]
+
+    That of a night without moon or stars, or of a dark body in black space.
+
+    Parameters
+    ----------
+    white : float
+        Argument of ``exposure_of``. [W m⁻² sr⁻¹]
+    """
+    if white > 0.0:
+        return log2(_LOW_KEY * _KEY / (_BODY * white))
+    return log2(adapted_key(_NIGHT) * LUMINOUS_EFFICACY / _NIGHT)
+
+
 @compiled_loop
-def exposure_of(bright, weight, black):
+def exposure_of(bright, weight, black, white):
     """Exposure of a picture, see ``automatic_exposure``. [EV]
 
     Parameters
     ----------
     bright : array, shape (n,)
-        Luminances above 0, ascending, not empty. [W m⁻² sr⁻¹]
+        Light of the pixels, ``metered_light`` above 0, ascending, not empty. [W m⁻² sr⁻¹]
     weight : array, shape (n,)
         Weights of these pixels. [1]
     black : float
         Weight of black pixels. [1]
+    white : float
+        Luminance of a white surface that faces the star; 0 if unknown. [W m⁻² sr⁻¹]
     """
     first = 0
-    dark = _DARK * bright[weighted_index(weight, first, 0.99)]
+    dark = _DARK * bright[weighted_index(bright, weight, first, 0.0, 0.99)]
     while bright[first] < dark:
         first += 1
-    quarter = bright[weighted_index(weight, first, _QUARTER)]
-    high = bright[weighted_index(weight, first, _BRIGHT_SHARE)]
-    total, count = 0.0, 0.0
-    for i in range(weighted_index(weight, first, _SHADE), bright.size):
-        total += weight[i] * log2(bright[i])
-        count += weight[i]
-    key = 2.0 ** (total / max(count, 1e-300))
-    lit, whole = 0.0, black
+    end = lit_end(bright, weight, first)
+    quarter = bright[weighted_index(bright, weight, first, end, _QUARTER)]
+    high = bright[weighted_index(bright, weight, first, end, _BRIGHT_SHARE)]
+    low = weighted_index(bright, weight, first, end, _SHADE)
+    top = weighted_index(bright, weight, first, end, _GLINT)
+    lit, whole, total, count = 0.0, black, 0.0, 0.0
     for i in range(bright.size):
         whole += weight[i]
         if i >= first:
-            lit += weight[i]
+            part = weight[i] * lit_share(bright[i], end)
+            lit += part
+            if low <= i <= top:
+                total += part * log2(bright[i])
+                count += part
+    if white > 0.0:
+        unseen = _UNSEEN * (whole - lit)
+        total += unseen * log2(_BODY * white)
+        count += unseen
+    key = 2.0 ** (total / max(count, 1e-300))
     shown = adapted_key(LUMINOUS_EFFICACY * key)
-    dimmed = max((lit / max(whole, 1e-300)) ** _LIT, _LOW_KEY)
-    factor = dimmed * shown / max(key, _NIGHT / LUMINOUS_EFFICACY)
-    factor = min(factor, shown / _KEY * min(_BRIGHT / quarter, _HIGHLIGHT / high))
-    return min(max(log2(factor), -MOST_EXPOSURE), MOST_EXPOSURE)
-
-
-@kernel
-def star_limited(exposure, brightest, irradiance, picture):
-    r"""Exposure of a picture with a star in view. [EV]
-
-    The star's glare, a E / θ², may have 1.5 times white on a 25th of the picture,
-
-    .. math:: 2^\mathrm{EV} \le \frac{1.5 \cdot 0.04\, Ω}{π a E}.
-
-    If that darkens the surroundings by n stops, the star becomes the subject: n more stops are
-    subtracted, at most eight, until its disc is 0.8 of white.
-
-    Parameters
-    ----------
-    exposure : float
-        Exposure for the pixels away from the star. [EV]
-    brightest : float
-        Largest luminance near the star. [W m⁻² sr⁻¹]
-    irradiance : float
-        Irradiance E of the star and its surroundings, above 0. [W m⁻²]
-    picture : float
-        Solid angle Ω of the picture. [sr]
-
-    Examples
-    --------
-    >>> f"{2.0 ** star_limited(100.0, 2e6, 136.0, 1e-4) * 2e6:.2f}"  # the sun through a telescope
-    '0.80'
-    """
-    glow = log2(_HIGHLIGHT * _GLOW * picture / (math.pi * _SPREAD * irradiance))
-    lost = exposure - glow
-    if lost <= 0.0:
-        return exposure
-    return min(glow, max(glow - min(lost, _SUBJECT), log2(_DISC / brightest)))
-
-
-@compiled_loop
-def exposure_with_stars(bright, weight, near, light, lights, black, picture):
-    """Exposure of a picture with stars in view. [EV]
-
-    Pixels away from stars are metered by ``exposure_of``, limited by each star (``star_limited``).
-    If these are black, as in space, the limit is the exposure; if there are none, as in a
-    telescope, all pixels are metered.
-
-    Parameters
-    ----------
-    bright : array, shape (n,)
-        Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
-    weight, near : array, shape (n,)
-        Solid angles of the pixels away from and near stars; the other one is 0. [sr]
-    light : array, shape (n,)
-        Index of the star near each pixel. [1]
-    black : float
-        Solid angle of black pixels away from stars. [sr]
-    picture : float
-        Solid angle of the picture. [sr]
-    """
-    away, around = 0.0, 0.0
-    for i in range(bright.size):
-        away += weight[i]
-        around += near[i]
-    exposure = MOST_EXPOSURE
-    if away > 0.0:
-        exposure = exposure_of(bright, weight, black)
-    elif black <= 0.0 or around <= 0.0:
-        exposure = max(exposure_of(bright, near, 0.0), log2(_DISC / bright[bright.size - 1]))
-    limit = exposure
-    for k in range(lights):
-        brightest, irradiance = 0.0, 0.0
-        for i in range(bright.size):
-            if near[i] > 0.0 and abs(light[i] - k) < 0.5:
-                brightest = bright[i]
-                irradiance += near[i] * bright[i]
-        if irradiance > 0.0:
-            limit = min(limit, star_limited(exposure, brightest, irradiance, picture))
-    return min(max(limit, -MOST_EXPOSURE), MOST_EXPOSURE)
+    dimmed = max((lit / max(whole, 1e-300)) ** _LIT_POWER, _LOW_KEY)
+    exposure = log2(dimmed * shown / max(key, _NIGHT / LUMINOUS_EFFICACY))
+    limited = min(exposure, log2(shown / _KEY * _BRIGHT / quarter))
+    if white > 0.0:
+        exposure = max(exposure, -log2(white))
+        limited = max(limited, -log2(white))
+    limited = min(limited, log2(shown / _KEY * HIGHLIGHT / high))
+    limited = max(limited, exposure - _PROTECTION)
+    if white > 0.0:
+        limited = max(limited, log2(_WHITE / white))
+    return min(max(limited, -MOST_EXPOSURE), MOST_EXPOSURE)
 
 
 def sampling_step(height: int, width: int) -> int:
@@ -301,23 +330,47 @@ def sampled(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
     return out
 
 
+def metered_pixels(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
+    """``metered_light`` of a subsampled picture.
+
+    Parameters
+    ----------
+    rgb, step :
+        Arguments of ``sampled``.
+
+    Returns
+    -------
+    array, shape (ceil(height / step), ceil(width / step))
+        Light of the pixels. [W m⁻² sr⁻¹]
+    """
+    chosen = sampled(rgb, step)
+    return np.maximum(luminance(chosen), _RED * chosen[..., 0])
+
+
 def automatic_exposure(
-    rgb: NDArray[np.floating], weights: NDArray[np.floating] | None = None
+    rgb: NDArray[np.floating], weights: NDArray[np.floating] | None = None, white: float = 0.0
 ) -> float:
     r"""Automatic exposure of a picture, for a simulated state of adaptation.
 
-    Pixels below 1e-4 of the highlights are excluded, so that black space does not overexpose the
-    planet. With the key :math:`\bar L`, the geometric mean of the brightest three quarters, and the
-    75 and 98 % quantiles :math:`L_{75}` and :math:`L_{98}` of luminance,
+    A pixel counts by its light :math:`L`, the larger of its luminance and 0.55 of its red. The lit
+    part are the pixels brighter than about a hundredth of :math:`L_h`; those at least as bright as
+    :math:`L_h` have half of the picture's light. Of the lit part :math:`\bar L` is the geometric
+    mean between the 25 and 95 % quantiles, without shade and glint, and :math:`L_{75}` and
+    :math:`L_{96}` are quantiles. With the luminance :math:`L_w` of a white surface that faces the
+    star,
 
-    .. math:: 2^\mathrm{EV} = a(\bar L)\,\min\left(
-              \frac{0.35\,d}{\bar L}, \frac{0.55}{L_{75}}, \frac{1.5}{L_{98}}\right),
-              \quad a(L) = \left(1 + \frac{30\ \mathrm{cd\,m^{-2}}}
-              {\max(L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
+    .. math:: 2^\mathrm{EV} = \min\left(\max\left(
+              \min\left(\frac{0.35\,d\,a}{\bar L}, \frac{0.55\,a}{L_{75}}\right),
+              \frac{1}{L_w}\right), \frac{1.5\,a}{L_{96}}\right),
+              \quad a = \left(1 + \frac{30\ \mathrm{cd\,m^{-2}}}
+              {\max(\bar L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
 
-    where :math:`\bar L` is at least 1e-4 cd m⁻², and :math:`d` is the cube root of the fraction of
-    the picture that is not black space, at least 0.6. By day a is 1, independent of the light
-    level; in the dark the picture darkens with the cube root of luminance.
+    but at least :math:`0.75/L_w`, and at most 1.5 EV below the larger of the key's
+    :math:`0.35\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least 1e-4 cd m⁻², and
+    :math:`d` is the cube root of the lit fraction of the picture, at least 0.6. By day a is 1,
+    independent of the light level; in the dark the picture darkens with the cube root of
+    luminance. A white surface is thus shown as white, and clouds and snow brighter than soil,
+    whatever a picture consists of.
 
     Parameters
     ----------
@@ -326,11 +379,15 @@ def automatic_exposure(
         [W m⁻² sr⁻¹]
     weights : array, shape (height, width), optional
         Weights of the pixels, such as solid angles; default: equal.
+    white : float, optional
+        Luminance of a white surface that faces the star, irradiance over π; 0 if unknown.
+        [W m⁻² sr⁻¹]
 
     Returns
     -------
     float
-        Exposure, -100 to 100; the night's for a black picture. [EV]
+        Exposure, -100 to 100; of a black picture that of the night, or of a dark body in the light
+        of the star. [EV]
 
     References
     ----------
@@ -346,20 +403,15 @@ def automatic_exposure(
     """
     height, width = rgb.shape[:2]
     step = sampling_step(height, width)
-    bright = luminance(sampled(rgb, step)).ravel()
+    bright = metered_pixels(rgb, step).ravel()
     weight = np.ones(bright.size) if weights is None else weights[::step, ::step].ravel()
     counted = np.isfinite(bright) & (bright > 0.0) & (weight > 0.0)
     black = float(weight[np.isfinite(bright) & ~counted].sum())
     bright, weight = bright[counted], np.asarray(weight[counted], dtype=np.float64)
     if bright.size == 0:
-        return night_exposure()
+        return float(unlit_exposure(white))
     order = np.argsort(bright)
-    return float(exposure_of(bright[order], weight[order], black))
-
-
-def night_exposure() -> float:
-    """Exposure of a picture without any light: that of a night without moon or stars. [EV]"""
-    return float(exposure_of(np.full(1, _NIGHT / LUMINOUS_EFFICACY), np.ones(1), 0.0))
+    return float(exposure_of(bright[order], weight[order], black, white))
 
 
 @kernel

@@ -33,9 +33,6 @@ from airlight.render.render_scene import CPU
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from airlight.image.white_balance import White
     from airlight.kernel.background_compiler import BackgroundCompiler
     from airlight.kernel.threads import Cancel
@@ -98,13 +95,13 @@ class LiveFrame:
             return CPU
         return "GPU in software" if self.renderer.device.software else "GPU"
 
-    def linear(self, width: float) -> NDArray[np.float32]:
-        """Linear sRGB radiance; the GPU renders it at a width of at most ``width`` pixels."""
+    def metered(self, width: float) -> Frame:
+        """Linear frame; the GPU renders it at a width of at most ``width`` pixels."""
         if self.frame is not None:
-            return self.frame.rgb
+            return self.frame
         assert self.renderer is not None
         small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
-        return self.renderer.render(small, orders=self.orders).rgb
+        return self.renderer.render(small, orders=self.orders)
 
     def display(
         self,
@@ -377,4 +374,4 @@ def _render_small(step: LiveFrame) -> None:
     )
     ready = replace(step, scene=small)
     ready.display(texture.create_view(), exposure=0.0, settings=DisplaySettings())
-    ready.linear(_TINY)
+    ready.metered(_TINY)

@@ -22,6 +22,7 @@ from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
+from airlight.scene.metering import unfiltered, white_luminance
 from airlight.solver import Solution
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.solve import solution_of
@@ -126,6 +127,10 @@ def render(
         scene=scene,
         star_radius=solution.lights[0].angular_radius,
         star_white=star_white(solution.lights[0].spectrum),
+        white=white_luminance([one.light for one in pictures], solution.lights),
+        unfiltered=None
+        if scene.camera.polariser is None
+        else render(solution, unfiltered(scene), orders=orders, exact=exact, disc=disc),
     )
 
 

@@ -23,6 +23,7 @@ from airlight.errors import ParameterError
 from airlight.image.white_balance import star_white
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.light_source import LightSource
+from airlight.planets.parameters import replace as replaced
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.corona import OUTERMOST, corona
 from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
@@ -34,6 +35,7 @@ from airlight.scene import Camera, Scene
 from airlight.scene.directions import camera_angles, level_axes, zenith_azimuth
 from airlight.scene.frame import Frame
 from airlight.scene.light_position import LightPosition
+from airlight.scene.metering import METERED, white_luminance
 from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections.projected import projected_rays
 from airlight.scene.surface_map import surface_map
@@ -113,6 +115,19 @@ def render_system(
         for name, planet in system.planets.items()
     }
     lights = SceneLights(system, np.array(nm), solutions)
+    unfiltered = None
+    if system.view.polariser is not None:
+        plain = replace(system, view=replaced(system.view, polariser=None))
+        small = min(1.0, METERED / width)
+        unfiltered = render_system(
+            plain,
+            width=max(1, round(width * small)),
+            height=max(1, round(height * small)),
+            wavelengths=nm,
+            quality=quality,
+            cache=cache,
+            cancel=cancel,
+        )
     camera = system.view.camera(width, height, crop)
     items = [
         atmosphere_layer(lights, camera, body, cache=cache, progress=progress, cancel=cancel)
@@ -120,7 +135,8 @@ def render_system(
         else body
         for body in sorted(system.bodies, key=system.power)
     ]
-    return _BodyTracer(lights, camera, items, samples).render(progress, cancel)
+    frame = _BodyTracer(lights, camera, items, samples).render(progress, cancel)
+    return replace(frame, unfiltered=unfiltered)
 
 
 class _BodyTracer:
@@ -166,6 +182,10 @@ class _BodyTracer:
             {"scene": self.system.name, "bodies": names},
             device=CPU,
             scene=self._metered(),
+            white=white_luminance(
+                (LightPosition(zenith=0.0, index=k) for k in range(len(self.lights.stars))),
+                tuple(self.lights.source(one, self.eye) for one in self.lights.stars),
+            ),
             star_radius=max((one.angular_radius for one in self._seen.values()), default=0.0),
             star_white=star_white(self._star.spectrum),
         )

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.image.exposure import automatic_exposure
+from airlight.image.exposure import MOST_EXPOSURE, automatic_exposure
 from airlight.image.xyz import luminance
 from airlight.scene.camera import Camera
-from airlight.scene.metering import scene_exposure
+from airlight.scene.metering import FILTER, scene_exposure
 from airlight.scene.scene import Scene
 
 
@@ -42,6 +42,10 @@ class Frame:
     star_white : (float, float) or None
         Chromaticity x, y of the star's light outside the air, for the white balance; None if
         unknown. [1]
+    white : float
+        Luminance of a white surface that faces the star, for metering; 0 if unknown. [W m⁻² sr⁻¹]
+    unfiltered : Frame or None
+        Small frame without the camera's polariser, which is metered; None without one.
     origin : (int, int)
         First column and row of the frame in the uncropped frame. [pixel]
     """
@@ -54,6 +58,8 @@ class Frame:
     scene: Scene | None = None
     star_radius: float = 0.0
     star_white: tuple[float, float] | None = None
+    white: float = 0.0
+    unfiltered: Frame | None = None
     origin: tuple[int, int] = (0, 0)
 
     @classmethod
@@ -111,12 +117,17 @@ class Frame:
     def exposure(self) -> float:
         """Automatic exposure; ``scene_exposure`` if the scene is known. [EV]
 
+        Behind a polariser it is that of the unfiltered frame and one stop, see
+        ``airlight.scene.metering.unfiltered``.
+
         Examples
         --------
         >>> grey = np.full((2, 2, 3), 10.0, dtype=np.float32)
         >>> f"{Frame(rgb=grey).exposure:.2f}"
         '-4.84'
         """
+        if self.unfiltered is not None:
+            return min(self.unfiltered.exposure + FILTER, MOST_EXPOSURE)
         if self.scene is None:
-            return automatic_exposure(self.rgb)
-        return scene_exposure(self.rgb, self.scene, self.star_radius)
+            return automatic_exposure(self.rgb, white=self.white)
+        return scene_exposure(self.rgb, self.scene, self.star_radius, self.white)

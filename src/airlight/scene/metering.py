@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 import math
-from typing import Final
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.vectors import Vec3, cross, dot, minus
-from airlight.image.exposure import exposure_with_stars, night_exposure, sampled, sampling_step
+from airlight.image.exposure import metered_pixels, sampling_step, unlit_exposure
+from airlight.image.star_exposure import exposure_with_stars
 from airlight.image.xyz import luminance
 from airlight.kernel import compiled_loop, kernel
+from airlight.scene.light_position import LightPosition
+from airlight.scene.picture_size import scaled
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.projected import projected_ray
 from airlight.scene.scene import Scene
+
+if TYPE_CHECKING:
+    from airlight.planets.light_source import LightSource
 
 FloatArray = NDArray[np.float64]
 
@@ -22,6 +30,8 @@ FloatArray = NDArray[np.float64]
 #: exposure differs by a few hundredths of a stop; with 64 pixels by a quarter stop where the
 #: aureole of a low sun covers a few pixels. [pixel]
 METERED: Final = 128
+#: Exposure added behind a polariser, which halves unpolarised light. [EV]
+FILTER: Final = 1.0
 #: Angle around a star's disc that is excluded with it: refraction near the horizon raises a star by
 #: up to 0.6°, and a pixel may contain a part of the disc. [rad]
 _MARGIN: Final = math.radians(0.75)
@@ -139,41 +149,82 @@ def metering_weights(
     return out, light
 
 
-def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: float) -> float:
+def unfiltered(scene: Scene) -> Scene:
+    """Scene at the size for metering, without a polariser.
+
+    The exposure is that of the picture without the filter and ``FILTER``: metered through it, the
+    sky that the filter darkens would be shown as bright as before, and the ground too bright.
+    """
+    small = scaled(scene, min(1.0, METERED / scene.camera.width))
+    return replace(small, camera=replace(small.camera, polariser=None))
+
+
+def white_luminance(
+    lights: Iterable[LightPosition],
+    sources: tuple[LightSource, ...],
+    weights: FloatArray | None = None,
+) -> float:
+    """Luminance of a white surface that faces all lights, outside the air: E / π. [W m⁻² sr⁻¹]
+
+    Parameters
+    ----------
+    lights : iterable of LightPosition
+        Visible lights; one that a moon occults counts in full.
+    sources : tuple of LightSource
+        Sources of the planet: ``Solution.lights``.
+    weights : array, shape (nl, 3), optional
+        Argument of ``LightSource.colors`` for the planet's star. [1]
+    """
+    total = np.zeros(3)
+    for light in lights:
+        source = light.source(sources)
+        total += source.colors(weights if source is sources[0] else None).sum(axis=0)
+    return max(float(luminance(total)), 0.0) / math.pi
+
+
+def scene_exposure(
+    rgb: NDArray[np.floating], scene: Scene, angular_radius: float, white: float = 0.0
+) -> float:
     """Automatic exposure of a frame, independent of its size.
 
     Pixels away from the discs of the lights determine ``automatic_exposure``. A disc in view limits
-    it, see ``airlight.image.exposure.star_limited``; in a frame of space, or of a disc alone, the
-    disc determines the exposure.
+    it, see ``airlight.image.star_exposure.star_limited``; in a frame of a disc alone, the disc
+    determines the exposure.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
         Linear sRGB of the frame. [W m⁻² sr⁻¹]
+    scene : Scene
+        Scene with camera and lights.
+    angular_radius : float
+        Angular radius of the star. [rad]
+    white : float, optional
+        Result of ``white_luminance``; 0 if unknown. [W m⁻² sr⁻¹]
 
     Returns
     -------
     float
-        Exposure, -100 to 100; that of night for a black frame. [EV]
+        Exposure, -100 to 100; ``unlit_exposure`` for a black frame. [EV]
     """
     step = sampling_step(*rgb.shape[:2])
-    bright = luminance(sampled(rgb, step))
+    bright = metered_pixels(rgb, step)
     weights, light = metering_weights(scene, angular_radius, step)
     seen = np.isfinite(bright) & (weights != 0.0)
     lit = seen & (bright > 0.0)
     if not lit.any():
-        return night_exposure()
+        return float(unlit_exposure(white))
     black = float(weights[seen & ~lit & (weights > 0.0)].sum())
     order = np.argsort(bright[lit])
-    values, own = bright[lit][order], weights[lit][order]
-    whole = float(np.abs(weights[seen]).sum())
+    own = weights[lit][order]
     exposure = exposure_with_stars(
-        values,
+        bright[lit][order],
         np.maximum(own, 0.0),
         np.maximum(-own, 0.0),
         light[lit][order],
         len(scene.lights),
         black,
-        whole,
+        float(np.abs(weights[seen]).sum()),
+        white,
     )
     return float(exposure)

@@ -9,8 +9,9 @@ from typing import Any, Final
 
 from airlight.geometry.ephemeris import moon_formula, sun_formula
 from airlight.geometry.refraction import apparent_sun_cosine
-from airlight.image.exposure import eased, exposure_with_stars
+from airlight.image.exposure import eased, metered_light, unlit_exposure
 from airlight.image.glare import glare_levels, glare_share
+from airlight.image.star_exposure import exposure_with_stars
 from airlight.image.white_balance import scene_weight, white_gains
 from airlight.image.xyz import luminance_of
 from airlight.physics.optics.altitude_nodes import node_value
@@ -90,7 +91,9 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     observer_uniforms: (),
     apparent_sun_cosine: (F32, F32, F32, F32, ShaderTable("refraction_table", 3)),
     luminance_of: (),
-    exposure_with_stars: (*(ShaderTable(one) for one in _STARS), I32, F32, F32),
+    exposure_with_stars: (*(ShaderTable(one) for one in _STARS), I32, F32, F32, F32),
+    metered_light: (),
+    unlit_exposure: (),
     eased: (),
     scene_weight: (),
     white_gains: (I32, *(F32 for _ in range(5))),

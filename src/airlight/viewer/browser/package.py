@@ -46,7 +46,7 @@ from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.render.pixels.view_uniforms import ORDERS, display_uniforms, overlay_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.map_levels import reduced
-from airlight.scene.metering import METERED
+from airlight.scene.metering import FILTER, METERED
 from airlight.scene.moon_light import MoonLight
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.star_light import StarLight
@@ -192,6 +192,7 @@ def program() -> dict[str, Any]:
         },
         "layers": list(LAYERS),
         "metering": METERED,
+        "filter_exposure": FILTER,
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
         },

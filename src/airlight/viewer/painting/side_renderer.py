@@ -9,8 +9,7 @@ from typing import Any, Final
 from airlight.image.exposure import MOST_EXPOSURE, exposure_factor
 from airlight.image.white_balance import scene_white
 from airlight.render.live_renderer import LiveFrame, LiveRenderer
-from airlight.scene.metering import METERED, scene_exposure
-from airlight.scene.picture_size import scaled
+from airlight.scene.metering import METERED
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_texture import Canvases
 
@@ -60,7 +59,7 @@ class SideRenderer:
             texture.resize(camera.width, camera.height)
             white = None
             if request.display.white_balance == "scene":
-                white = scene_white(step.linear(METERED), exposure_factor(exposure))
+                white = scene_white(step.metered(METERED).rgb, exposure_factor(exposure))
             step.display(
                 texture.view, exposure=exposure, settings=request.display, scene_white=white
             )
@@ -92,14 +91,12 @@ class SideRenderer:
 
     def _automatic(self, request: Request, step: LiveFrame) -> float:
         """Metered exposure, cached as the GPU has to render for it. [EV]"""
-        radius = request.solution.lights[0].angular_radius
         if step.frame is not None:
-            return scene_exposure(step.frame.rgb, step.scene, radius)
+            return step.frame.exposure
         if self._measured is not None:
             before, measured = self._measured
             if request.same_light(before):
                 return measured
-        small = scaled(step.scene, min(1.0, METERED / step.scene.camera.width))
-        measured = scene_exposure(step.linear(METERED), small, radius)
+        measured = step.metered(METERED).exposure
         self._measured = request, measured
         return measured

@@ -39,6 +39,7 @@ from airlight.render.pixels.view_uniforms import (
 )
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
+from airlight.scene.metering import unfiltered, white_luminance
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -191,6 +192,10 @@ class GpuRenderer:
             scene=scene,
             star_radius=lights[0].solution.lights[0].angular_radius,
             star_white=star_white(lights[0].solution.lights[0].spectrum),
+            white=white_luminance([one.light for one in lights], solution.lights, self._given),
+            unfiltered=None
+            if camera.polariser is None
+            else self.render(unfiltered(scene), exact=exact, orders=orders, disc=disc),
         )
 
     def _strips(

@@ -1,10 +1,14 @@
-/** Automatic exposure of a view: the formulas of image/exposure.py and scene/metering.py. */
+/**
+ * Automatic exposure of a view: the formulas of image/exposure.py, star_exposure.py and
+ * scene/metering.py.
+ */
 import {
   PIXEL_ANGLES,
   exposure_with_stars,
   left_out,
-  luminance_of,
+  metered_light,
   metering_weight,
+  unlit_exposure,
 } from "../generated/formulas.js";
 
 /**
@@ -15,9 +19,10 @@ import {
  * @param {object} camera See view.js; `suns` are directions and angular radii [rad] of all lights.
  * @param {number} projection Number of its projection.
  * @param {number} star Angular radius of the star. [rad]
+ * @param {number} white Luminance of a white surface that faces the star. [W m⁻² sr⁻¹]
  * @returns {number} Exposure, -100 to 100. [EV]
  */
-export function automaticExposure(rgba, [width, height], camera, projection, star) {
+export function automaticExposure(rgba, [width, height], camera, projection, star, white) {
   const { axes, sun, suns = [[sun, star]], fieldOfView } = camera;
   const towards = suns.map(([one]) =>
     axes.map((axis) => axis[0] * one[0] + axis[1] * one[1] + axis[2] * one[2]),
@@ -27,7 +32,7 @@ export function automaticExposure(rgba, [width, height], camera, projection, sta
   const pixels = [];
   let [black, whole] = [0, 0];
   for (let i = 0; i < width * height; i++) {
-    const bright = luminance_of(...rgba.subarray(4 * i, 4 * i + 3));
+    const bright = metered_light(...rgba.subarray(4 * i, 4 * i + 3));
     const [x, y] = [(i % width) + 0.5, Math.floor(i / width) + 0.5];
     if (!Number.isFinite(bright)) continue;
     const weights = towards.map((seen, i) =>
@@ -40,13 +45,9 @@ export function automaticExposure(rgba, [width, height], camera, projection, sta
       pixels.push([bright, light < 0 ? solid : 0, light < 0 ? 0 : solid, light]);
     } else if (light < 0) black += solid;
   }
-  // Without any light, as dark as can be: exposed as a night without moon or stars.
-  if (!pixels.length) {
-    pixels.push([Number.MIN_VALUE, 1, 0, 0]);
-    black = 0;
-  }
+  if (!pixels.length) return unlit_exposure(white);
   pixels.sort((a, b) => a[0] - b[0]);
   const table = (numbers) => ({ values: Float64Array.from(numbers), shape: [numbers.length] });
   const columns = [0, 1, 2, 3].map((part) => table(pixels.map((one) => one[part])));
-  return exposure_with_stars(...columns, suns.length, black, whole);
+  return exposure_with_stars(...columns, suns.length, black, whole, white);
 }

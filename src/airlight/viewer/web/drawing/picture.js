@@ -3,11 +3,12 @@
  *
  * A description from viewer/browser/package.py has planet-independent data — `plan`
  * and `shaders` (see program.js), `sky` (sizes of the sky-view LUT), `layers` (its textures),
- * `metering` (longer side of the metered frame), `projections` with their fields of view, `display`
- * (uniforms of an 8-bit display), `primaries`, `white_balances`, `orders`, and `view_uniforms` (uniforms that
- * are view values) — and data of a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture`
- * whose ownership is transferred), `ground` (see ground.js), `radius`, `thickness`, `star`,
- * `star_white` and `geometry` (see view_uniforms.js).
+ * `metering` (longer side of the metered frame), `filter_exposure` (exposure added for a polariser),
+ * `projections` with their fields of view, `display` (uniforms of an 8-bit display), `primaries`,
+ * `white_balances`, `orders`, and `view_uniforms` (uniforms that are view values) — and data of a
+ * solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture` whose ownership is
+ * transferred), `ground` (see ground.js), `radius`, `thickness`, `star`, `star_white` and
+ * `geometry` (see view_uniforms.js).
  */
 import { automaticExposure } from "./exposure.js";
 import { groundTexels } from "./ground.js";
@@ -23,6 +24,7 @@ import {
   disc_factor,
   glare_levels,
   glare_share,
+  luminance_of,
   scene_weight,
   white_gains,
 } from "../generated/formulas.js";
@@ -334,10 +336,11 @@ export class Picture {
     return [width, height].map((x) => Math.max(1, Math.round(x * share)));
   }
 
-  /** Linear sRGB of a small frame, four values per pixel. [W m⁻² sr⁻¹] */
-  async metered(lights, width, height) {
+  /** Linear sRGB of a small frame, four values per pixel, with other uniforms. [W m⁻² sr⁻¹] */
+  async metered(lights, width, height, others = {}) {
     const [wide, high] = this.meteredSize(width, height);
-    this.sum("metering", lights.map((one) => this.uniformsOf(one, wide, high)), wide, high);
+    const numbers = lights.map((one) => ({ ...this.uniformsOf(one, wide, high), ...others }));
+    this.sum("metering", numbers, wide, high);
     return this.program.read("metering");
   }
 
@@ -345,11 +348,24 @@ export class Picture {
   async found(lights, width, height) {
     const { fixed, planet } = this;
     const [wide, high] = this.meteredSize(width, height);
-    const rgba = await this.metered(lights, width, height);
+    // A polariser is left out: see unfiltered in scene/metering.py.
+    const rgba = await this.metered(lights, width, height, { filter: NONE });
     const { camera, suns } = lights[0];
     const number = Object.keys(fixed.projections).indexOf(camera.projection);
-    return automaticExposure(rgba, [wide, high], { ...camera, suns }, number, planet.star);
+    const colors = [planet.uniforms, ...lights.slice(1).map((one) => one.numbers)];
+    const white = colors.reduce((sum, one) => sum + whiteOf(one), 0);
+    const seen = { ...camera, suns };
+    const found = automaticExposure(rgba, [wide, high], seen, number, planet.star, white);
+    return found + (camera.filter ? fixed.filter_exposure : 0);
   }
+}
+
+/** Luminance of a white surface that faces a light: white_luminance in scene/metering.py. */
+function whiteOf(numbers) {
+  const sums = ["red", "green", "blue"].map((channel) =>
+    [0, 1, 2, 3].reduce((sum, i) => sum + numbers[`${channel}_${i}`], 0),
+  );
+  return Math.max(luminance_of(...sums), 0) / Math.PI;
 }
 
 /**
