@@ -164,3 +164,26 @@ def scalars_of(bundle: Any, numbers: Mapping[str, float]) -> dict[str, Any]:
         elif one.kind in (float, int, bool):
             found[one.name] = one.kind(numbers[one.name])
     return found
+
+
+def numbers_of(values: Any) -> dict[str, float]:
+    """Numbers and vectors among the fields of a NamedTuple, by their names in a struct.
+
+    Examples
+    --------
+    >>> class Light(NamedTuple):
+    ...     degree: int
+    ...     basis: Annotated[Any, SPECTRA]
+    >>> numbers_of(Light(2, None))
+    {'degree': 2.0}
+    """
+    found: dict[str, float] = {}
+    for one in shader_fields(type(values)):
+        value = getattr(values, one.name)
+        if one.vector:
+            found |= {f"{one.name}_{of}": float(getattr(value, of)) for of in one.vector}
+        elif one.is_group:
+            found |= numbers_of(value)
+        elif one.kind in (float, int, bool):
+            found[one.name] = float(value)
+    return found
