@@ -65,11 +65,12 @@ class Always:
 
 
 #: Marks of fields: an index, a table of four wavelengths, one that an edit of the light renews, and
-#: one that each light of a picture has for itself.
+#: two that each light of a picture has for itself.
 CHOICE: Final = Choice()
 SPECTRA: Final = InTexture("spectra", spectral=True)
 FIELDS: Final = InTexture("fields", 3, spectral=True)
 DISC: Final = InTexture("disc", spectral=True)
+FACE: Final = InTexture("disc", 2, spectral=True)
 
 
 def image(texture: str) -> InTexture:

@@ -309,7 +309,7 @@ WATER = [
 DIRECTIONS = Vec3(SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU)
 TRIPLE = Vec3(MU, UNIT, MU_S), DIRECTIONS, Vec3(UNIT, MU_S, MU)
 #: Phase of a moon.
-LIT = disc_shading.MoonPhase(0.8, 0.6, 2.65)
+LIT = disc_shading.MoonPhase(0.8, 0.6, 8.0, 0.002)
 # Sums of products of numbers up to 1.
 VECTORS = [
     Case(vectors.dot, TRIPLE[:2], atol=4 * EPS),

@@ -50,6 +50,7 @@ class ViewUniforms(NamedTuple):
     phased: bool
     phase: MoonPhase
     limb: Vec3
+    faced: bool
     occulter: Vec3
     occulter_radius: float
     samples: Annotated[int, CHOICE]

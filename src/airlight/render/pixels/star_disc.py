@@ -13,7 +13,7 @@ import numpy as np
 
 from airlight.geometry.mappings.sky_view import angle_above_horizon
 from airlight.geometry.refraction import refraction_angle
-from airlight.geometry.vectors import Vec3, combined, dot, minus, scaled
+from airlight.geometry.vectors import Vec3, combined, cross, dot, minus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.render.pixels.disc_shading import DiscPowers, disc_powers, whole_powers
 from airlight.render.pixels.sky_view_lut import half_sine_between
@@ -167,14 +167,14 @@ def star_disc(px, py, ray, frame, columns):
         Receives the columns along the line of sight. [m]
     """
     if ray.x == 0.0 and ray.y == 0.0 and ray.z == 0.0:
-        return DiscPowers(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return whole_powers(0.0)
     observer, view, tables = frame.observer, frame.camera, frame.tables
     left, free = leaving_air(ray, observer, tables, columns)
     apart = 2.0 * half_sine_between(left, observer.sun_x, observer.sun_z)
     pixel = view.pixel_angle
     # Beyond two pixel diagonals no point is splatted.
     if not free or apart > tables.star_radius + 3.0 * pixel:
-        return DiscPowers(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return whole_powers(0.0)
     part = covered(apart, tables.star_radius, pixel) * view.disc
     if tables.star_radius < SMALL * pixel:
         part = _point_like(px, py, part, frame, columns)
@@ -185,11 +185,15 @@ def star_disc(px, py, ray, frame, columns):
         # Pixels with both rims: coverages are subtracted.
         part = max(part - covered(beside, view.occulter_radius, pixel) * view.disc, 0.0)
     along = 0.0
+    away, limb = Vec3(left.x - observer.sun_x, left.y, left.z - observer.sun_z), view.limb
     if view.phased:
-        toward = (left.x - observer.sun_x) * view.limb.x + left.y * view.limb.y
-        toward += (left.z - observer.sun_z) * view.limb.z
-        along = toward / max(apart, 1e-12)
-    return disc_powers(part, apart, tables.star_radius, pixel, along, view.phased, view.phase)
+        along = dot(away, limb) / max(apart, 1e-12)
+    aside, step = 0.0, 0.0
+    if view.faced:
+        right = cross(Vec3(observer.sun_x, 0.0, observer.sun_z), limb)
+        aside, step = dot(away, right) / tables.star_radius, pixel / tables.star_radius
+    one = disc_powers(part, apart, tables.star_radius, pixel, along, view.phased, view.phase)
+    return DiscPowers(one.p0, one.p1, one.p2, one.p3, one.p4, one.p5, one.toward, aside, step)
 
 
 @inlined
