@@ -7,10 +7,10 @@ FILE.png``. Sources, origins and licences: ``scene/data/SOURCES.md``.
 * mars: ``usr/share/stellarium/textures/mars.png`` of the Debian package stellarium-data 0.22.2-1.
 
 The Moon's picture counts as linear in reflectance: Apollo 11's mare is then 0.54 of Apollo 16's
-highland, as their soils are (0.09 and 0.17, Piatek et al. 2004, Icarus 171, 531); decoded as sRGB it
-would be 0.28. Of Mars' picture, made for the eye, only the luminance counts, with the contrast of
-measured albedos, and where ice is, which has a measured albedo too. Each channel is scaled so that
-its mean over the sphere is the body's albedo in the colours of a screen.
+highland, as their soils are (0.09 and 0.17, Piatek et al. 2004, Icarus 171, 531); decoded as sRGB
+it would be 0.28. Of Mars' picture, made for the eye, only the luminance counts, with the contrast
+of measured albedos, and where ice is, which has a measured albedo too. Each channel is scaled so
+that its mean over the sphere is the body's albedo in the colours of a screen.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ FloatArray = NDArray[np.float64]
 ROWS = {"moon": 1536, "mars": 512}
 #: Quality of the JPEG files.
 QUALITY = {"moon": 85, "mars": 92}
-#: Albedos of Mars without ice that 2 % of the ground are below and above: Christensen et al. (2001),
-#: JGR 106, 23823, Thermal Emission Spectrometer. [1]
+#: Albedos of Mars without ice that 2 % of the ground are below and above: Christensen et al.
+#: (2001), JGR 106, 23823, Thermal Emission Spectrometer. [1]
 DARK, BRIGHT = 0.10, 0.30
-#: Contrast of these in red, green and blue; it nearly vanishes below 450 nm (McCord & Westphal 1971,
-#: Astrophysical Journal 168, 141).
+#: Contrast of these in red, green and blue; it nearly vanishes below 450 nm (McCord & Westphal
+#: 1971, Astrophysical Journal 168, 141).
 CONTRAST = np.array([1.1, 1.0, 0.3])
 #: Albedo of Mars' residual polar cap, neutral: Kieffer (1990), JGR 95, 1481, 0.4 to 0.5. [1]
 ICE = np.array([0.47, 0.45, 0.40])

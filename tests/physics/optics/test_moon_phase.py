@@ -68,7 +68,7 @@ def test_the_opposition_surge_is_a_quarter() -> None:
 
 
 def test_the_full_moon_has_its_albedo() -> None:
-    # Sato et al. (2014): 0.17 at opposition; Velikodsky et al. (2011): 0.11 to 0.13 without a surge.
+    # Sato et al. (2014): 0.17 at opposition; without a surge 0.11 to 0.13 (Velikodsky et al. 2011).
     assert 0.14 < MOON_ALBEDO < 0.18
     assert 0.11 < MOON_ALBEDO * moon_phase(5.0) < 0.13
 

@@ -21,12 +21,13 @@ from airlight.physics.units import values_in
 
 FloatArray = NDArray[np.float64]
 
-#: Geometric albedo of the Moon at 550 nm and opposition, with the surge. With it the disc agrees with
-#: Krisciunas & Schaefer (1991) on average over phase angles of 10 to 90 degrees; their law, without
-#: a surge, has 0.122 at 0. Sato et al. (2014) give 0.17 at 566 nm. [1]
+#: Geometric albedo of the Moon at 550 nm and opposition, with the surge. With it the disc agrees
+#: with Krisciunas & Schaefer (1991) on average over phase angles of 10 to 90 degrees; their law,
+#: without a surge, has 0.122 at 0. Sato et al. (2014) give 0.17 at 566 nm. [1]
 MOON_ALBEDO: Final = 0.1498
 #: Exponent of wavelength in the Moon's albedo, from B - V of 0.92 mag, that of the sun 0.65 mag
-#: (Cox 2000, Allen's Astrophysical Quantities, 4th edition, table 12.1), between 440 and 550 nm. [1]
+#: (Cox 2000, Allen's Astrophysical Quantities, 4th edition, table 12.1), between 440 and 550 nm.
+#: [1]
 MOON_REDDENING: Final = 0.4 * (0.92 - 0.65) * np.log(10.0) / np.log(550.0 / 440.0)
 #: Grains and roughness of the Moon.
 _GRAINS, _LOBE, _BACKWARD, _SURGE, _WIDTH, _SLOPE = MOON[:6]
@@ -152,7 +153,7 @@ def moon_disc(phase):
 def earthlight(phase):
     """Irradiance of the Moon by the Earth over that by the sun. [1]
 
-    ΔV = -0.00106 β + 2.054e-4 β² of the Earth with its mean clouds, at the phase angle β = 180° - α.
+    ΔV = -0.00106 β + 2.054e-4 β² of the Earth with its clouds, at its phase angle β = 180° - α.
 
     Parameters
     ----------

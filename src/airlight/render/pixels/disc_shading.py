@@ -2,7 +2,7 @@
 
 Radiance over its mean is a polynomial in the cosine of emergence μ for each wavelength
 (``spectra.limb_darkening``); for the Moon times Hapke's law, normalised to mean 1, so that the
-irradiance is conserved, times the reflectance of its near side over its mean (``MarchTables.face``).
+irradiance is conserved, times the reflectance of its near side over its mean, the table ``face``.
 Earthshine lights the disc evenly: source and observer are both at the Earth.
 """
 
@@ -104,11 +104,7 @@ class MoonPhase(NamedTuple):
 
 
 class DiscPowers(NamedTuple):
-    """Means of μ^k, k = 0 to 5, over a part of a disc, times a radiance per irradiance. [sr⁻¹]
-
-    ``toward`` and ``aside`` are the pixel's coordinates on the disc, towards the bright limb and to
-    the right of it, and ``step`` its size, in radii; ``step`` is 0 for a disc without a face.
-    """
+    """Means of μ^k, k = 0 to 5, over a part of a disc, times a radiance per irradiance. [sr⁻¹]"""
 
     p0: float
     p1: float
@@ -116,6 +112,19 @@ class DiscPowers(NamedTuple):
     p3: float
     p4: float
     p5: float
+
+
+class DiscPlace(NamedTuple):
+    """Place of a pixel on the disc of a moon, in radii.
+
+    Attributes
+    ----------
+    toward, aside : float
+        Coordinates towards the bright limb, and to the right of it. [1]
+    step : float
+        Size of the pixel; 0 for a disc without a face. [1]
+    """
+
     toward: float
     aside: float
     step: float
@@ -147,9 +156,7 @@ def moon_shade(mu, toward, phase):
 def whole_powers(share):
     """Means of the powers of μ over a whole disc, times ``share``; see ``disc_powers``."""
     two = share * 2.0
-    return DiscPowers(
-        share, two / 3.0, share / 2.0, two / 5.0, share / 3.0, two / 7.0, 0.0, 0.0, 0.0
-    )
+    return DiscPowers(share, two / 3.0, share / 2.0, two / 5.0, share / 3.0, two / 7.0)
 
 
 @kernel
@@ -189,7 +196,7 @@ def disc_powers(share, apart, radius, pixel, along, phased, phase):
         p3 += part * mu * mu * mu
         p4 += part * (mu * mu) * (mu * mu)
         p5 += part * (mu * mu) * (mu * mu) * mu
-    return DiscPowers(p0, p1, p2, p3, p4, p5, apart / radius * along, 0.0, 0.0)
+    return DiscPowers(p0, p1, p2, p3, p4, p5)
 
 
 @kernel
@@ -224,13 +231,13 @@ def face_place(coordinate, size):
 
 
 @inlined
-def darkened(powers, tables, at):
+def darkened(powers, place, tables, at):
     """Unattenuated radiance of the disc in a pixel, per irradiance. [sr⁻¹]
 
     Parameters
     ----------
-    powers : DiscPowers
-        Result of ``star_disc``. [sr⁻¹]
+    powers, place : DiscPowers, DiscPlace
+        Results of ``star_disc``.
     tables : MarchTables
         Tables of the solution, with ``darkening`` and ``face``.
     at : int
@@ -240,10 +247,10 @@ def darkened(powers, tables, at):
     total = darkening[0] * np.float32(powers.p0) + darkening[1] * np.float32(powers.p1)
     total = total + darkening[2] * np.float32(powers.p2) + darkening[3] * np.float32(powers.p3)
     total = total + darkening[4] * np.float32(powers.p4) + darkening[5] * np.float32(powers.p5)
-    if powers.step > 0.0:
+    if place.step > 0.0:
         face = lane_view(tables.face, at)
-        first, size = face_level(powers.step, tables.face.shape[1])
-        row, column = face_place(-powers.toward, size), face_place(powers.aside, size)
+        first, size = face_level(place.step, tables.face.shape[1])
+        row, column = face_place(-place.toward, size), face_place(place.aside, size)
         above, left = int(row), int(column)
         below, right = min(above + 1, size - 1), min(left + 1, size - 1)
         down, across = np.float32(row - above), np.float32(column - left)

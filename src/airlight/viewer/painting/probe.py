@@ -315,7 +315,7 @@ def _star(
         star.phase is not None,
         MoonPhase(*(numbers[name] for name in SHADING[:4])),
     )
-    return np.asarray(transmittance * star.irradiance * (star.darkenings @ powers[:6]))
+    return np.asarray(transmittance * star.irradiance * (star.darkenings @ powers))
 
 
 def _ground(
