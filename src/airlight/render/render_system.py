@@ -29,7 +29,7 @@ from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
 from airlight.render.render_scene import CPU, color_wavelengths
 from airlight.render.scene_lights import SceneLights
 from airlight.render.solve_planet import solve_planet
-from airlight.render.star_points import add_shown
+from airlight.render.star_points import add_milky_way, add_shown
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import camera_angles, level_axes, zenith_azimuth
 from airlight.scene.frame import Frame
@@ -159,6 +159,7 @@ class _BodyTracer:
             true = stars().directions
             shown = np.isfinite(pixel_positions(self.camera, true @ self.axes.T)[0])
             add_shown(rgb, self.camera, self.axes, self, self._star, true, shown)
+            add_milky_way(rgb, self.camera, self.axes, self, self._star)
         names = ", ".join(body.name for body in self.system.bodies)
         return Frame.seen_by(
             self.camera,
