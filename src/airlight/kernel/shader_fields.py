@@ -65,11 +65,12 @@ class Always:
 
 
 #: Marks of fields: an index, a table of four wavelengths, one that an edit of the light renews, and
-#: one that each light of a picture has for itself.
+#: two that each light of a picture has for itself.
 CHOICE: Final = Choice()
 SPECTRA: Final = InTexture("spectra", spectral=True)
 FIELDS: Final = InTexture("fields", 3, spectral=True)
 DISC: Final = InTexture("disc", spectral=True)
+FACE: Final = InTexture("disc", 2, spectral=True)
 
 
 def image(texture: str) -> InTexture:
@@ -163,4 +164,27 @@ def scalars_of(bundle: Any, numbers: Mapping[str, float]) -> dict[str, Any]:
             found[one.name] = one.kind(*values)
         elif one.kind in (float, int, bool):
             found[one.name] = one.kind(numbers[one.name])
+    return found
+
+
+def numbers_of(values: Any) -> dict[str, float]:
+    """Numbers and vectors among the fields of a NamedTuple, by their names in a struct.
+
+    Examples
+    --------
+    >>> class Light(NamedTuple):
+    ...     degree: int
+    ...     basis: Annotated[Any, SPECTRA]
+    >>> numbers_of(Light(2, None))
+    {'degree': 2.0}
+    """
+    found: dict[str, float] = {}
+    for one in shader_fields(type(values)):
+        value = getattr(values, one.name)
+        if one.vector:
+            found |= {f"{one.name}_{of}": float(getattr(value, of)) for of in one.vector}
+        elif one.is_group:
+            found |= numbers_of(value)
+        elif one.kind in (float, int, bool):
+            found[one.name] = float(value)
     return found

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.physics.optics.hapke import REGOLITHS, regolith
 from airlight.physics.optics.reflection import LAWS, Reflection, largest_albedo, law_number
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.local_ground import LocalGround
@@ -54,6 +55,11 @@ def _clouded(table: FileTable) -> bool:
     return "clouds" in table
 
 
+def _of_regolith(table: FileTable) -> bool:
+    """Whether an editor shows the key: for Hapke's law."""
+    return table.get("law") == "hapke"
+
+
 @parameters
 class Ground(TomlModel):
     """Ground: albedo and reflectance law.
@@ -77,7 +83,12 @@ class Ground(TomlModel):
         Factor of albedo and picture, 0 to 100, limited to the largest albedo of the law. [1]
     law : str
         Name from ``optics.reflection.LAWS``: ``lambert``, ``lommel-seeliger`` for dark
-        porous ground, ``water`` for the open sea.
+        porous ground, ``water`` for the open sea, ``hapke`` for regolith.
+    regolith : str
+        Name from ``optics.hapke.REGOLITHS``: published grains and roughness for Hapke's law.
+    grain_albedo, grain_lobe, grain_backward, surge, surge_width, roughness : float, optional
+        Parameters of Hapke's law that replace the published ones, see ``optics.hapke.Regolith``;
+        roughness in degrees.
     wind : float, optional
         Wind speed over water, 0.5 to 25. If given, the water of a map is specular; otherwise only
         the law ``water`` is, at 5 m/s. [m s⁻¹]
@@ -155,9 +166,10 @@ class Ground(TomlModel):
     )
     law: str = key(
         label="law of reflection",
-        help="Reflectance law: Lambertian, porous rock, or water.",
+        help="Reflectance law: Lambertian, porous rock, water, or regolith.",
         note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
-        " limb as in its middle; `water` mirrors, and its albedo is of the light from below.",
+        " limb as in its middle; `water` mirrors, and its albedo is of the light from below;"
+        " `hapke` is rough regolith with an opposition surge.",
         choices=lambda: tuple(LAWS),
         offered=always,
         default="lambert",
@@ -172,6 +184,54 @@ class Ground(TomlModel):
         example="5 m/s",
         slider=(0.5, 15.0),
         offered=always,
+        default=None,
+    )
+
+    regolith: str = key(
+        help="Published grains and roughness for Hapke's law.",
+        note="`moon`: Sato et al. (2014); `mars`: Vincendon (2013). The keys below replace single"
+        " values; the albedo sets level and colour at all wavelengths.",
+        choices=lambda: tuple(REGOLITHS),
+        offered=_of_regolith,
+        default="moon",
+    )
+    grain_albedo: float | None = key(
+        help="Single-scattering albedo w of a grain, for Hapke's law.",
+        note="The share of light that is scattered several times grows with it.",
+        range=(0.01, 1.0),
+        offered=_of_regolith,
+        default=None,
+    )
+    grain_lobe: float | None = key(
+        help="Asymmetry b of both lobes of a grain's phase function, for Hapke's law.",
+        range=(0.0, 0.9),
+        offered=_of_regolith,
+        default=None,
+    )
+    grain_backward: float | None = key(
+        help="Excess c of a grain's backward lobe, whose share is (1 + c)/2, for Hapke's law.",
+        range=(-1.0, 1.0),
+        offered=_of_regolith,
+        default=None,
+    )
+    surge: float | None = key(
+        help="Amplitude B0 of the opposition surge, for Hapke's law.",
+        range=(0.0, 5.0),
+        offered=_of_regolith,
+        default=None,
+    )
+    surge_width: float | None = key(
+        help="Angular width h of the opposition surge, for Hapke's law.",
+        range=(0.005, 1.0),
+        offered=_of_regolith,
+        default=None,
+    )
+    roughness: float | None = key(
+        help="Mean slope angle of rough ground, for Hapke's law.",
+        unit="deg",
+        range=(0.0, 45.0),
+        example="23.4 deg",
+        offered=_of_regolith,
         default=None,
     )
 
@@ -210,7 +270,25 @@ class Ground(TomlModel):
         """Reflection without clouds."""
         wet = self.law == "water" or (self.map is not None and self.wind is not None)
         clear = Reflection(1.0, law_number(self.law), wet)
+        if self.law == "hapke":
+            clear = clear._replace(regolith=regolith(*self._grains))
         return clear if self.wind is None else clear._replace(wind=self.wind)
+
+    @property
+    def _grains(self) -> tuple[float, ...]:
+        """Arguments of ``optics.hapke.regolith``."""
+        given = (
+            self.grain_albedo,
+            self.grain_lobe,
+            self.grain_backward,
+            self.surge,
+            self.surge_width,
+            self.roughness,
+        )
+        published = REGOLITHS[self.regolith]
+        return tuple(
+            known if own is None else own for own, known in zip(given, published, strict=True)
+        )
 
     def local_line(self, wavelength: float) -> str:
         """Line of a report about the local ground; empty for the mean ground of the planet.

@@ -65,6 +65,9 @@ class LightSource:
         Phase angle of a reflecting body, 0 to below 180; None for a star. [deg]
     limb : float
         Position angle of the bright limb of a reflecting body, clockwise from the zenith. [deg]
+    face : array, shape (rows, columns, 3), or None
+        Linear sRGB reflectance of a reflecting body's disc over its mean, a pyramid as for
+        ``render.pixels.disc_shading.face_level``: upwards towards the bright limb. [1]
     occulter : Occulter or None
         Moon in front of it; ``irradiance`` is then the unocculted part.
     hidden : array, shape (nl,)
@@ -79,6 +82,7 @@ class LightSource:
     darkening: Callable[[Any], FloatArray] | None = None
     phase: float | None = None
     limb: float = 0.0
+    face: FloatArray | None = None
     occulter: Occulter | None = None
     hidden: FloatArray | float = 1.0
 

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.image.white_balance import star_white
+from airlight.image.xyz import luminance
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.light_source import LightSource
 from airlight.planets.parameters import replace as replaced
@@ -30,12 +31,13 @@ from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
 from airlight.render.render_scene import CPU, color_wavelengths
 from airlight.render.scene_lights import SceneLights
 from airlight.render.solve_planet import solve_planet
-from airlight.render.star_points import add_shown
+from airlight.render.star_points import add_milky_way, add_shown
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import camera_angles, level_axes, zenith_azimuth
 from airlight.scene.frame import Frame
 from airlight.scene.light_position import LightPosition
 from airlight.scene.metering import METERED, white_luminance
+from airlight.scene.moon_face import MOON_MAP, near_side_mean
 from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections.projected import projected_rays
 from airlight.scene.surface_map import surface_map
@@ -174,6 +176,7 @@ class _BodyTracer:
             true = stars().directions
             shown = np.isfinite(pixel_positions(self.camera, true @ self.axes.T)[0])
             add_shown(rgb, self.camera, self.axes, self, self._star, true, shown)
+            add_milky_way(rgb, self.camera, self.axes, self, self._star)
         names = ", ".join(body.name for body in self.system.bodies)
         return Frame.seen_by(
             self.camera,
@@ -353,7 +356,11 @@ class _BodyTracer:
         through[met] = 0.0
 
     def _texture(self, body: Body, normal: FloatArray, length: FloatArray) -> FloatArray:
-        """Colour of a body's map over its mean luminance, shape (n, 3). [1]"""
+        """Reflectance of a body's map over its mean, shape (n, 3). [1]
+
+        The mean is that of each channel where the albedo has a colour, otherwise the luminance, and
+        that of the near side for the Moon, to which its albedo refers.
+        """
         if body.map is None:
             return np.ones((len(normal), 3))
         picture = surface_map(self.system.path_of(body.map))
@@ -364,8 +371,10 @@ class _BodyTracer:
             np.degrees(np.arctan2(y, x)),
             picture.level(footprint),
         )[..., :3]
-        mean = float(picture.mean_rgb @ np.array([0.2126, 0.7152, 0.0722]))
-        return np.asarray(colors / max(mean, 1e-6), dtype=np.float64)
+        mean = near_side_mean() if body.map == MOON_MAP else picture.mean_rgb
+        if np.ptp(body.albedos(self.wavelengths)) == 0.0:
+            mean = np.array(luminance(mean))
+        return np.asarray(colors / np.maximum(mean, 1e-6), dtype=np.float64)
 
     def _disc(self, light: Light, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
         """Add the limb-darkened disc and the corona of a star."""

@@ -1,8 +1,10 @@
-"""Star catalogue as point sources in a frame, attenuated and refracted by the atmosphere."""
+"""Star catalogue as points, and the Milky Way, attenuated and refracted by the atmosphere."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,16 +18,21 @@ from airlight.render.through_air import AirAround, SeenThrough, apparent_points
 from airlight.scene import Camera, Scene
 from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections import PROJECTIONS
+from airlight.scene.projections.projected import projected_rays
+from airlight.scene.system.milky_way import milky_way_radiance
 from airlight.scene.system.stars import stars
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
+#: Pixels of the Milky Way computed together.
+_PIXELS: Final = 1 << 16
+
 
 def add_catalogue(
     rgb: NDArray[np.float32], scene: Scene, solution: MomentsSolution, body: str | None
 ) -> None:
-    """Add the star catalogue to a frame.
+    """Add the star catalogue and the Milky Way to a frame.
 
     Sidereal time follows from the scene's time or, without it, from the position of the sun, see
     ``horizon_axes_by_sun``.
@@ -65,6 +72,60 @@ def add_catalogue(
     near = np.isfinite(x) | (np.abs(true[:, 2]) < math.sin(math.radians(2.0)))
     air = AirAround(solution=solution, altitude=scene.altitude)
     add_shown(rgb, camera, camera.axes, air, solution.lights[0], true, free & near)
+    # North and east in the scene's frame, whose x axis is at the sun's azimuth.
+    turned = np.array(
+        [
+            [math.sin(turn), math.cos(turn), 0.0],
+            [-math.cos(turn), math.sin(turn), 0.0],
+            [0.0, 0.0, 1.0],
+        ]
+    )
+    discs = [
+        (light.direction, light.radius(solution.lights[0].angular_radius)) for light in scene.lights
+    ]
+    add_milky_way(rgb, camera, camera.axes, air, solution.lights[0], turned @ axes, discs)
+
+
+def add_milky_way(
+    rgb: NDArray[np.floating],
+    camera: Camera,
+    axes: FloatArray,
+    air: SeenThrough,
+    source: LightSource,
+    sky: FloatArray | None = None,
+    discs: Sequence[tuple[FloatArray, float]] = (),
+) -> None:
+    """Add the Milky Way, attenuated and refracted by air or occulted.
+
+    Parameters
+    ----------
+    rgb, camera, axes, air, source :
+        Arguments of ``add_shown``.
+    sky : array, shape (3, 3), optional
+        Axes of the frame of ``axes`` in that of the J2000 equator, as rows; by default the same.
+        [1]
+    discs : sequence of (array, float)
+        Directions and angular radii of lights that hide it. [1], [rad]
+    """
+    rows, columns = rgb.shape[:2]
+    weights = source.colors() / source.irradiance[:, None]
+    weights = weights * (1.0 if camera.polariser is None else 0.5)
+    assert camera.field_of_view is not None
+    angle = math.radians(camera.field_of_view)
+    x = np.arange(columns) + (camera.left + 0.5)
+    step = max(1, _PIXELS // columns)
+    for first in range(0, rows, step):
+        y = np.arange(first, min(first + step, rows)) + (camera.top + 0.5)
+        rays = projected_rays(camera.projection, x, y, camera.width, camera.height, angle)
+        rays = rays.reshape(-1, 3)
+        shown = np.flatnonzero(np.any(rays != 0.0, axis=-1))
+        through, true = air.behind(rays[shown] @ axes)
+        for towards, radius in discs:
+            through[true @ towards > math.cos(radius)] = 0.0
+        seen = np.flatnonzero(through.max(axis=1) > 0.0)
+        known = true[seen] if sky is None else true[seen] @ sky
+        light = (through[seen] * milky_way_radiance(known, source.wavelengths)) @ weights
+        rgb[first : first + y.size].reshape(-1, 3)[shown[seen]] += light
 
 
 def add_shown(

@@ -83,8 +83,8 @@ def test_light_leaves_the_ground_at_the_angle_of_the_vector_that_it_is():
 
 
 #: Laws whose light all has the albedo's colour, and none of whose depends on azimuth; ``water``
-#: has tests of its own.
-MATTE = [name for name in LAWS if name != "water"]
+#: and ``hapke`` have tests of their own.
+MATTE = [name for name in LAWS if name not in ("water", "hapke")]
 #: Gauss-Legendre over [0, 1].
 NODES, WEIGHTS = (
     0.5 * (x + shift)

@@ -36,7 +36,7 @@ from airlight.image.floating import physical_light
 from airlight.image.gamut import in_gamut
 from airlight.image.tone_maps import TONE_MAPS
 from airlight.physics.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
-from airlight.physics.optics.reflection import LAWS, NUMBERS, Reflection
+from airlight.physics.optics.reflection import LAWS, Reflection
 from airlight.render.gpu.emit.shader_types import Constant, ShaderTable, StructValue
 from airlight.render.gpu.solver import ray_sums
 from airlight.render.pixels import disc_shading, ground_angles, sky_view_lut, star_disc
@@ -331,7 +331,7 @@ WATER = [
 DIRECTIONS = Vec3(SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU)
 TRIPLE = Vec3(MU, UNIT, MU_S), DIRECTIONS, Vec3(UNIT, MU_S, MU)
 #: Phase of a moon.
-LIT = disc_shading.MoonPhase(0.8, 0.6, 2.65)
+LIT = disc_shading.MoonPhase(0.8, 0.6, 8.0, 0.002)
 # Sums of products of numbers up to 1.
 VECTORS = [
     Case(vectors.dot, TRIPLE[:2], atol=4 * EPS),
@@ -481,11 +481,17 @@ def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int
         assert np.all(seen >= 0.0)
 
 
+#: Fields of ``Reflection`` that are no numbers.
+UNBOUND = ("albedo", "regolith")
+
+
 @pytest.mark.parametrize("which", range(len(LAWS)), ids=list(LAWS))
 def test_a_law_of_reflection_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
     # The law's own kernels, in double precision; also at the horizon, where cosines are 0.
     ground = Reflection(1.0, which)
-    bound = StructValue({name: Constant(getattr(ground, name)) for name in NUMBERS})
+    grains = StructValue({key: Constant(x) for key, x in ground.regolith._asdict().items()})
+    numbers = {key: Constant(x) for key, x in ground._asdict().items() if key not in UNBOUND}
+    bound = StructValue(numbers | {"regolith": grains})
     cosines = np.append(UNIT, [0.0, 0.0, 1.0]).astype(np.float32)
     suns = np.append(MU_S, [0.0, -0.1, 1.0]).astype(np.float32)
     law = list(LAWS.values())[which]

@@ -7,13 +7,13 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.physics.spectra.sun import solar_irradiance
-from airlight.scene.system.stars import Stars, stars
+from airlight.scene.system.stars import Stars, color_temperatures, stars
 
 
 def test_the_sun_as_a_star_has_its_irradiance() -> None:
     sun = Stars(np.array([[1.0, 0.0, 0.0]]), np.array([-26.74]), np.array([0.65]))
     assert_allclose(sun.irradiances([550.0])[0], solar_irradiance([550.0]), rtol=0.05)
-    assert_allclose(sun.temperatures, 5772.0, rtol=0.02)
+    assert_allclose(color_temperatures(sun.colors), 5772.0, rtol=0.02)
 
 
 def test_the_catalogue_is_whole() -> None:

@@ -117,11 +117,19 @@ class MoonSighting(Sighting):
         Illuminated fraction of its disc. [1]
     waxing : bool
         Whether the illuminated fraction increases.
+    north : float
+        Position angle of its north, clockwise from the zenith. [deg]
+    near_latitude, near_longitude : float
+        Selenographic coordinates of the centre of its disc, with libration and parallax; north and
+        east positive. [deg]
     """
 
     phase_angle: float
     lit: float
     waxing: bool
+    north: float
+    near_latitude: float
+    near_longitude: float
 
 
 def sun_seen(place: Place, time: datetime) -> Sighting:
@@ -192,13 +200,39 @@ def moon_after(place: Place, days: float) -> MoonSighting:
 
     time = ephemeris_time(days)
     light = Illumination(Body.Moon, time)
+    seen = Sighting(**_seen_from_earth(Body.Moon, place, days), radius=MOON_RADIUS)
+    north, near_latitude, near_longitude = _face_of_the_moon(place, days, seen)
     return MoonSighting(
-        **_seen_from_earth(Body.Moon, place, days),
-        radius=MOON_RADIUS,
+        altitude=seen.altitude,
+        azimuth=seen.azimuth,
+        distance=seen.distance,
+        radius=seen.radius,
         phase_angle=light.phase_angle,
         lit=light.phase_fraction,
         waxing=MoonPhase(time) < 180.0,
+        north=north,
+        near_latitude=near_latitude,
+        near_longitude=near_longitude,
     )
+
+
+def _face_of_the_moon(place: Place, days: float, seen: Sighting) -> tuple[float, float, float]:
+    """Fields ``north``, ``near_latitude`` and ``near_longitude`` of ``MoonSighting``. [deg]"""
+    from astronomy import Body, RotationAxis
+
+    axis = RotationAxis(Body.Moon, ephemeris_time(days))
+    local = horizon_axes(place, days)
+    pole = np.array([axis.north.x, axis.north.y, axis.north.z])
+    node = np.array([-pole[1], pole[0], 0.0]) / math.hypot(pole[0], pole[1])
+    spin = math.radians(axis.spin)
+    meridian = math.cos(spin) * node + math.sin(spin) * np.cross(pole, node)
+    sight, up = seen.direction @ local, local[2]
+    right = np.cross(sight, up)
+    right /= max(float(np.linalg.norm(right)), 1e-12)
+    north = math.atan2(pole @ right, pole @ np.cross(right, sight))
+    latitude = math.asin(min(max(-float(pole @ sight), -1.0), 1.0))
+    longitude = math.atan2(-np.cross(pole, meridian) @ sight, -meridian @ sight)
+    return math.degrees(north), math.degrees(latitude), math.degrees(longitude)
 
 
 def horizon_axes(place: Place, days: float) -> NDArray[np.float64]:

@@ -11,13 +11,14 @@ Solvers use a uniform cloud cover; a renderer looks up the local one.
 
 A law is a module with two kernels, ``brdf_direct`` and ``brdf_diffuse``, a function
 ``largest_albedo``, and an entry in ``LAWS``; its parameters other than the albedo are numeric
-fields of ``Reflection`` with a default, passed to every solver, table and shader.
+fields of ``Reflection``, or of a NamedTuple there, with a default, passed to every solver, table
+and shader.
 """
 
 from __future__ import annotations
 
 from math import sqrt
-from typing import Annotated, Any, Final, NamedTuple, get_type_hints
+from typing import Annotated, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,7 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.choice import chosen_kernel
 from airlight.kernel.lanes import load
 from airlight.kernel.shader_fields import CHOICE, spectra
-from airlight.physics.optics import lambert, lommel_seeliger, water
+from airlight.physics.optics import hapke, lambert, lommel_seeliger, water
 
 FloatArray = NDArray[np.float64]
 
@@ -35,6 +36,7 @@ LAWS: Final[dict[str, Any]] = {
     "lambert": lambert,
     "lommel-seeliger": lommel_seeliger,
     "water": water,
+    "hapke": hapke,
 }
 
 
@@ -68,6 +70,8 @@ class Reflection(NamedTuple):
         Wind speed over water. [m s⁻¹]
     cover, cloud_albedo : float
         Mean cloud cover, and albedo of the Lambertian clouds. [1]
+    regolith : Regolith
+        Grains and roughness of Hapke's law.
     """
 
     albedo: Annotated[Any, spectra(0)]
@@ -76,6 +80,7 @@ class Reflection(NamedTuple):
     wind: float = 5.0
     cover: float = 0.0
     cloud_albedo: float = 0.0
+    regolith: hapke.Regolith = hapke.MOON
 
 
 def largest_albedo(ground: Reflection) -> float:
@@ -91,11 +96,6 @@ def largest_albedo(ground: Reflection) -> float:
 
 #: White ground by Lambert's law.
 WHITE: Final = Reflection(1.0)
-#: Fields that are one number for all wavelengths, with their types.
-NUMBERS: Final[dict[str, type]] = {
-    name: kind for name, kind in get_type_hints(Reflection).items() if name != "albedo"
-}
-
 #: ``brdf_direct(law, ground, mu_s, mu_r, nu)``: diffuse (factor of the albedo) and specular parts
 #: of π times the BRDF, by the law of that number in ``LAWS``.
 brdf_direct = chosen_kernel("brdf_direct", [law.brdf_direct for law in LAWS.values()], __name__)

@@ -13,7 +13,7 @@ from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.physics.optics.clouds import GroundFactors
-from airlight.render.pixels.disc_shading import MoonPhase, darkened, whole_powers
+from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground, refraction_to_ground
 from airlight.render.pixels.polarising_filter import filter_shares
@@ -50,6 +50,7 @@ class ViewUniforms(NamedTuple):
     phased: bool
     phase: MoonPhase
     limb: Vec3
+    faced: bool
     occulter: Vec3
     occulter_radius: float
     samples: Annotated[int, CHOICE]
@@ -404,13 +405,13 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
         store(result, at, total)
     if view.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(ray, observer.seen_x, observer.seen_z)
-        powers = whole_powers(0.0)
+        powers, place = whole_powers(0.0), DiscPlace(0.0, 0.0, 0.0)
         if apart < frame.reach:
-            powers = star_disc(px, py, ray, frame, work.columns_total)
+            powers, place = star_disc(px, py, ray, frame, work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
                 transmittance = transmittance_columns(
                     work.columns_total, lane_view(tables.extinction, at), tables.constituents
                 )
-                disc = darkened(powers, tables, at)
+                disc = darkened(powers, place, tables, at)
                 store(result, at, load(result, at) + transmittance * disc * np.float32(whole))

@@ -13,9 +13,9 @@ import numpy as np
 
 from airlight.geometry.mappings.sky_view import angle_above_horizon
 from airlight.geometry.refraction import refraction_angle
-from airlight.geometry.vectors import Vec3, combined, dot, minus, scaled
+from airlight.geometry.vectors import Vec3, combined, cross, dot, minus, scaled
 from airlight.kernel import inlined, kernel
-from airlight.render.pixels.disc_shading import DiscPowers, disc_powers, whole_powers
+from airlight.render.pixels.disc_shading import DiscPlace, disc_powers, whole_powers
 from airlight.render.pixels.sky_view_lut import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.solver.tables.column_ratios import columns_to_top
@@ -153,7 +153,9 @@ def covered(apart, radius, pixel):
 
 @inlined
 def star_disc(px, py, ray, frame, columns):
-    """Unattenuated ``DiscPowers`` of the disc in a pixel, per irradiance; 0 off the disc. [sr⁻¹]
+    """Unattenuated ``DiscPowers`` of the disc in a pixel, per irradiance, and its ``DiscPlace``.
+
+    Powers are 0 off the disc. [sr⁻¹]
 
     Parameters
     ----------
@@ -167,29 +169,33 @@ def star_disc(px, py, ray, frame, columns):
         Receives the columns along the line of sight. [m]
     """
     if ray.x == 0.0 and ray.y == 0.0 and ray.z == 0.0:
-        return DiscPowers(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return whole_powers(0.0), DiscPlace(0.0, 0.0, 0.0)
     observer, view, tables = frame.observer, frame.camera, frame.tables
     left, free = leaving_air(ray, observer, tables, columns)
     apart = 2.0 * half_sine_between(left, observer.sun_x, observer.sun_z)
     pixel = view.pixel_angle
     # Beyond two pixel diagonals no point is splatted.
     if not free or apart > tables.star_radius + 3.0 * pixel:
-        return DiscPowers(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return whole_powers(0.0), DiscPlace(0.0, 0.0, 0.0)
     part = covered(apart, tables.star_radius, pixel) * view.disc
     if tables.star_radius < SMALL * pixel:
         part = _point_like(px, py, part, frame, columns)
-        return whole_powers(part)
+        return whole_powers(part), DiscPlace(0.0, 0.0, 0.0)
     if view.occulter_radius > 0.0:
         away = minus(left, view.occulter)
         beside = 2.0 * min(0.5 * sqrt(dot(away, away)), 1.0)
         # Pixels with both rims: coverages are subtracted.
         part = max(part - covered(beside, view.occulter_radius, pixel) * view.disc, 0.0)
     along = 0.0
+    away, limb = Vec3(left.x - observer.sun_x, left.y, left.z - observer.sun_z), view.limb
     if view.phased:
-        toward = (left.x - observer.sun_x) * view.limb.x + left.y * view.limb.y
-        toward += (left.z - observer.sun_z) * view.limb.z
-        along = toward / max(apart, 1e-12)
-    return disc_powers(part, apart, tables.star_radius, pixel, along, view.phased, view.phase)
+        along = dot(away, limb) / max(apart, 1e-12)
+    powers = disc_powers(part, apart, tables.star_radius, pixel, along, view.phased, view.phase)
+    if not view.faced:
+        return powers, DiscPlace(0.0, 0.0, 0.0)
+    inverse = 1.0 / tables.star_radius
+    right = cross(Vec3(observer.sun_x, 0.0, observer.sun_z), limb)
+    return powers, DiscPlace(dot(away, limb) * inverse, dot(away, right) * inverse, pixel * inverse)
 
 
 @inlined

@@ -15,8 +15,9 @@ from airlight.physics.optics.moon_phase import (
     lambert_phase,
     lommel_seeliger_phase,
     moon_albedo,
+    moon_disc,
     moon_phase,
-    moon_surface_factor,
+    moon_reflectance,
 )
 from airlight.physics.units import values_in
 from airlight.planets.parameters import MISSING, parameters
@@ -51,10 +52,11 @@ class Body(TomlModel):
         Albedo of an airless body: that of a Lambert surface, or the geometric albedo for other
         reflectance laws; by default the Moon's for ``moon``, otherwise 0.1. [1]
     reflection : str
-        ``lambert``; ``lommel-seeliger``, dark dust; ``moon``, the same with the phase curve of the
-        Moon.
+        ``lambert``; ``lommel-seeliger``, dark dust; ``moon``, Hapke's law for the Moon's regolith,
+        with its opposition surge.
     map : str, optional
-        Image of the surface, whose colours, normalised to mean 1, multiply the albedo.
+        ``moon``, or an image of the surface, whose colours, normalised to mean 1, multiply the
+        albedo.
     position : tuple of float
         Centre in the frame of the scene. [m]
     pole : tuple of float
@@ -111,7 +113,7 @@ class Body(TomlModel):
     )
     map: str | None = key(
         label="map",
-        help="Picture of the surface of an airless body.",
+        help="Map of the surface of an airless body: moon, mars, or a picture.",
         kind="text",
         range=(1, 4000),
         example="moon.jpg",
@@ -233,10 +235,11 @@ class Body(TomlModel):
         if self.reflection == "lambert":
             return lit / np.pi
         leaving = np.maximum(np.einsum("nk,nk->n", normal, to_eye), 0.0)
-        shade = np.divide(lit, lit + leaving, out=np.zeros_like(lit), where=lit > 0.0)
         if self.reflection == "moon":
-            phase = np.einsum("nk,nk->n", to_light, to_eye)
-            shade = shade * moon_surface_factor(np.degrees(np.arccos(np.clip(phase, -1.0, 1.0))))
+            cosine = np.einsum("nk,nk->n", to_light, to_eye)
+            factor = vectorized(moon_reflectance)(lit, leaving, cosine)
+            return np.asarray(factor * lit / (np.pi * moon_disc(0.0)))
+        shade = np.divide(lit, lit + leaving, out=np.zeros_like(lit), where=lit > 0.0)
         return np.asarray(2.0 / np.pi * shade)
 
     def axes(self, faced: FloatArray | None) -> FloatArray:

@@ -39,17 +39,6 @@ class Stars:
     magnitudes: FloatArray
     colors: FloatArray
 
-    @property
-    def temperatures(self) -> FloatArray:
-        """Black-body temperatures from colour indices, shape (n,). [K]
-
-        References
-        ----------
-        Ballesteros (2012), Europhysics Letters 97, 34008, eq. 14.
-        """
-        bv = np.clip(self.colors, -0.4, 2.5)
-        return np.asarray(4600.0 * (1.0 / (0.92 * bv + 1.7) + 1.0 / (0.92 * bv + 0.62)))
-
     def irradiances(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Spectral irradiance of each star outside the atmosphere, shape (n, nl). [W m⁻² nm⁻¹]
 
@@ -57,16 +46,42 @@ class Stars:
         ----------
         wavelengths : array, shape (nl,)
             Wavelengths. [nm]
-
-        Notes
-        -----
-        A black body of the star's colour, scaled to its magnitude at 550 nm. The sun's own
-        magnitude, -26.74, gives 1.80 W m⁻² nm⁻¹; measured are 1.86.
         """
-        nm = values_in(wavelengths, "nm", "wavelengths")
-        x = PLANCK * SPEED_OF_LIGHT / (BOLTZMANN * 1e-9 * self.temperatures[:, None])
-        shape = (_GREEN / nm) ** 5 * np.expm1(x / _GREEN) / np.expm1(x / nm)
-        return np.asarray(ZERO_MAGNITUDE * 10.0 ** (-0.4 * self.magnitudes[:, None]) * shape)
+        return black_body_irradiances(self.magnitudes, self.colors, wavelengths)
+
+
+def black_body_irradiances(
+    magnitudes: FloatArray, colors: FloatArray, wavelengths: npt.ArrayLike
+) -> FloatArray:
+    """Spectral irradiance by stars of given magnitudes and colours, shape (n, nl). [W m⁻² nm⁻¹]
+
+    Parameters
+    ----------
+    magnitudes, colors : array, shape (n,)
+        Magnitude V, and colour B - V. [mag]
+    wavelengths : array, shape (nl,)
+        Wavelengths. [nm]
+
+    Notes
+    -----
+    A black body of the star's colour, scaled to its magnitude at 550 nm. The sun's own magnitude,
+    -26.74, gives 1.80 W m⁻² nm⁻¹; measured are 1.86.
+    """
+    nm = values_in(wavelengths, "nm", "wavelengths")
+    x = PLANCK * SPEED_OF_LIGHT / (BOLTZMANN * 1e-9 * color_temperatures(colors)[:, None])
+    shape = (_GREEN / nm) ** 5 * np.expm1(x / _GREEN) / np.expm1(x / nm)
+    return np.asarray(ZERO_MAGNITUDE * 10.0 ** (-0.4 * magnitudes[:, None]) * shape)
+
+
+def color_temperatures(colors: FloatArray) -> FloatArray:
+    """Black-body temperatures of stars from colour indices B - V, shape (n,). [K]
+
+    References
+    ----------
+    Ballesteros (2012), Europhysics Letters 97, 34008, eq. 14.
+    """
+    bv = np.clip(colors, -0.4, 2.5)
+    return np.asarray(4600.0 * (1.0 / (0.92 * bv + 1.7) + 1.0 / (0.92 * bv + 0.62)))
 
 
 @cache

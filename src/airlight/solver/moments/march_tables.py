@@ -13,7 +13,16 @@ from numpy.typing import NDArray
 
 from airlight.geometry.path import MAX_EDGES
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.kernel.shader_fields import CHOICE, DISC, FIELDS, SPECTRA, Always, scalars, spectra
+from airlight.kernel.shader_fields import (
+    CHOICE,
+    DISC,
+    FACE,
+    FIELDS,
+    SPECTRA,
+    Always,
+    scalars,
+    spectra,
+)
 from airlight.physics.optics.reflection import Reflection
 
 FloatArray = NDArray[np.float64]
@@ -129,6 +138,8 @@ class MarchTables(NamedTuple):
         Forward-peak gain, from ``peak_broadening``; one element if not ``broadened``. [1]
     darkening : array, shape (6, w)
         Radiance of the star's disc over its mean, by powers of the cosine of emergence. [1]
+    face : array, shape (rows, columns, w)
+        Reflectance of the Moon's disc over its mean, a pyramid (``LightSource.face``). [1]
     basis : array, shape (3, w)
         Reflectance of a red, a green and a blue ground. [1]
     field : array, shape (r, s, 1 + k, w)
@@ -179,6 +190,7 @@ class MarchTables(NamedTuple):
     inverse_peak_fraction: Annotated[Float32Array, SPECTRA]
     broadening: Annotated[Float32Array, spectra(2)]
     darkening: Annotated[Float32Array, DISC]
+    face: Annotated[Float32Array, FACE]
     basis: Annotated[Float32Array, SPECTRA]
     field: Annotated[Float32Array, FIELDS]
     sky: Annotated[Float32Array, FIELDS]

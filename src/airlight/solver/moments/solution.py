@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.refraction import refraction_angle, turned
+from airlight.image.upsampling import reflectance_basis
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, lane_view, load
 from airlight.kernel.threads import run_blocks
@@ -52,6 +53,14 @@ Float32Array = NDArray[np.float32]
 _MIDDLE = (0.05, 0.5)
 #: Number of blocks of work, for load balancing, and limits of the lines of sight in a block.
 _SHARES, _FEWEST, _MOST = 8, 256, 2048
+
+
+def _face(source: LightSource) -> Float32Array:
+    """Table ``MarchTables.face`` of a source; one texel without a face."""
+    count = source.wavelengths.size
+    if source.face is None:
+        return pack(np.ones((1, 1, count)))
+    return pack(source.face @ reflectance_basis(source.wavelengths).T)
 
 
 class MomentsSolution(Solution):
@@ -104,7 +113,9 @@ class MomentsSolution(Solution):
     def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
         """Solution under another light source; see ``Solution``."""
         tables = self.tables._replace(
-            star_radius=source.angular_radius, darkening=pack(source.darkenings.T)
+            star_radius=source.angular_radius,
+            darkening=pack(source.darkenings.T),
+            face=_face(source),
         )
         other = super().with_light(source, secondary=secondary)
         other.geometry = replace(self.geometry, medium=self.geometry.medium.with_light(source))
@@ -168,6 +179,7 @@ class MomentsSolution(Solution):
                 np.zeros((1, 1, self.wavelengths.size)) if broadening is None else broadening
             ),
             darkening=pack(self.lights[0].darkenings.T),
+            face=_face(self.lights[0]),
             basis=pack(medium.map_basis.T),
             field=field,
             sky=sky,

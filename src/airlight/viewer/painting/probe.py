@@ -17,7 +17,12 @@ from airlight.errors import ParameterError
 from airlight.image.texels import CHANNELS
 from airlight.image.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.physics.constants import LUMINOUS_EFFICACY
-from airlight.render.pixels.disc_shading import MoonPhase, disc_powers, shading_uniforms
+from airlight.render.pixels.disc_shading import (
+    SHADING,
+    MoonPhase,
+    disc_powers,
+    shading_uniforms,
+)
 from airlight.render.pixels.occulted_light import DARKEST
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.render.through_air import leaving_direction, sun_solid_angle
@@ -308,7 +313,7 @@ def _star(
         0.0,
         along,
         star.phase is not None,
-        MoonPhase(numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"]),
+        MoonPhase(*(numbers[name] for name in SHADING[:4])),
     )
     return np.asarray(transmittance * star.irradiance * (star.darkenings @ powers))
 

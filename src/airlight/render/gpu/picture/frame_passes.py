@@ -29,7 +29,7 @@ class FramePasses:
         self._passes: dict[tuple[Shader, tuple[str, ...]], FragmentPass] = {}
         self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
         self._textures: dict[int, Mapping[str, Any]] = {}
-        self._places: Mapping[str, tuple[int, ...]] = {}
+        self._places: dict[int, Mapping[str, tuple[int, ...]]] = {}
 
     def read(
         self,
@@ -38,7 +38,7 @@ class FramePasses:
         light: int = 0,
     ) -> None:
         """Set the input textures of a light, and the positions of tables in them."""
-        self._textures[light], self._places = textures, places
+        self._textures[light], self._places[light] = textures, places
         self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
 
     @cached_property
@@ -48,11 +48,11 @@ class FramePasses:
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         return self._device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
 
-    def packed(self, uniforms: Mapping[str, float]) -> NDArray[np.float32]:
-        """Contents of the uniform buffer."""
+    def packed(self, uniforms: Mapping[str, float], light: int = 0) -> NDArray[np.float32]:
+        """Contents of the uniform buffer, for the tables of a light."""
         # Relative to the ground radius in single precision, which is accurate to half a metre.
         r = float(np.float32(uniforms["bottom"])) + (uniforms["r"] - uniforms["bottom"])
-        return FRAME.packed({**uniforms, "r": r}, dict(self._places))
+        return FRAME.packed({**uniforms, "r": r}, dict(self._places.get(light, {})))
 
     def run(
         self,
@@ -81,7 +81,7 @@ class FramePasses:
         """
         device = self._device.device
         one = self._pass(shader, formats)
-        device.queue.write_buffer(self._uniforms, 0, self.packed(uniforms))
+        device.queue.write_buffer(self._uniforms, 0, self.packed(uniforms, light))
         encoder = device.create_command_encoder()
         one.run(encoder, self._bound(one, light), list(views), area, keep)
         device.queue.submit([encoder.finish()])

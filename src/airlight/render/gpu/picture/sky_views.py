@@ -13,6 +13,7 @@ from airlight.errors import ParameterError
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import empty_flat_texture, flat_texture, update_flat
 from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.render.gpu.emit.uniform_struct import Place
 from airlight.render.gpu.picture.display_passes import LINEAR
 from airlight.render.gpu.picture.frame_passes import FramePasses
 from airlight.render.gpu.picture.shaders import (
@@ -21,7 +22,7 @@ from airlight.render.gpu.picture.shaders import (
     sky_polarised_shader,
 )
 from airlight.render.gpu.picture.solution_textures import SolutionTextures
-from airlight.render.gpu.picture.uniforms import LAYERS
+from airlight.render.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.render.pixels.march_points import FEW
 from airlight.render.pixels.render_tables import WAVELENGTHS, pack_texels
 from airlight.render.pixels.scenes_by_light import SceneForLight
@@ -33,6 +34,30 @@ from airlight.solver.moments.march_tables import MarchTables, quadratures
 from airlight.solver.moments.solution import MomentsSolution
 
 
+@dataclass(frozen=True, eq=False)
+class Disc:
+    """Tables of a light's disc, in the layout of the shaders.
+
+    Attributes
+    ----------
+    texels : array, shape (n, 4)
+        Contents of the texture ``disc``: limb darkening, and the face of a moon.
+    places : dict
+        Start and axes of both.
+    """
+
+    texels: NDArray[np.float32]
+    places: dict[str, Place]
+
+    @classmethod
+    def of(cls, lit: MomentsSolution) -> Disc:
+        """Tables of the first light of a solution."""
+        count = lit.wavelengths.size
+        tables = {"darkening": lit.tables.darkening, "face": lit.tables.face}
+        textures, places = FRAME.laid_out({k: pack_texels(x, count) for k, x in tables.items()})
+        return cls(textures["disc"], places)
+
+
 @dataclass(eq=False)
 class SkyView:
     """Sky-view LUT of one light.
@@ -41,14 +66,14 @@ class SkyView:
     ----------
     layers : dict
         Textures by name.
-    law : array or None
-        Limb darkening of the light; None for that of the solution's star.
+    law : Disc or None
+        Tables of the light's disc; None for those of the solution's star.
     seen : tuple or None
         Key of the current contents; None before they are computed.
     """
 
     layers: dict[str, Any]
-    law: NDArray[np.float32] | None = None
+    law: Disc | None = None
     seen: tuple[Observer, float, float, bool] | None = None
 
 
@@ -91,18 +116,19 @@ class SkyViews:
         for number in range(max(len(self._by_light), 1)):
             self._read(number, None)
 
-    def _read(self, number: int, law: NDArray[np.float32] | None) -> None:
-        """Bind the tables of the solution, and the limb darkening of a light, to its passes."""
+    def _read(self, number: int, law: Disc | None) -> None:
+        """Bind the tables of the solution, and those of a light's disc, to its passes."""
         if number == len(self._by_light):
             count = 3 * self.size[0] * self.size[1]
             layers = {one: empty_flat_texture(self._device, count, 4, one) for one in LAYERS}
             self._by_light.append(SkyView(layers))
         sky = self._by_light[number]
-        textures = {**self._textures.textures, **sky.layers}
+        textures, places = {**self._textures.textures, **sky.layers}, self._textures.places
         if law is not None:
-            textures["disc"] = flat_texture(self._device, law, "disc")
+            textures["disc"] = flat_texture(self._device, law.texels, "disc")
+            places = {**places, **law.places}
         sky.law, sky.seen = law, None
-        self._passes.read(textures, self._textures.places, number)
+        self._passes.read(textures, places, number)
 
     def _of(self, number: int, lit: MomentsSolution) -> SkyView:
         """Sky-view LUT of a light."""
@@ -110,9 +136,9 @@ class SkyViews:
             self._read(len(self._by_light), None)
         sky, law = self._by_light[number], None
         if lit is not self._solution:
-            law = pack_texels(lit.tables.darkening, lit.wavelengths.size)
+            law = Disc.of(lit)
         same = law is sky.law or (
-            law is not None and sky.law is not None and np.array_equal(law, sky.law)
+            law is not None and sky.law is not None and np.array_equal(law.texels, sky.law.texels)
         )
         if not same:
             self._read(number, law)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.image.texels import CHANNELS
 from airlight.kernel.large_arrays import release
+from airlight.kernel.shader_fields import numbers_of
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import MAX_ROWS, flat_rows, flat_texture, packed_texture
 from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
@@ -66,7 +67,8 @@ class SolutionTables:
                 for name, table in layout.items()
             }
         )
-        uniforms = {name: float(values[name]) for name in values if name in FRAME.numbers}
+        known = numbers_of(tables)
+        uniforms = {name: value for name, value in known.items() if name in FRAME.numbers}
         return cls(uniforms, textures, places)
 
 

@@ -8,7 +8,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.physics.optics.reflection import NUMBERS
+from airlight.kernel.shader_fields import numbers_of
 from airlight.render.gpu.solver.plan import RadiusRange, SolverPlan, row_block
 from airlight.render.gpu.solver.tables import SOLVE
 from airlight.render.pixels.capacity import check_capacity
@@ -77,7 +77,7 @@ def plan_for(
         "bottom": grid.bottom_radius,
         "top": grid.top_radius,
         "star_radius": air.star_radius,
-        **{name: getattr(air.ground, name) for name in NUMBERS},
+        **numbers_of(air.ground),
     }
     textures, places = SOLVE.laid_out(arrays)
     return SolverPlan(

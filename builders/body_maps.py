@@ -1,0 +1,125 @@
+"""Remake ``scene/data/moon-albedo.jpg`` and ``mars-albedo.jpg``.
+
+Run with ``python builders/body_maps.py moon FILE.jpg`` and ``python builders/body_maps.py mars
+FILE.png``. Sources, origins and licences: ``scene/data/SOURCES.md``.
+
+* moon: ``example/moon-landing-sites/lunar_surface.jpg`` of the npm package globe.gl 2.46.0.
+* mars: ``usr/share/stellarium/textures/mars.png`` of the Debian package stellarium-data 0.22.2-1.
+
+The Moon's picture counts as linear in reflectance: Apollo 11's mare is then 0.54 of Apollo 16's
+highland, as their soils are (0.09 and 0.17, Piatek et al. 2004, Icarus 171, 531); decoded as sRGB
+it would be 0.28. Of Mars' picture, made for the eye, only the luminance counts, with the contrast
+of measured albedos, and where ice is, which has a measured albedo too. Each channel is scaled so
+that its mean over the sphere is the body's albedo in the colours of a screen.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from airlight.image.encoding import srgb_decode, srgb_encode
+from airlight.image.xyz import luminance
+from airlight.physics.optics.hapke import MOON
+from airlight.physics.optics.moon_phase import moon_albedo
+from airlight.planets import load_planet
+from airlight.planets.spectral import spectral_at
+
+DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
+FloatArray = NDArray[np.float64]
+#: Rows of the maps; Mars' source has 256, enlarged so that its pixels do not show.
+ROWS = {"moon": 1536, "mars": 512}
+#: Quality of the JPEG files.
+QUALITY = {"moon": 85, "mars": 92}
+#: Albedos of Mars without ice that 2 % of the ground are below and above: Christensen et al.
+#: (2001), JGR 106, 23823, Thermal Emission Spectrometer. [1]
+DARK, BRIGHT = 0.10, 0.30
+#: Contrast of these in red, green and blue; it nearly vanishes below 450 nm (McCord & Westphal
+#: 1971, Astrophysical Journal 168, 141).
+CONTRAST = np.array([1.1, 1.0, 0.3])
+#: Albedo of Mars' residual polar cap, neutral: Kieffer (1990), JGR 95, 1481, 0.4 to 0.5. [1]
+ICE = np.array([0.47, 0.45, 0.40])
+#: Wavelengths of colours. [nm]
+EYE = np.arange(380.0, 781.0, 5.0)
+
+
+def moon_color() -> FloatArray:
+    """Linear sRGB of the Moon's spherical albedo, of the mean of its grains and its colour."""
+    shape = moon_albedo(EYE) / moon_albedo(550.0)
+    return color_of(shape / MOON.scale)
+
+
+def mars_color() -> FloatArray:
+    """Linear sRGB of the albedo of the preset ``mars``."""
+    return color_of(spectral_at(load_planet("mars").ground.albedo, EYE))
+
+
+def color_of(reflectance: FloatArray) -> FloatArray:
+    """Linear sRGB of a reflectance in sunlight, relative to white."""
+    return np.asarray(sun_color_of(reflectance) / sun_color_of(np.ones_like(EYE)))
+
+
+def sun_color_of(reflectance: FloatArray) -> FloatArray:
+    """Linear sRGB of reflected sunlight."""
+    from airlight.planets.star import Star
+
+    sun = Star(spectrum="astm-g173").source("sun", EYE)
+    return np.asarray(reflectance @ sun.colors())
+
+
+def main() -> None:
+    """Reduce a picture, give it the albedo of its body, save it and print its means."""
+    if len(sys.argv) != 3 or sys.argv[1] not in ROWS:
+        sys.exit("usage: body_maps.py moon|mars FILE")
+    name, source = sys.argv[1], Path(sys.argv[2])
+    Image.MAX_IMAGE_PIXELS = None
+    with Image.open(source) as picture:
+        pixels = np.asarray(picture.convert("RGB"))
+    rows = ROWS[name]
+    linear, ice = pixels / 255.0, np.zeros(pixels.shape[:2])
+    if name == "mars":
+        linear, ice = mars_ground(srgb_decode(linear))
+    linear = np.stack([resized(linear[..., c], rows) for c in range(3)], axis=-1)
+    ice = resized(ice, rows)[..., None]
+    weights = np.sin(np.pi * (np.arange(rows) + 0.5) / rows)
+    weights /= weights.sum() * linear.shape[1]
+    color = moon_color() if name == "moon" else mars_color()
+    covered = float(np.einsum("h,hw->", weights, ice[..., 0]))
+    bare = np.einsum("h,hwc->c", weights, linear * (1.0 - ice))
+    scaled = linear * ((color - covered * ICE) / bare) * (1.0 - ice) + ice * ICE
+    file = DATA / f"{name}-albedo.jpg"
+    encoded = (255.0 * srgb_encode(np.clip(scaled, 0.0, 1.0)) + 0.5).astype(np.uint8)
+    Image.fromarray(encoded).save(file, quality=QUALITY[name], subsampling=0, optimize=True)
+    mean = np.einsum("h,hwc->c", weights, scaled)
+    light = luminance(scaled)
+    print(
+        f"{file.name}: {file.stat().st_size} bytes, mean {mean.round(4)}, wanted {color.round(4)}"
+    )
+    print(f"luminance of 2, 50, 98, 100 %: {np.percentile(light, [2, 50, 98, 100]).round(3)}")
+
+
+def mars_ground(linear: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Relative albedo of Mars in red, green and blue, and its share of ice, from the picture."""
+    light = np.maximum(luminance(linear), 1e-4)
+    ice = np.clip((linear[..., 2] / np.maximum(linear[..., 0], 1e-4) - 0.6) / 0.2, 0.0, 1.0)
+    ice *= light > 0.2
+    low, high = np.percentile(light[ice == 0.0], [2.0, 98.0])
+    power = np.log(BRIGHT / DARK) / np.log(high / low)
+    return light[..., None] ** (power * CONTRAST), ice
+
+
+def resized(values: FloatArray, rows: int) -> FloatArray:
+    """Values on a grid of another size, averaged or interpolated."""
+    size, method = (2 * rows, rows), Image.Resampling.BOX
+    if values.shape[0] < rows:
+        method = Image.Resampling.BICUBIC
+    grid = Image.fromarray(np.asarray(values, np.float32)).resize(size, method)
+    return np.maximum(np.asarray(grid, dtype=np.float64), 0.0)
+
+
+if __name__ == "__main__":
+    main()

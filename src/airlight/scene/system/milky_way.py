@@ -1,0 +1,102 @@
+"""Milky Way: integrated light of the stars fainter than the catalogue."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from importlib import resources
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.scene.system.stars import black_body_irradiances
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Brightness of the largest value of the map, in S10: stars of V = 10 per square degree.
+BRIGHTEST: Final = 1200.0
+#: Colour B - V of the light: Mattila (1980), Astronomy & Astrophysics Supplement 39, 53, 0.7 to
+#: 0.9 over the sky. [mag]
+_COLOR: Final = 0.8
+_TENTH: Final = 10.0
+#: A square degree. [sr]
+_SQUARE_DEGREE: Final = (math.pi / 180.0) ** 2
+
+
+def milky_way_radiance(directions: FloatArray, wavelengths: npt.ArrayLike) -> FloatArray:
+    """Spectral radiance outside the atmosphere, shape (n, nl). [W m⁻² sr⁻¹ nm⁻¹]
+
+    Integrated starlight of published brightness with the structure of a photographed panorama; see
+    ``scene/system/data/SOURCES.md``. Zodiacal light and light scattered by dust away from the Milky
+    Way, each up to as much, are left out.
+
+    Parameters
+    ----------
+    directions : array, shape (n, 3)
+        Unit vectors in the frame of the J2000 equator. [1]
+    wavelengths : array, shape (nl,)
+        Wavelengths. [nm]
+
+    Examples
+    --------
+    >>> pole = milky_way_radiance(galactic_axes()[2:], [550.0])
+    >>> f"{pole[0, 0]:.1e}"  # 24.2 mag per square second of arc
+    '3.3e-10'
+    """
+    star = black_body_irradiances(np.array([_TENTH]), np.array([_COLOR]), wavelengths)
+    return np.asarray(starlight(directions)[:, None] * star / _SQUARE_DEGREE)
+
+
+def starlight(directions: FloatArray) -> FloatArray:
+    """Brightness of the light, bilinear, in S10, shape (n,).
+
+    Parameters
+    ----------
+    directions : array, shape (n, 3)
+        Unit vectors in the frame of the J2000 equator. [1]
+    """
+    picture = _picture()
+    rows, columns = picture.shape
+    y = (0.5 - np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)) / math.pi) * rows - 0.5
+    turn = 0.25 - np.arctan2(directions[:, 1], directions[:, 0]) / (2.0 * math.pi)
+    x = turn * columns - 0.5
+    row = np.clip(np.floor(y), 0, rows - 2).astype(np.intp)
+    left = np.floor(x).astype(np.intp)
+    down, across = np.clip(y - row, 0.0, 1.0), x - left
+    west, east = left % columns, (left + 1) % columns
+    upper = picture[row, west] * (1.0 - across) + picture[row, east] * across
+    lower = picture[row + 1, west] * (1.0 - across) + picture[row + 1, east] * across
+    return np.asarray(upper * (1.0 - down) + lower * down)
+
+
+@cache
+def galactic_axes() -> FloatArray:
+    """Galactic axes in the frame of the J2000 equator, as rows: centre, l = 90°, pole. [1]
+
+    References
+    ----------
+    Hipparcos catalogue (ESA 1997, SP-1200), volume 1, section 1.5.3.
+    """
+    pole, centre = (
+        np.array(
+            [
+                math.cos(d) * math.cos(a),
+                math.cos(d) * math.sin(a),
+                math.sin(d),
+            ]
+        )
+        for a, d in (np.radians((192.85948, 27.12825)), np.radians((266.40499, -28.93617)))
+    )
+    return np.stack([centre, np.cross(pole, centre), pole])
+
+
+@cache
+def _picture() -> FloatArray:
+    """Brightness in S10, shape (rows, columns): right ascension to the left, from 90°."""
+    from PIL import Image
+
+    file = resources.files("airlight.scene.system") / "data" / "milky-way.png"
+    with resources.as_file(file) as path, Image.open(path) as picture:
+        codes = np.asarray(picture, float) / 255.0
+    return np.asarray(BRIGHTEST * codes * codes)
