@@ -44,14 +44,14 @@ def test_dither_keeps_means_and_hides_contours():
     # a gradient of one step over 256 pixels: its mean is kept where rounding alone shows a step
     shown = np.linspace(100.0, 101.0, 256)[None, :, None] / 255.0 * np.ones((128, 1, 3))
     light = srgb_decode(shown)
-    plain = to_display(light, 0.0, dither=False)
-    seen = to_display(light, 0.0)
+    plain = to_display(light, 0.0, style="soft", dither=False)
+    seen = to_display(light, 0.0, style="soft")
     assert len(np.unique(plain)) == 2
     blocks = (seen - 255.0 * shown).reshape(4, 32, 8, 32, 3).mean(axis=(1, 3))
     assert np.abs(blocks).max() < 0.02
     # variance of rounding 1/12 and of the triangle 1/6, whatever the value is
     assert_allclose((seen - 255.0 * shown).var(axis=(0, 2)), 0.25, atol=0.06)
-    assert_array_equal(seen, to_display(light, 0.0))
+    assert_array_equal(seen, to_display(light, 0.0, style="soft"))
 
 
 def test_black_and_white_stay_clean():
