@@ -268,6 +268,8 @@ COLORS = [
         atol=10 * POWER,
     ),
     # Whole numbers, then a root of one of 4096 parts of 2.
+    Case(dither.hashed, (PIXELS[0].astype(int), PIXELS[1].astype(int), 17)),
+    Case(dither.quarter, (PIXELS[0].astype(int), PIXELS[1].astype(int), 17)),
     Case(dither.dither_noise, (PIXELS[0], PIXELS[1], 2), atol=EPS * 64),
     Case(natural.natural_color, LIGHTS, atol=10 * POWER),
     Case(natural.natural_shown, (1, 1.4, *LIGHTS), atol=10 * POWER),
