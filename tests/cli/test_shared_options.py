@@ -41,7 +41,7 @@ SHARED = {
     *("at", "time_", "zone", "season", "sun_distance", "altitude", "sun_zenith", "sun_azimuth"),
     *("latitude", "longitude", "moon", "second_star", "stars", "look", "look_at", "roll", "fov"),
     *("projection", "size", "exposure", "iso", "aperture", "shutter", "tone_map", "glare"),
-    "white_balance",
+    *("white_balance", "style"),
     *("encoding", "primaries", "bits", "wavelengths", "quality", "no_polarisation", "no_cache"),
     *("device", "exact", "samples", "set_", "ground_albedo", "planet", "scheduler", "workers"),
     "overwrite",

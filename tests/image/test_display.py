@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight.errors import ParameterError
 from airlight.image import display
 from airlight.image.display import to_display
+from airlight.image.dither import dither_noise
 from airlight.image.encoding import srgb_decode, srgb_encode
 from airlight.image.gamut import PRIMARIES, RGB_TO_P3, in_gamut
 from airlight.image.natural import natural
@@ -42,16 +43,37 @@ def test_display_is_exposure_gamut_tone_map_gamut_encoding(name, primaries):
 
 def test_dither_keeps_means_and_hides_contours():
     # a gradient of one step over 256 pixels: its mean is kept where rounding alone shows a step
-    shown = np.linspace(100.0, 101.0, 256)[None, :, None] / 255.0 * np.ones((128, 1, 3))
+    shown = np.linspace(100.0, 101.0, 256)[None, :, None] / 255.0 * np.ones((256, 1, 3))
     light = srgb_decode(shown)
-    plain = to_display(light, 0.0, dither=False)
-    seen = to_display(light, 0.0)
+    plain = to_display(light, 0.0, style="soft", dither=False)
+    seen = to_display(light, 0.0, style="soft")
     assert len(np.unique(plain)) == 2
-    blocks = (seen - 255.0 * shown).reshape(4, 32, 8, 32, 3).mean(axis=(1, 3))
+    blocks = (seen - 255.0 * shown).reshape(8, 32, 8, 32, 3).mean(axis=(1, 3))
     assert np.abs(blocks).max() < 0.02
     # variance of rounding 1/12 and of the triangle 1/6, whatever the value is
     assert_allclose((seen - 255.0 * shown).var(axis=(0, 2)), 0.25, atol=0.06)
-    assert_array_equal(seen, to_display(light, 0.0))
+    assert_array_equal(seen, to_display(light, 0.0, style="soft"))
+
+
+def test_dither_is_blue_and_has_no_beats():
+    # Power over that of white noise, by the Fourier transform; a lattice has its power in peaks,
+    # which become visible beats where a picture is scaled.
+    noise = np.array(
+        [[[dither_noise(x + 0.5, y + 0.5, c) for x in range(128)] for y in range(128)]
+         for c in range(3)]
+    )  # fmt: skip
+    assert_allclose(noise.mean(axis=(1, 2)), 0.0, atol=2e-3)
+    assert_allclose(noise.var(axis=(1, 2)), 1.0 / 6.0, rtol=0.01)
+    frequency = np.fft.fftfreq(128)
+    radius = np.hypot(frequency[:, None], frequency)
+    for one in noise:
+        power = np.abs(np.fft.fft2(one)) ** 2 / one.size / one.var()
+        assert power[(radius > 0.0) & (radius < 1.0 / 16.0)].mean() < 0.05
+        assert power[(radius > 0.0) & (radius < 1.0 / 8.0)].mean() < 0.15
+        assert power[radius > 0.5].mean() > 1.5
+        assert power.max() < 40.0  # of white noise 10, of a lattice 1e4
+    # channels cancel in part: half of the luminance noise of equal ones, 1/6
+    assert np.tensordot([0.2126, 0.7152, 0.0722], noise, 1).var() < 0.5 / 6.0
 
 
 def test_black_and_white_stay_clean():

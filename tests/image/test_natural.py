@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.image.gamut import KNEE, gamut_share, to_white
-from airlight.image.natural import SHOULDER, natural, natural_inverse
+from airlight.image.natural import (
+    SHOULDER,
+    STYLES,
+    natural,
+    natural_curve,
+    natural_inverse,
+)
 from airlight.image.oklab import RGB_TO_CONES, ROOTS_TO_LAB, oklab_to_rgb, rgb_to_oklab
 from airlight.image.xyz import rgb_to_xyz, xyz_to_rgb
 from airlight.kernel.cube_root import cube_root
@@ -74,18 +82,20 @@ def test_the_cube_root_is_one():
     assert cube_root(0.0) == cube_root(-8.0) == cube_root(float("nan")) == 0.0
 
 
+@pytest.mark.parametrize("contrast", STYLES.values())
 @pytest.mark.parametrize("stops", [-6.0, -3.0, -1.0, 0.0, 1.0, 2.0])
-def test_hue_is_held_while_there_is_chroma(stops):
-    shown = natural(COLORS * 2.0**stops)
+def test_hue_is_held_while_there_is_chroma(stops, contrast):
+    shown = natural(COLORS * 2.0**stops, contrast)
     held = chroma(shown) > 0.01
     assert held.any()
     # 8° is the bar; only rounding and the last clip of the gamut's soft edge remain
     assert gap(hue(shown), hue(COLORS))[held].max() < 0.5
 
 
-def test_a_red_sun_pales_to_white_instead_of_turning_yellow():
+@pytest.mark.parametrize("contrast", STYLES.values())
+def test_a_red_sun_pales_to_white_instead_of_turning_yellow(contrast):
     stops = np.linspace(-4.0, 12.0, 200)
-    shown = natural(np.array([1.0, 0.06, -0.03]) * 2.0 ** stops[:, None])
+    shown = natural(np.array([1.0, 0.06, -0.03]) * 2.0 ** stops[:, None], contrast)
     assert_allclose(shown[-1], 1.0, atol=0.01)
     strong = chroma(shown) > 0.03
     assert gap(hue(shown[strong]), hue(COLORS[0])).max() < 0.5
@@ -98,9 +108,9 @@ def test_a_red_sun_pales_to_white_instead_of_turning_yellow():
 def test_every_color_of_the_spectrum_is_shown_within_the_gamut_at_its_hue():
     wavelengths = np.arange(430.0, 680.0, 5.0)
     light = xyz_to_rgb(cie_1931().at(wavelengths))
-    for stops in (-4.0, -1.0, 1.0):
+    for stops, contrast in product((-4.0, -1.0, 1.0), STYLES.values()):
         exposed = light * 2.0**stops
-        shown = natural(exposed)
+        shown = natural(exposed, contrast)
         assert shown.min() >= 0.0
         assert shown.max() <= 1.0
         # responses of cones that are negative in sRGB's matrix count as 0: not those hues
@@ -116,7 +126,7 @@ def test_dim_colors_within_the_gamut_are_unchanged():
     kept = np.array(share) < KNEE
     assert kept.mean() > 0.5
     assert np.all(lab[kept, 0] ** 3 < SHOULDER)
-    assert_array_equal(natural(colors)[kept], colors[kept])
+    assert_array_equal(natural(colors, contrast=1.0)[kept], colors[kept])
 
 
 def test_gradients_stay_gradients():
@@ -124,21 +134,38 @@ def test_gradients_stay_gradients():
     lab = np.stack(
         [np.full(400, 0.6), np.linspace(0.0, 0.5, 400), np.linspace(0.0, 0.25, 400)], axis=-1
     )
-    shown = natural(oklab_to_rgb(lab))
+    shown = natural(oklab_to_rgb(lab), contrast=1.0)
     steps = np.diff(chroma(shown))
     assert steps.min() > -1e-9
     assert steps.max() < 1.2 * steps[0]
     assert_allclose(rgb_to_oklab(shown)[:, 0], 0.6, atol=2e-3)
 
 
-def test_the_inverse_reaches_beyond_the_gamut():
+@pytest.mark.parametrize("contrast", STYLES.values())
+def test_the_inverse_reaches_beyond_the_gamut(contrast):
     exposed = COLORS[:4] * 0.3
-    assert_allclose(natural_inverse(natural(exposed)), exposed, rtol=1e-6, atol=1e-8)
+    found = natural_inverse(natural(exposed, contrast), contrast)
+    assert_allclose(found, exposed, rtol=1e-6, atol=1e-8)
+
+
+@pytest.mark.parametrize("contrast", STYLES.values())
+def test_contrast_is_the_largest_slope_and_leaves_the_sun_its_size(contrast):
+    # by differences of logarithms, where the curve is defined by it; the glow of a sun ends where
+    # the shown light is 0.95, which contrast moves by less than a tenth of a stop
+    light = np.geomspace(1e-5, 10.0, 2000)
+    shown = np.array([natural_curve(float(x), contrast) for x in light])
+    slopes = np.diff(np.log(shown)) / np.diff(np.log(light))
+    assert_allclose(slopes.max(), contrast, rtol=1e-3)
+    assert slopes.min() > 0.0
+    assert np.abs(np.diff(slopes)).max() < 0.02 * contrast  # no edge in a gradient
+    bright = [np.log2(np.interp(0.95, shown, light)), np.log2(0.25 + 0.75 * np.log(15.0))]
+    assert abs(bright[0] - bright[1]) < 0.1
+    assert_allclose(natural_curve(SHOULDER, contrast), SHOULDER)
 
 
 def test_luminance_of_a_grey_follows_the_curve():
     greys = np.geomspace(1e-3, 20.0, 50)[:, None] * np.ones(3)
-    shown = natural(greys)
+    shown = natural(greys, contrast=1.0)
     assert_allclose(shown, shown[:, :1] * np.ones(3), rtol=1e-9)
     y = rgb_to_xyz(shown)[:, 1]
     dim = greys[:, 0] <= SHOULDER

@@ -30,7 +30,9 @@ LIGHT = np.random.default_rng(2).uniform(0.05, 2.0, size=(300, 3))
 @pytest.mark.parametrize("name", TONE_MAPS)
 def test_inverse_gives_the_light_back(name):
     tone_map = tone_map_named(name)
-    assert_allclose(tone_map.inverse(tone_map.forward(LIGHT)), LIGHT, rtol=1e-9)
+    # Newton's method leaves 1e-12 of the chroma at the gamut's soft edge, whose inverse, a
+    # logarithm of the rest, amplifies it a thousandfold
+    assert_allclose(tone_map.inverse(tone_map.forward(LIGHT)), LIGHT, rtol=4e-9)
 
 
 @pytest.mark.parametrize("name", TONE_MAPS)
@@ -174,7 +176,7 @@ def test_a_tone_map_s_number_is_its_place(which):
     assert len(kept) > 20
     for color in kept:
         if forward(color).max() <= 1.0:
-            assert_allclose(shown_light(which, 0, *color), forward(color), rtol=1e-12)
+            assert_allclose(shown_light(which, 0, 0, *color), forward(color), rtol=1e-12)
 
 
 def test_arrays_that_are_no_colours_are_refused():

@@ -12,9 +12,10 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet, render
 from airlight.image.display import to_display
+from airlight.image.display_settings import DisplaySettings
 from airlight.image.encoding import srgb_decode
 from airlight.image.four_wavelengths import typical_light
-from airlight.image.natural import natural
+from airlight.image.natural import STYLES, natural
 from airlight.image.oklab import rgb_to_oklab
 from airlight.image.spectral import EYE, rgb_weights
 from airlight.image.xyz import luminance
@@ -54,20 +55,23 @@ def hue_errors(shown: np.ndarray, light: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_hues_are_those_of_the_light(name, seen):
+@pytest.mark.parametrize("style", STYLES)
+def test_hues_are_those_of_the_light(name, style, seen):
     rgb, exposure = seen[name]
-    shown = srgb_decode(to_display(rgb, exposure, eye=False, bits=16, dither=False) / 65535.0)
+    settings = DisplaySettings(eye=False, bits=16, dither=False, style=style)
+    shown = srgb_decode(to_display(rgb, exposure, settings=settings) / 65535.0)
     errors = hue_errors(shown, rgb)
     assert errors.size > 0.05 * rgb.shape[0] * rgb.shape[1]
     assert errors.max() < 8.0
 
 
-def test_hues_and_brightness_of_typical_light():
+@pytest.mark.parametrize("contrast", STYLES.values())
+def test_hues_and_brightness_of_typical_light(contrast):
     # of skies, dusk, dust and tholins, from dim to far beyond white
     light = typical_light() @ rgb_weights(EYE, solar_irradiance(EYE))
     light /= luminance(light)[:, None]
     steps = np.geomspace(0.01, 30.0, 60)
-    shown = natural(steps[:, None, None] * light)
+    shown = natural(steps[:, None, None] * light, contrast)
     assert hue_errors(shown, np.broadcast_to(light, shown.shape)).max() < 8.0
     lightness = rgb_to_oklab(shown)[..., 0]
     assert np.all(np.diff(lightness[steps < 8.0], axis=0) > 0.0)

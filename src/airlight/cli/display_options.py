@@ -33,6 +33,9 @@ class ToneOptions(OptionGroup):
         "Camera shutter time, e.g. 1/250s.", "TIME", read=options.shutter_time
     )
     tone_map: str = option("Tone map: {image.tone_maps:TONE_MAPS}.", "NAME", "natural")
+    style: str = option(
+        "Contrast of the tone map natural: {image.natural:STYLES}.", "NAME", "neutral"
+    )
     glare: float = option(
         "Lens glare around the sun: 1 is a typical lens, 0 none, at most 10.", "NUMBER", 1.0
     )

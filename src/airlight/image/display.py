@@ -15,6 +15,7 @@ from airlight.image.encoding import encoding_named
 from airlight.image.exposure import automatic_exposure, exposure_factor
 from airlight.image.gamut import RGB_TO_P3
 from airlight.image.glare import Glare
+from airlight.image.natural import STYLES, natural_inverse
 from airlight.image.tone_maps import tone_map_named
 from airlight.image.white_balance import White, adapt, scene_white
 from airlight.kernel import compiled_loop
@@ -124,7 +125,11 @@ def exposed_light(
     >>> exposed_light(shown / 65535.0, DisplaySettings()).round(4)[0, 0]
     array([0.18, 0.18, 0.18])
     """
-    light = tone_map_named(settings.tone_map).inverse(decoded_light(values, settings))
+    light = decoded_light(values, settings)
+    if settings.tone_map == "natural":
+        light = natural_inverse(light, STYLES[settings.style])
+    else:
+        light = tone_map_named(settings.tone_map).inverse(light)
     long, medium, short = gains
     return adapt(light, (1.0 / long, 1.0 / medium, 1.0 / short))
 
@@ -207,7 +212,7 @@ def to_display(
 
     Examples
     --------
-    >>> to_display(np.full((1, 1, 3), 0.18), exposure=0.0, dither=False)[0, 0]
+    >>> to_display(np.full((1, 1, 3), 0.18), exposure=0.0, style="soft", dither=False)[0, 0]
     array([118, 118, 118], dtype=uint8)
     """
     if rgb.ndim != 3 or rgb.shape[-1] != 3:

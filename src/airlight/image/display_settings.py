@@ -12,7 +12,7 @@ from airlight.image.encoding import ENCODINGS, encoding_named
 from airlight.image.exposure import exposure_factor
 from airlight.image.gamut import primaries_number
 from airlight.image.glare import checked_amount
-from airlight.image.tone_maps import TONE_MAPS, tone_map_named
+from airlight.image.tone_maps import TONE_MAPS, style_number, tone_map_named
 from airlight.image.white_balance import (
     DAYLIGHT,
     WHITE_BALANCES,
@@ -42,6 +42,9 @@ class DisplaySettings:
     ----------
     tone_map : str
         Tone map, one of ``TONE_MAPS``.
+    style : str
+        Contrast of the tone map ``natural``, one of ``STYLES``: ``"neutral"``, ``"punchy"`` or
+        ``"soft"``.
     eye : bool, optional
         Whether to simulate mesopic vision below 4 cd m⁻², see ``mesopic``; default: with automatic
         exposure.
@@ -74,6 +77,7 @@ class DisplaySettings:
     """
 
     tone_map: str = DEFAULT_TONE_MAP
+    style: str = "neutral"
     eye: bool | None = None
     encoding: str | None = "srgb"
     primaries: str = "srgb"
@@ -90,6 +94,7 @@ class DisplaySettings:
             object.__setattr__(self, "white_balance", "kelvin")
         check_temperature(self.white_temperature)
         tone_map_named(self.tone_map)
+        style_number(self.style)
         if self.encoding is not None:
             encoding_named(self.encoding)
         primaries_number(self.primaries)
@@ -132,6 +137,7 @@ class DisplaySettings:
             exposure=exposure_factor(exposure),
             eye=bool(self.eye),
             tone_map=list(TONE_MAPS).index(self.tone_map),
+            style=style_number(self.style),
             primaries=primaries_number(self.primaries),
             encoding=-1 if self.encoding is None else list(ENCODINGS).index(self.encoding),
             dither=1.0 / self.white_level if self.dither else 0.0,
@@ -146,6 +152,7 @@ class DisplaySettings:
         return {
             "eye": _EYE[bool(self.eye)],
             "tone_map": self.tone_map,
+            "style": self.style,
             "encoding": self.encoding or LINEAR,
             "primaries": self.primaries,
             "glare": f"{self.glare:g}",
@@ -156,6 +163,8 @@ class DisplaySettings:
     def from_metadata(cls, texts: Mapping[str, str]) -> DisplaySettings:
         """Settings that the metadata of a picture tells; defaults for what it does not tell.
 
+        Pictures without a style are older than styles, which began with ``soft``.
+
         Examples
         --------
         >>> shown = DisplaySettings(eye=True, tone_map="hable", white_balance=5200.0)
@@ -165,6 +174,7 @@ class DisplaySettings:
         found: dict[str, Any] = {
             one.name: texts[one.name] for one in fields(cls) if one.name in texts
         }
+        found.setdefault("style", "soft")
         if found.get("encoding") == LINEAR:
             found["encoding"] = None
         if "eye" in found:

@@ -24,6 +24,8 @@ class Display(NamedTuple):
         Whether to simulate mesopic vision, see ``mesopic``.
     tone_map : int
         Index in ``TONE_MAPS``.
+    style : int
+        Index in ``STYLES``.
     primaries : int
         Index in ``PRIMARIES``.
     encoding : int
@@ -37,6 +39,7 @@ class Display(NamedTuple):
     exposure: float
     eye: Annotated[bool, CHOICE]
     tone_map: Annotated[int, CHOICE]
+    style: Annotated[int, CHOICE]
     primaries: Annotated[int, CHOICE]
     encoding: Annotated[int, CHOICE]
     dither: float
@@ -77,6 +80,7 @@ def displayed(red, green, blue, px, py, display):
     red, green, blue = shown_light(
         display.tone_map,
         display.primaries,
+        display.style,
         red * display.exposure,
         green * display.exposure,
         blue * display.exposure,

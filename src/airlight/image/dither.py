@@ -1,8 +1,10 @@
-"""Dither: noise of one quantisation step, against banding.
+"""Dither: blue noise of one quantisation step, against banding.
 
-A rank-1 lattice: multiples of column and row, modulo 1, with the two ratios of a low-discrepancy
-sequence. Its power is at high spatial frequencies: below a sixteenth of the sampling rate it is a
-fortieth of that of white noise. Integer arithmetic makes it identical on all CPUs and GPUs.
+Each 2 × 2 block of pixels has one value of each quarter of the range, the upper two on a diagonal,
+each 4 × 4 block one of each sixteenth. Which is where is a hash of the block. So the power is at
+high spatial frequencies, below a sixteenth of the sampling rate a thirtieth of white noise, and
+unlike that of a lattice it has no peaks that beat when a picture is scaled. Integer arithmetic
+makes it identical on all CPUs and GPUs.
 """
 
 from __future__ import annotations
@@ -12,13 +14,51 @@ from typing import Final
 
 from airlight.kernel import kernel
 
-#: Period of the lattice.
+#: Number of values.
 _COUNT: Final = 4096
-#: Ratios of column and row: 1/ρ and 1/ρ² of the plastic number ρ = 1.3247, and a third of the
-#: count between channels, whose noises so partly cancel in luminance.
-_COLUMN: Final = 3092
-_ROW: Final = 2334
-_CHANNEL: Final = 1365
+#: Modulus of the hash, a prime whose square is an integer of 31 bits, and its two factors, those of
+#: Wichmann & Hill (1982), Appl. Stat. 31, 188, and a prime.
+_PRIME: Final = 30269
+_ACROSS: Final = 171
+_DOWN: Final = 7919
+#: Seeds of the blocks of two and four pixels and of the rest.
+_BLOCK_2: Final = 1
+_BLOCK_4: Final = 17
+_REST: Final = 101
+
+
+@kernel
+def hashed(column, row, seed):
+    """Pseudo-random integer of a place, 0 to 30268.
+
+    Parameters
+    ----------
+    column, row : int
+        Place, 0 to 65536.
+    seed : int
+        Number of the sequence.
+    """
+    h = (_ACROSS * column + _DOWN * row + seed) % _PRIME
+    h = (h * h + row) % _PRIME
+    h = (h * h + column) % _PRIME
+    return (h * h + seed) % _PRIME
+
+
+@kernel
+def quarter(column, row, seed):
+    """Quarter of the range, 0 to 3, of one of the four parts of a block.
+
+    Parameters
+    ----------
+    column, row : int
+        Place of the part.
+    seed : int
+        Seed of the hash of the block.
+    """
+    which = 8 * hashed(column // 2, row // 2, seed) // _PRIME
+    upper = (column + row + which) % 2
+    turned = which // 4 if upper == 1 else which // 2
+    return 2 * upper + (column + turned) % 2
 
 
 @kernel
@@ -30,7 +70,8 @@ def dither_noise(px, py, channel):
     px, py : float
         Position from the picture's left and top edge, up to 65536. [pixel]
     channel : int
-        0 to 2.
+        0 to 2: the second is moved by half of the range and the third mirrored, so that they partly
+        cancel in luminance.
 
     Returns
     -------
@@ -40,10 +81,16 @@ def dither_noise(px, py, channel):
 
     References
     ----------
-    Lipshitz, Wannamaker & Vanderkooy (1992), J. Audio Eng. Soc. 40, 355, on the density; Roberts
-    (2018), "The unreasonable effectiveness of quasirandom sequences", on the lattice.
+    Lipshitz, Wannamaker & Vanderkooy (1992), J. Audio Eng. Soc. 40, 355, on the density; Ulichney
+    (1988), Proc. IEEE 76, 56, on blue noise; the stratified blocks are airlight's.
     """
-    place = (_COLUMN * math.floor(px) + _ROW * math.floor(py) + _CHANNEL * channel) % _COUNT
+    column, row = math.floor(px), math.floor(py)
+    fine = 1024 * quarter(column, row, _BLOCK_2) + 256 * quarter(column // 2, row // 2, _BLOCK_4)
+    place = fine + 256 * hashed(column, row, _REST) // _PRIME
+    if channel == 1:
+        place = (place + _COUNT // 2) % _COUNT
+    if channel == 2:
+        place = _COUNT - 1 - place
     twice = (2.0 * place + 1.0) / _COUNT
     if twice < 1.0:
         return math.sqrt(twice) - 1.0

@@ -1,4 +1,4 @@
-"""Natural tone map: constant hue, bright colours desaturate to white, soft gamut mapping.
+"""Natural tone map: constant hue, contrast, bright colours desaturate to white, soft gamut mapping.
 
 In OKLab, so that a red sun does not turn yellow as channels saturate one after another.
 """
@@ -27,9 +27,16 @@ from airlight.image.oklab import cone_roots, cone_roots_of, lab_of, lightness_of
 from airlight.kernel import compiled_loop, kernel
 from airlight.kernel.cube_root import cube_root
 
-#: Linear value up to which the curve is the identity; beyond, an exponential shoulder approaches 1.
-#: [1]
+#: Linear value that the curve keeps; beyond, an exponential shoulder approaches 1. [1]
 SHOULDER: Final = 0.25
+#: Contrast of the toe by style: its largest slope, of logarithms. ``soft`` has no toe. [1]
+STYLES: Final[dict[str, float]] = {"neutral": 1.2, "punchy": 1.4, "soft": 1.0}
+_NEUTRAL, _PUNCHY, _SOFT = STYLES.values()
+#: Light at which the toe is steepest. [1]
+_TOE: Final = 0.06
+#: Light above the shoulder, relative to its range, at which the slope of the toe has faded, so that
+#: the glow of a sun keeps its size. [1]
+_FADE: Final = 0.3
 #: Smallest fraction left to the end of the gamut's soft boundary in the inverse. [1]
 _LEAST_KEPT: Final = 1e-6
 #: Largest factor of the chroma in the inverse. [1]
@@ -39,22 +46,67 @@ _WHITEST: Final = 1.0 - 1e-9
 
 
 @kernel
-def natural_curve(light):
-    """Displayed light of a grey: the identity, then a shoulder that is asymptotic to 1. [1]"""
-    over = light - SHOULDER
-    if over <= 0.0:
-        return light
-    return SHOULDER + (1.0 - SHOULDER) * (1.0 - math.exp(-over / (1.0 - SHOULDER)))
+def toe_ends(contrast):
+    """Lights between which the toe is steep: shadows below the first are darker by a factor. [1]"""
+    ratio = contrast / (2.0 - contrast)
+    return _TOE / ratio, _TOE * ratio
 
 
 @kernel
-def natural_shown(primaries, red, green, blue):
+def natural_curve(light, contrast):
+    """Displayed light of a grey: a toe, and from 0.25 a shoulder that is asymptotic to 1. [1]
+
+    Parameters
+    ----------
+    light : float
+        Exposed light. [1]
+    contrast : float
+        Largest slope of the toe, of logarithms, 0.5 to 1.5; 1 for none. [1]
+    """
+    low, high = toe_ends(contrast)
+    if light <= SHOULDER:
+        return light * ((SHOULDER + high) / (SHOULDER + low)) * ((light + low) / (light + high))
+    slope = 1.0 + SHOULDER * (high - low) / ((SHOULDER + low) * (SHOULDER + high))
+    over = (light - SHOULDER) / (1.0 - SHOULDER)
+    rise = over * (over + slope * _FADE) / (over + _FADE)
+    return SHOULDER + (1.0 - SHOULDER) * (1.0 - math.exp(-rise))
+
+
+@kernel
+def natural_curve_inverse(shown, contrast):
+    """Exposed light of a grey from its displayed light, below 1. [1]"""
+    low, high = toe_ends(contrast)
+    if shown <= SHOULDER:
+        scale = (SHOULDER + high) / (SHOULDER + low)
+        half = 0.5 * (shown - scale * low)
+        return (half + math.sqrt(half * half + scale * shown * high)) / scale
+    slope = 1.0 + SHOULDER * (high - low) / ((SHOULDER + low) * (SHOULDER + high))
+    rise = -math.log(1.0 - (shown - SHOULDER) / (1.0 - SHOULDER))
+    half = 0.5 * (rise - slope * _FADE)
+    over = half + math.sqrt(half * half + rise * _FADE)
+    return SHOULDER + (1.0 - SHOULDER) * over
+
+
+@kernel
+def style_contrast(style):
+    """Contrast by index in ``STYLES``. [1]"""
+    if style == 1:
+        return _PUNCHY
+    if style == 2:
+        return _SOFT
+    return _NEUTRAL
+
+
+@kernel
+def natural_shown(primaries, contrast, red, green, blue):
     """Displayed light of exposed light: ``natural`` for a display of any primaries.
 
     Parameters
     ----------
     primaries : int
         Index in ``PRIMARIES``.
+    contrast : float
+        Contrast of the toe; 1 for none. [1]
     red, green, blue : float
         Linear sRGB after exposure; channels may be negative. [1]
 
@@ -70,10 +122,11 @@ def natural_shown(primaries, red, green, blue):
         return 0.0, 0.0, 0.0
     by_long, by_medium, by_short = long - lightness, medium - lightness, short - lightness
     light = lightness * lightness * lightness
-    if light > SHOULDER:
-        # The lightness falls by the third power of the compression, the chroma by its square.
-        darker = cube_root(natural_curve(light) / light)
-        paler = darker * darker
+    if light > SHOULDER or contrast != 1.0:
+        # The lightness falls by the third power of the compression, the chroma of bright colours by
+        # its square; in the toe colours keep their chromaticity.
+        darker = cube_root(natural_curve(light, contrast) / light)
+        paler = darker * darker if light > SHOULDER else darker
         lightness = lightness * darker
         by_long, by_medium, by_short = by_long * paler, by_medium * paler, by_short * paler
         x, y, z = lightness + by_long, lightness + by_medium, lightness + by_short
@@ -86,22 +139,26 @@ def natural_shown(primaries, red, green, blue):
 
 @kernel
 def natural_color(red, green, blue):
-    """Scalar form of ``natural``."""
-    return natural_shown(0, red, green, blue)
+    """Scalar form of ``natural`` in its default style."""
+    return natural_shown(0, _NEUTRAL, red, green, blue)
 
 
 @compiled_loop
-def natural_pixels(colors, out):
-    """``natural_color`` of all colours."""
+def natural_pixels(colors, out, contrast):
+    """``natural_shown`` of all colours."""
     for i in range(colors.shape[0]):
-        out[i, 0], out[i, 1], out[i, 2] = natural_color(
-            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
+        out[i, 0], out[i, 1], out[i, 2] = natural_shown(
+            0,
+            contrast,
+            np.float64(colors[i, 0]),
+            np.float64(colors[i, 1]),
+            np.float64(colors[i, 2]),
         )
 
 
 @compiled_loop
-def natural_light_pixels(colors, out):
-    """Inverse of ``natural_color`` of all colours."""
+def natural_light_pixels(colors, out, contrast):
+    """Inverse of ``natural_shown`` of all colours."""
     for i in range(colors.shape[0]):
         lightness, green_red, blue_yellow = lab_of(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -117,34 +174,34 @@ def natural_light_pixels(colors, out):
                 x, y, z = cone_roots(0.0, green_red, blue_yellow)
                 wanted = KNEE - (EDGE - KNEE) * math.log(kept)
                 amount = amount_of_share(0, lightness, up, x, y, z, wanted, 1.0, _MOST_CHROMA)
-            brighter = 1.0
-            if light > SHOULDER:
-                kept = 1.0 - (light - SHOULDER) / (1.0 - SHOULDER)
-                exposed = SHOULDER - (1.0 - SHOULDER) * math.log(kept)
-                brighter = cube_root(exposed / light)
+            brighter = cube_root(natural_curve_inverse(light, contrast) / light)
             lightness = lightness * brighter
-            amount = amount * brighter * brighter
+            amount = amount * brighter * (brighter if light > SHOULDER else 1.0)
             x, y, z = cone_roots(lightness, amount * green_red, amount * blue_yellow)
             out[i, 0], out[i, 1], out[i, 2] = rgb_of_cones(x * x * x, y * y * y, z * z * z)
 
 
-def natural(rgb: ArrayLike) -> NDArray[Any]:
+def natural(rgb: ArrayLike, contrast: float = _NEUTRAL) -> NDArray[Any]:
     r"""Natural tone map of exposed light.
 
-    In OKLab, with the light :math:`x = L^3` of the grey of equal lightness:
+    In OKLab, with the light :math:`x = L^3` of the grey of equal lightness, :math:`s = 0.25`,
+    :math:`a = 0.06\,(2 - c)/c` and :math:`b = 0.06\,c/(2 - c)` of the contrast c,
 
-    .. math:: x_d = x \text{ for } x \le s, \quad
-              x_d = s + (1 - s)(1 - e^{-(x - s)/(1 - s)}), \quad
-              C_d = C\,(x_d/x)^{2/3}
+    .. math:: x_d &= x\,\frac{s + b}{s + a}\,\frac{x + a}{x + b} \text{ for } x \le s, \\
+              x_d &= s + (1 - s)(1 - e^{-h}), \quad h = t\,\frac{t + 0.3\,m}{t + 0.3}, \quad
+              t = \frac{x - s}{1 - s}
 
-    Chroma decreases faster than lightness, so that bright colours desaturate to white. Colours
-    outside are mapped into the gamut by ``in_gamut``. Dim colours well within the gamut are
-    unchanged.
+    where m is the slope at s. The slope of ln x\ :sub:`d` by ln x is at most c, at 0.06; highlights
+    are those without contrast. In the toe colours keep their chromaticity; above s the chroma is
+    :math:`C_d = C\,(x_d/x)^{2/3}`, so that bright colours desaturate to white. Colours outside are
+    mapped into the gamut by ``in_gamut``.
 
     Parameters
     ----------
     rgb : array, shape (..., 3)
         Linear sRGB after exposure; channels may be negative. [1]
+    contrast : float
+        Contrast c, a value of ``STYLES``; 1 leaves dim colours within the gamut unchanged. [1]
 
     Returns
     -------
@@ -158,24 +215,26 @@ def natural(rgb: ArrayLike) -> NDArray[Any]:
 
     Examples
     --------
-    >>> natural([[0.18, 0.18, 0.18], [1.0, 1.0, 1.0]]).round(4)
+    >>> natural([[0.18, 0.18, 0.18], [1.0, 1.0, 1.0]], contrast=1.0).round(4)
     array([[0.18  , 0.18  , 0.18  ],
            [0.7241, 0.7241, 0.7241]])
     """
-    return each_pixel(natural_pixels, rgb)
+    return each_pixel(natural_pixels, rgb, contrast)
 
 
-def natural_inverse(rgb: ArrayLike) -> NDArray[Any]:
+def natural_inverse(rgb: ArrayLike, contrast: float = _NEUTRAL) -> NDArray[Any]:
     """Inverse of ``natural``, exact where it does not clip.
 
     Parameters
     ----------
     rgb : array, shape (..., 3)
         Linear sRGB of the display, 0 to 1. [1]
+    contrast : float
+        Contrast of the toe. [1]
 
     Returns
     -------
     array, shape (..., 3)
         Linear sRGB, same floating type; white is the light whose curve is 1 within 1e-9. [1]
     """
-    return each_pixel(natural_light_pixels, np.clip(physical(rgb), 0.0, 1.0))
+    return each_pixel(natural_light_pixels, np.clip(physical(rgb), 0.0, 1.0), contrast)

@@ -18,7 +18,14 @@ from airlight.image.aces import aces, aces_color, aces_inverse
 from airlight.image.agx import agx, agx_color, agx_inverse
 from airlight.image.floating import each, each_pixel, physical, physical_light
 from airlight.image.gamut import into_gamut, with_primaries
-from airlight.image.natural import natural, natural_color, natural_inverse, natural_shown
+from airlight.image.natural import (
+    STYLES,
+    natural,
+    natural_color,
+    natural_inverse,
+    natural_shown,
+    style_contrast,
+)
 from airlight.image.xyz import luminance, luminance_of
 from airlight.kernel import compiled_loop, kernel
 from airlight.kernel.choice import chosen_kernel
@@ -317,7 +324,7 @@ _curved = chosen_kernel("curved", [one.color for one in TONE_MAPS.values()][1:],
 
 
 @kernel
-def shown_light(which, primaries, red, green, blue):
+def shown_light(which, primaries, style, red, green, blue):
     """Displayed light, 0 to 1, from exposed light: tone map and gamut mapping.
 
     Except for ``natural``, ``in_gamut`` removes negative channels before the tone map, and channels
@@ -329,6 +336,8 @@ def shown_light(which, primaries, red, green, blue):
         Index in ``TONE_MAPS``.
     primaries : int
         Index in ``PRIMARIES``.
+    style : int
+        Index in ``STYLES``, of ``natural`` alone.
     red, green, blue : float
         Linear sRGB after exposure; channels may be negative. [1]
 
@@ -338,12 +347,25 @@ def shown_light(which, primaries, red, green, blue):
         Linear light of the display's primaries. [1]
     """
     if which == 0:
-        return natural_shown(primaries, red, green, blue)
+        return natural_shown(primaries, style_contrast(style), red, green, blue)
     red, green, blue = into_gamut(0, False, True, red, green, blue)
     red, green, blue = _curved(which - 1, red, green, blue)
     if max(red, max(green, blue)) > 1.0:
         red, green, blue = into_gamut(0, True, False, red, green, blue)
     return with_primaries(primaries, red, green, blue)
+
+
+def style_number(name: str) -> int:
+    """Index of a style in ``STYLES``.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such style.
+    """
+    if name not in STYLES:
+        raise ParameterError("style", name, ", ".join(STYLES))
+    return list(STYLES).index(name)
 
 
 def tone_map_named(name: str) -> ToneMap:

@@ -242,7 +242,9 @@ COLORS = [
     Case(gamut.light_of_cones, (1, *UNITS), atol=16 * EPS),
     Case(gamut.with_primaries, (1, *UNITS), atol=4 * EPS),
     Case(gamut.to_white, (uniform(0.0, 0.9, 31), True), rtol=16 * EPS),
-    Case(natural.natural_curve, LIGHTS[:1], atol=4 * EPS),
+    Case(natural.natural_curve, (*LIGHTS[:1], 1.4), atol=16 * EPS),
+    Case(natural.toe_ends, (uniform(0.5, 1.5, 31),), rtol=8 * EPS),
+    Case(natural.style_contrast, (np.arange(3),)),
     Case(gamut.softened, LIGHTS[:1], atol=8 * EPS),
     # Differences of the channels and the grey, over the grey's distance to 0 or 1, at least 0.05.
     Case(gamut.gamut_share, (uniform(0.06, 0.9, 31), UP, *UNITS), atol=4 * EPS / 0.05),
@@ -266,9 +268,11 @@ COLORS = [
         atol=10 * POWER,
     ),
     # Whole numbers, then a root of one of 4096 parts of 2.
+    Case(dither.hashed, (PIXELS[0].astype(int), PIXELS[1].astype(int), 17)),
+    Case(dither.quarter, (PIXELS[0].astype(int), PIXELS[1].astype(int), 17)),
     Case(dither.dither_noise, (PIXELS[0], PIXELS[1], 2), atol=EPS * 64),
     Case(natural.natural_color, LIGHTS, atol=10 * POWER),
-    Case(natural.natural_shown, (1, *LIGHTS), atol=10 * POWER),
+    Case(natural.natural_shown, (1, 1.4, *LIGHTS), atol=10 * POWER),
     Case(encoding.srgb_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
     Case(encoding.gamma_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
 ]
@@ -476,7 +480,7 @@ def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int
         beyond = wanted.max(axis=-1, keepdims=True) > 1.0
         wanted = np.where(beyond, in_gamut(wanted, soft=False), wanted)
     for number in (which, Constant(which)):
-        seen = np.stack(on_gpu(tone_maps.shown_light, number, 0, *light.T), -1)
+        seen = np.stack(on_gpu(tone_maps.shown_light, number, 0, 0, *light.T), -1)
         assert_allclose(seen, wanted, rtol=4 * POWER, atol=4 * POWER)
         assert np.all(seen >= 0.0)
 

@@ -23,7 +23,7 @@ from airlight.studies.film.plan import FilmPlan
 from airlight.studies.film.view import PlanetView
 
 #: Keys of the table ``[display]``; those of a file's format are options of its writer.
-DISPLAY: Final = ("tone_map", "eye", "glare", "white_balance")
+DISPLAY: Final = ("tone_map", "style", "eye", "glare", "white_balance")
 
 
 def load_film(name_or_path: str | Path, changes: Mapping[str, Any] | None = None) -> Film:

@@ -12,6 +12,7 @@ from typing import Any, Final
 
 from airlight.image.display_settings import DisplaySettings
 from airlight.image.glare import MOST as MOST_GLARE
+from airlight.image.natural import STYLES
 from airlight.image.tone_maps import TONE_MAPS
 from airlight.image.white_balance import COLDEST, DAYLIGHT, HOTTEST, WHITE_BALANCES
 from airlight.scene.camera import Camera
@@ -191,6 +192,9 @@ VIEW_VALUES: Final = (
             "Tone curve that maps radiance to the display's range.", default="natural",
             part="display", uniform="tone_map",
             synonyms=("colour", "color", "contrast", "look", "film", "curve", "saturation")),
+    _choice("display.style", "style", "display", tuple(STYLES),
+            "Contrast of the tone map natural.", default="neutral", part="display",
+            uniform="style", synonyms=("contrast", "look", "punchy", "soft", "flat", "shadows")),
     ViewValue(path="display.glare", label="glare", group="display", low=0.0, high=4.0, least=0.0,
               most=MOST_GLARE, step=0.1, default=1.0, part="display", uniform="glare",
               help="Lens glare around the sun: 1 is a typical lens, 0 none.",
