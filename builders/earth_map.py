@@ -24,6 +24,7 @@ from scipy.ndimage import binary_dilation, distance_transform_edt, gaussian_filt
 
 from airlight.image.encoding import srgb_decode, srgb_encode
 from airlight.image.xyz import luminance
+from airlight.physics.optics.water import mean_specular
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
 #: Quality of the JPEG, with colour at full resolution.
@@ -32,6 +33,12 @@ QUALITY = 90
 #: 10909, ρ = 0.54 · π/4 · 0.33 · b/a with absorption and scattering by water and 0.1 mg/m³ of
 #: chlorophyll; 0.019 at 443 nm, 0.0115 at 490, 0.003 at 555, 0.0003 at 670. Its red, -0.0008, is 0.
 SEA = np.array([0.0, 0.0041, 0.0199])
+#: Mean of the map with the reflection of its water, linear sRGB: that of the table
+#: ``earth-albedo``, to which the land is scaled, so that solutions do not depend on the coast's
+#: source. [1]
+MEAN = np.array([0.107977, 0.104765, 0.103608])
+#: Wind speed over that water. [m s⁻¹]
+WIND = 5.0
 #: Steps of the share of water, which make the file small.
 STEPS = 31
 #: Samples of the coast per pixel along each axis.
@@ -64,7 +71,9 @@ def rings(file: Path) -> list[list[NDArray[np.float64]]]:
     arcs = [np.cumsum(arc, axis=0) * scale + offset for arc in world["arcs"]]
 
     def ring(parts: list[int]) -> NDArray[np.float64]:
-        return np.concatenate([arcs[k] if k >= 0 else arcs[~k][::-1] for k in parts])
+        points = np.concatenate([arcs[k] if k >= 0 else arcs[~k][::-1] for k in parts])
+        # rings cross the meridian of 180° without a break
+        return np.column_stack([np.unwrap(points[:, 0], period=360.0), points[:, 1]])
 
     polygons = []
     for shape in world["objects"]["land"]["geometries"]:
@@ -85,7 +94,9 @@ def sea_share(file: Path, height: int, width: int) -> NDArray[np.float32]:
         for k, points in enumerate(polygon):
             x = (points[:, 0] + 180.0) / 360.0 * image.width - 0.5
             y = (90.0 - points[:, 1]) / 180.0 * image.height - 0.5
-            draw.polygon(list(zip(x, y, strict=True)), fill=255 if k else 0)
+            for turn in (-image.width, 0, image.width):
+                if (x + turn).max() > 0.0 and (x + turn).min() < image.width:
+                    draw.polygon(list(zip(x + turn, y, strict=True)), fill=255 if k else 0)
     return np.asarray(image.reduce(SAMPLES), np.float32) / 255.0
 
 
@@ -117,18 +128,20 @@ def main() -> None:
     wet = (water > 0.0) | (colored_water(pixels) > 0.0)
     dry = ~binary_dilation(wet, np.ones((3, 3), bool))
     linear = land_colors(linear, dry)
+    height = len(pixels)
+    weights = np.sin(np.pi * (np.arange(height) + 0.5) / height)
+    weights /= weights.sum() * pixels.shape[1]
+    share = float(np.einsum("h,hw->", weights, water))
+    land = np.einsum("h,hw,hwc->c", weights, 1.0 - water, linear)
+    linear *= (MEAN - share * (mean_specular(WIND) + SEA)) / land
     linear += water[..., None] * (SEA - linear)
     encoded = (255.0 * srgb_encode(linear) + 0.5).astype(np.uint8)
     colors, mask = DATA / "earth-albedo.jpg", DATA / "earth-water.png"
     # 4:4:4: coasts would lose the colour of their water
     Image.fromarray(encoded).save(colors, quality=QUALITY, subsampling=0, optimize=True)
     Image.fromarray(np.rint(255.0 * water).astype(np.uint8)).save(mask, optimize=True)
-    height = len(pixels)
-    weights = np.sin(np.pi * (np.arange(height) + 0.5) / height)
-    weights /= weights.sum() * pixels.shape[1]
     mean = np.einsum("h,hwc->c", weights, linear)
-    share = float(np.einsum("h,hw->", weights, water))
-    land = (mean - np.einsum("h,hw->", weights, water) * SEA) / (1.0 - share)
+    land = (mean - share * SEA) / (1.0 - share)
     print(f"{colors.name}: {colors.stat().st_size} bytes; {mask.name}: {mask.stat().st_size} bytes")
     print(f"mean over the sphere {mean.round(4)}, luminance {float(luminance(mean)):.4f}")
     print(f"water {share:.4f}; mean of the land {land.round(4)}")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight import Camera, Scene, replace
+from airlight import Camera, Medium, Scene, load_planet, replace
 from airlight.errors import ParameterError
 from airlight.render import render
 from airlight.solver.moments.solution import MomentsSolution
@@ -56,3 +56,29 @@ def test_water_and_sky_have_no_detail(lit: Callable[..., MomentsSolution]) -> No
     plain = render(solution, scene).rgb
     assert_array_equal(render(solution, replace(scene, ground="detailed")).rgb, plain)
     assert np.all(np.isfinite(plain))
+
+
+def test_clouds_seen_from_space_are_in_detailed_pictures_from_above_60_km(
+    lit: Callable[..., MomentsSolution],
+) -> None:
+    # The key's definition: without it everything else is the same, as is the ground of solvers; a
+    # descent has no sudden change.
+    camera = Camera(width=24, height=16, look_zenith=180.0, field_of_view=60.0)
+    scene = Scene(
+        camera=camera, altitude=400e3, sun_zenith=40.0, latitude=-50.0, longitude=-20.0,
+        ground="detailed",
+    )  # fmt: skip
+    earth = load_planet("earth")
+    cloudy = lit(earth)
+    without = replace(earth, ground=replace(earth.ground, clouds_from_space=None))
+    medium = Medium.from_planet(without, cloudy.wavelengths)
+    clear = MomentsSolution(medium, cloudy.settings, cloudy.moments, 0.0)
+    assert cloudy.medium.fingerprint() == medium.fingerprint()
+    for seen in (replace(scene, ground="plain"), replace(scene, altitude=60e3)):
+        assert_array_equal(render(cloudy, seen).rgb, render(clear, seen).rgb)
+    levels = [
+        float(np.mean(render(cloudy, one).rgb / render(clear, one).rgb))
+        for one in (replace(scene, altitude=h) for h in (70e3, 80e3, 90e3, 100e3))
+    ]
+    assert levels == sorted(levels)
+    assert levels[-1] > levels[0] > 1.0

@@ -8,20 +8,23 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from airlight.geometry.vectors import Vec3
+from airlight.image.encoding import srgb_encode
 from airlight.scene.ground_detail import (
-    AMPLITUDE,
     OCTAVES,
     PERIOD,
     STEP,
     finest_cell,
     ground_detail,
     lattice_origin,
+    sharper_share,
     smooth_noise,
 )
+from airlight.scene.map_grain import grain_of
 from airlight.scene.observer import planet_frame
 
 BOTTOM = 6371e3
 CELL = finest_cell(BOTTOM, 2700)
+FALL = 0.5
 
 
 def value_at(i: int, j: int, k: int) -> float:
@@ -38,7 +41,7 @@ def detail(place: np.ndarray, below: np.ndarray, footprint: float) -> float:
     origins = [lattice_origin(x, BOTTOM, CELL) for x in below / BOTTOM]
     wholes, parts = zip(*origins, strict=True)
     at = Vec3(*(place - below))
-    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts)))
+    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts), FALL))
 
 
 def test_the_mean_is_zero() -> None:
@@ -83,13 +86,40 @@ def test_nothing_is_finer_than_two_pixels() -> None:
     coarsest = CELL * STEP ** (OCTAVES - 1)
     assert detail(here, here, 0.51 * coarsest) == 0.0
     assert detail(here, here, 0.4 * coarsest) != 0.0
-    assert_allclose(coarsest, math.pi * BOTTOM / 2700.0 / STEP, rtol=1e-12)
+    assert_allclose(coarsest, math.pi * BOTTOM / 2700.0, rtol=1e-12)  # a texel
 
 
-def test_the_detail_stays_within_its_bounds() -> None:
+def test_octaves_fall_from_a_deviation_of_one() -> None:
+    # Independent octaves of deviations 1, 1/2, 1/4 …: the sum of their squares is 4/3. Places lie
+    # 40 km and more apart, in other cells of all sizes.
     random = np.random.default_rng(4)
     here = BOTTOM * planet_frame(-10.0, 100.0, 0.0)[:, 2]
-    values = [detail(here + 1e4 * step, here, 0.01) for step in random.normal(size=(2000, 3))]
-    assert_allclose(np.mean(values), 0.0, atol=0.015)
-    assert 0.05 < np.std(values) < 0.2
-    assert max(np.abs(values)) < OCTAVES * AMPLITUDE
+    values = [detail(here + 4e5 * step, here, 0.01) for step in random.normal(size=(4000, 3))]
+    assert_allclose(np.mean(values), 0.0, atol=0.08)
+    assert_allclose(np.std(values), math.sqrt(4.0 / 3.0), rtol=0.08)
+
+
+def test_a_sharper_coast_keeps_the_share_of_water() -> None:
+    # Symmetry about a half: over a straight coast, between texels of land and of water, the mean is
+    # that of the interpolated share.
+    shares = (np.arange(1000) + 0.5) / 1000.0
+    for level in (-8.0, -3.0, -0.5, 0.0, 2.0):
+        assert_allclose(np.mean([sharper_share(x, level) for x in shares]), 0.5, atol=1e-9)
+    assert sharper_share(0.49, -6.0) == 0.0
+    assert [sharper_share(x, -6.0) for x in (0.0, 1.0)] == [0.0, 1.0]
+
+
+def test_the_grain_continues_the_contrast_of_a_map() -> None:
+    # Squares of four texels whose deviations are 1/16 and 1/8 of their means: each octave has half
+    # of the coarser one; of the first the map keeps half. Eight bits of sRGB: to 5 %.
+    def level(rows: int, contrast: float) -> np.ndarray:
+        signs = np.where(np.add.outer(np.arange(rows), np.arange(2 * rows)) % 2, 1.0, -1.0)
+        texels = np.zeros((rows, 2 * rows, 4), np.uint8)
+        values = np.multiply.outer(1.0 + contrast * signs, [0.6, 0.4, 0.3])
+        texels[..., :3] = np.rint(255.0 * srgb_encode(values))
+        return texels
+
+    levels = [level(192, 1 / 16), level(96, 0.0), level(48, 1 / 8), level(24, 0.0), level(12, 0.0)]
+    grain = grain_of(levels)
+    assert_allclose(grain.fall, 0.5, rtol=0.05)
+    assert_allclose(grain.contrast, 1 / 32, rtol=0.06)

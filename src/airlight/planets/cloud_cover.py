@@ -9,7 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError
-from airlight.planets.map_picture import map_pixels
+from airlight.planets.map_picture import map_pixels, packaged_map
+
+#: Suffix of packaged clouds: ``earth`` is in ``earth-clouds.jpg``.
+_SUFFIX = "-clouds.jpg"
+
+
+def cloud_file(clouds: str) -> Path:
+    """Path of a picture of clouds, packaged or a file, which may not exist.
+
+    Examples
+    --------
+    >>> cloud_file("earth").name, cloud_file("./earth").name
+    ('earth-clouds.jpg', 'earth')
+    """
+    return packaged_map(clouds, _SUFFIX)
 
 
 def cloud_pixels(clouds: str) -> NDArray[np.uint8]:
@@ -18,7 +32,8 @@ def cloud_pixels(clouds: str) -> NDArray[np.uint8]:
     Parameters
     ----------
     clouds : str
-        Path of an equirectangular picture; colours are converted to grey.
+        Name of packaged clouds (``earth``), or path of an equirectangular picture; colours are
+        converted to grey.
 
     Returns
     -------
@@ -26,7 +41,7 @@ def cloud_pixels(clouds: str) -> NDArray[np.uint8]:
         Cloud cover, linear; 255 is full cover.
     """
     try:
-        return map_pixels(Path(clouds), grey=True)
+        return map_pixels(cloud_file(clouds), grey=True)
     except FileNotFoundError as error:
         raise FileError(clouds, "does not exist") from error
 

@@ -52,7 +52,7 @@ def _read_albedo(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any
 
 def _clouded(table: FileTable) -> bool:
     """Whether an editor shows the key: for a table with clouds."""
-    return "clouds" in table
+    return "clouds" in table or "clouds_from_space" in table
 
 
 def _of_regolith(table: FileTable) -> bool:
@@ -74,7 +74,12 @@ class Ground(TomlModel):
     lights : str, optional
         Name of a picture of city lights, which do not illuminate the atmosphere.
     clouds : str, optional
-        Path of a picture of cloud cover, a thin layer above the ground.
+        Name or path of a picture of cloud cover, a thin layer above the ground.
+    clouds_from_space : str, optional
+        Name or path of a picture of cloud cover that only pictures of detailed ground show, from
+        above; without effect if ``clouds`` is given.
+    relief : str, optional
+        Name or path of a picture of heights, which shade detailed ground.
     cloud_albedo : float
         Albedo of complete cloud cover, 0 to 1. [1]
     cloud_altitude : float
@@ -128,13 +133,32 @@ class Ground(TomlModel):
         default=None,
     )
     clouds: str | None = key(
-        help="Path of a picture of cloud cover, rendered as a thin layer with shadows.",
-        note="A picture as for the map, black for clear sky, white for full cover; none"
-        " comes with airlight. Seen from above the layer; the air has the mean of ground"
-        " and clouds below it, in pictures around the observer.",
+        help="Name of a map of cloud cover, or path of a picture of it: a thin layer with shadows.",
+        note="`earth`, or a picture as for the map, black for clear sky, white for full cover."
+        " Seen from above the layer; the air has the mean of ground and clouds below it,"
+        " in pictures around the observer.",
         range=(1.0, 100.0),
         example="the path of a picture of clouds",
         synonyms=("cloud map", "weather"),
+        default=None,
+    )
+    clouds_from_space: str | None = key(
+        help="Name of a map of cloud cover, or path of a picture of it, shown from above 100 km.",
+        note="As `clouds`, but only seen: in pictures of detailed ground, fully from 100 km up,"
+        " fading to none at 60 km; radiances and solvers have clear sky. Ignored beside"
+        " `clouds`.",
+        range=(1.0, 100.0),
+        example="the name of a map of clouds",
+        synonyms=("weather",),
+        default=None,
+    )
+    relief: str | None = key(
+        help="Name of a map of heights, or path of a picture of them, which shades the ground.",
+        note="`earth`, or a picture as for the map, black for sea level, white for 6400 m."
+        " Slopes and shadows in sunlight on detailed ground: decoration of pictures.",
+        range=(1.0, 100.0),
+        example="the name of a map of heights",
+        synonyms=("terrain", "mountains", "elevation"),
         default=None,
     )
     cloud_albedo: float = key(

@@ -21,6 +21,20 @@ _DEEP: Final = ("I", "I;16", "I;16B", "I;16L", "I;16N", "F")
 #: Memory of a pixel of these: Pillow's own, and three float64 during the conversion to eight bits.
 #: [byte]
 _DEEP_PIXEL: Final = 32
+#: Folder of the packaged maps.
+MAPS: Final = Path(__file__).parents[1] / "scene" / "data"
+
+
+def packaged_map(name: str, suffix: str) -> Path:
+    """Path of a map, packaged (``NAME`` and a suffix) or a file, which may not exist.
+
+    Examples
+    --------
+    >>> packaged_map("earth", "-lights.jpg").name, packaged_map("./earth", "-lights.jpg").name
+    ('earth-lights.jpg', 'earth')
+    """
+    packaged = MAPS / f"{name}{suffix}"
+    return packaged if "/" not in name and packaged.is_file() else Path(name)
 
 
 def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:

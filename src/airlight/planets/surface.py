@@ -15,19 +15,24 @@ class Surface:
 
     Parameters
     ----------
-    map, lights, clouds : str or None
-        Names or paths of the maps of colour, city lights and clouds.
+    map, lights, clouds, clouds_from_space, relief : str or None
+        Names or paths of the maps of colour, city lights, clouds and heights.
     brightness : float
         Factor of the map of colour. [1]
     cloud_altitude : float
         Altitude of the clouds; 0 without a map. [m]
+    cloud_albedo : float
+        Albedo of complete cover. [1]
     """
 
     map: str | None = None
     lights: str | None = None
     clouds: str | None = None
+    clouds_from_space: str | None = None
+    relief: str | None = None
     brightness: float = 1.0
     cloud_altitude: float = 0.0
+    cloud_albedo: float = 0.0
 
     @classmethod
     def of(cls, ground: Ground) -> Surface:
@@ -36,9 +41,19 @@ class Surface:
             map=ground.map,
             lights=ground.lights,
             clouds=ground.clouds,
+            clouds_from_space=ground.clouds_from_space,
+            relief=ground.relief,
             brightness=ground.brightness,
-            cloud_altitude=ground.cloud_altitude if ground.clouds else 0.0,
+            cloud_altitude=ground.cloud_altitude
+            if ground.clouds or ground.clouds_from_space
+            else 0.0,
+            cloud_albedo=ground.cloud_albedo,
         )
+
+    @property
+    def overlay(self) -> tuple[str | None, str | None, str | None]:
+        """Arguments of ``scene.ground_overlay``: lights, clouds that are seen, heights."""
+        return self.lights, self.clouds or self.clouds_from_space, self.relief
 
 
 #: Surface without any map.

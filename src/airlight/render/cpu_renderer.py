@@ -96,7 +96,7 @@ class CpuRenderer:
         name = solution.medium.surface.map
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
-        self._overlay = ground_overlay(medium.surface.lights, medium.surface.clouds)
+        self._overlay = ground_overlay(*medium.surface.overlay)
         self._view = cpu_view_uniforms(
             uniforms, camera, self._ground, self._overlay, SkyViewLayers.none()
         )

@@ -1,27 +1,41 @@
 """Procedural noise on the ground below the resolution of its map; it is not data.
 
-Eight octaves of value noise, each a quarter of the previous scale, from a quarter of a map texel to
-about 10 cm. They vary the reflectance by about 10 % without changing its mean. Scales below two
-pixels are omitted, with a fade between two and four. Coordinates are relative to the point below
-the observer, for single precision.
+Nine octaves of value noise, each a quarter of the previous scale, from a map texel to about 10 cm,
+of mean 0. Their contrast in each channel, and its decrease from one to the next,
+continue those of the land of the map (``SurfaceMap.grain``). Scales below two pixels are omitted,
+with a fade between two and four. Coordinates are relative to the point below the observer, for
+single precision.
+
+The noise also displaces the places at which maps are read between texels, which breaks the straight
+lines of their interpolation. Water is where its interpolated share exceeds a half.
 """
 
 from __future__ import annotations
 
-from math import floor
+from math import floor, pi
 from typing import Final
 
 from airlight.kernel import kernel
 
 #: Number of octaves of noise, and ratio between their sizes.
-OCTAVES: Final = 8
+OCTAVES: Final = 9
 STEP: Final = 4
 #: Period of the noise in cells of each size.
 PERIOD: Final = 256
 #: Period of the finest cells, a multiple of all others' periods.
 WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
-#: Largest contribution of one octave; its standard deviation is a third of it. [1]
-AMPLITUDE: Final = 0.12
+#: Standard deviation of one octave: 1/√3 on the lattice, times (181/231)^1.5 between its points, as
+#: 181/231 is the mean of u² + (1 - u)² over a cell for the quintic fade u. [1]
+DEVIATION: Final = 0.4005
+#: Contrast of the coarsest octave where there is no map, and ratio of successive octaves'. [1]
+PLAIN_CONTRAST: Final = 0.04
+PLAIN_FALL: Final = 1.0
+#: Standard deviation of the displacement by the coarsest octave. [texel]
+DISPLACED: Final = 0.3
+#: Standard deviation of that octave in the cover of half-covered places of a cloud layer. [1]
+CLOUD_GRAIN: Final = 0.08
+#: Width of the coast where it is seen from near, 115 m on Earth. [texel]
+SHARPEST: Final = 1.0 / 64.0
 #: Rows of the map that defines the cells where the planet has none.
 NOMINAL_ROWS: Final = 1024
 #: Options: the map alone, or with its detail.
@@ -39,7 +53,7 @@ def finest_cell(radius, rows):
     rows : float
         Number of rows of its map.
     """
-    return 3.141592653589793 * radius / (rows * float(STEP**OCTAVES))
+    return 3.141592653589793 * radius / (rows * float(STEP ** (OCTAVES - 1)))
 
 
 @kernel
@@ -60,8 +74,8 @@ def lattice_origin(component, radius, cell):
 
     Examples
     --------
-    >>> lattice_origin(-0.5, 5.0, 2.0)  # -1.25 cells, of a period of 4194304
-    (4194302.0, 0.75)
+    >>> lattice_origin(-0.5, 5.0, 2.0)  # -1.25 cells, of a period of 16777216
+    (16777214.0, 0.75)
     """
     place = component * radius / cell
     whole = floor(place)
@@ -147,8 +161,8 @@ def smooth_noise(x, y, z):
 
 
 @kernel
-def ground_detail(place, footprint, cell, whole, part):
-    """Relative variation of the ground's reflectance, mean 0. [1]
+def ground_detail(place, footprint, cell, whole, part, fall):
+    """Sum of the octaves of noise, with the coarsest of standard deviation 1 and mean 0. [1]
 
     Parameters
     ----------
@@ -158,9 +172,12 @@ def ground_detail(place, footprint, cell, whole, part):
         Longer axis of the pixel footprint. [m]
     whole, part : Vec3
         Results of ``lattice_origin`` along each axis.
+    fall : float
+        Ratio of the contrast of an octave to that of the next coarser one. [1]
     """
     total, scale = 0.0, 1
     for _octave in range(OCTAVES):
+        total *= fall
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             period = float(PERIOD * scale)
@@ -175,4 +192,82 @@ def ground_detail(place, footprint, cell, whole, part):
                 + (part.z + place.z / cell) / scale,
             )
         scale *= STEP
-    return AMPLITUDE * total
+    return total / DEVIATION
+
+
+@kernel
+def pixel_width(level):
+    """Width of a pixel, at most that of a texel. [texel]
+
+    Parameters
+    ----------
+    level : float
+        Mip level of the pixel, negative where texels are larger. [1]
+
+    Examples
+    --------
+    >>> pixel_width(1.0), pixel_width(-2.0), pixel_width(-9.0)
+    (1.0, 0.25, 0.015625)
+    """
+    return max(2.0 ** min(level, 0.0), SHARPEST)
+
+
+@kernel
+def displacement(level, noise, rows):
+    """Angle by which a map is read beside a place between texels. [rad]
+
+    Parameters
+    ----------
+    noise : float
+        Result of ``ground_detail``. [1]
+    rows : float
+        Number of rows of the map.
+    """
+    return DISPLACED * (1.0 - pixel_width(level)) * min(max(noise, -3.0), 3.0) * pi / rows
+
+
+@kernel
+def sharper_share(share, level):
+    """Share of water in a pixel smaller than the texels. [1]
+
+    The coast is where the share interpolated between texels is a half; it is as wide as the pixel.
+
+    Examples
+    --------
+    >>> sharper_share(0.4, 1.0), sharper_share(0.4, -3.0), sharper_share(0.5, -3.0)
+    (0.4, 0.0, 0.5)
+    """
+    width = pixel_width(level)
+    return min(max(0.5 + (share - 0.5) / width, 0.0), 1.0) if width < 1.0 else share
+
+
+@kernel
+def grained_cover(cover, level, noise):
+    """Cover of a cloud layer with noise between texels; none and full cover are kept. [1]
+
+    Examples
+    --------
+    >>> grained_cover(0.5, 1.0, 1.0), grained_cover(1.0, -9.0, 1.0)
+    (0.5, 1.0)
+    """
+    grain = 4.0 * CLOUD_GRAIN * (1.0 - pixel_width(level)) * noise
+    return min(max(cover + grain * cover * (1.0 - cover), 0.0), 1.0)
+
+
+@kernel
+def unmixed(color, water, share):
+    """Reflectance of the land in a texel that is partly water, in one channel. [1]
+
+    Parameters
+    ----------
+    color, water : float
+        Reflectance of the texel and of the map's water. [1]
+    share : float
+        Share of water. [1]
+
+    Examples
+    --------
+    >>> round(unmixed(0.25, 0.02, 0.5), 6), unmixed(0.3, 0.02, 0.0)
+    (0.48, 0.3)
+    """
+    return min(max((color - share * water) / max(1.0 - share, 0.05), 0.0), 1.0)

@@ -1,7 +1,7 @@
-"""Ground overlay: city lights, and clouds above the map.
+"""Ground overlay: city lights, relief, and clouds above the map.
 
 The overlay is a separate map with the radiance of city lights relative to the brightest cities in
-its colours, and cloud cover in its fourth channel.
+its first channel, height in its second, and cloud cover in its fourth.
 """
 
 from __future__ import annotations
@@ -14,22 +14,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError
+from airlight.image.encoding import srgb_encode
 from airlight.image.texels import CHANNELS
-from airlight.planets.cloud_cover import cloud_pixels
-from airlight.planets.map_picture import map_pixels
+from airlight.planets.cloud_cover import cloud_file, cloud_pixels
+from airlight.planets.map_picture import MAPS, map_pixels, packaged_map
 from airlight.scene.map_cache import cached_levels
 from airlight.scene.map_levels import Levels
-from airlight.scene.surface_map import SurfaceMap, levels_of, packed_texels
+from airlight.scene.surface_map import SurfaceMap, levels_of, map_size, packed_texels
 
-_DATA = Path(__file__).parent / "data"
 #: Suffix of packaged lights: ``earth`` is in ``data/earth-lights.jpg``.
 _SUFFIX: Final = "-lights.jpg"
+#: Suffix of packaged heights: ``earth`` is in ``data/earth-relief.png``.
+_RELIEF: Final = "-relief.png"
 #: Luminance for a map value of 1: 1e-7 W cm⁻² sr⁻¹ between 0.5 and 0.9 µm, as seen by VIIRS over
 #: the centre of large towns (Elvidge et al. 2017, Int. J. Remote Sens. 38, 5860: up to some 1e-7,
 #: suburbs 1e-8, villages 1e-9), at 200 lm/W, between sodium lamps and warm white LEDs. [cd m⁻²]
 TOWN_LUMINANCE: Final = 0.2
 #: Black-body temperature of the colour of the lamps. [K]
 LAMP_TEMPERATURE: Final = 2700.0
+#: sRGB codes of heights from their linear ones: lowlands, which are smooth, get most of the steps.
+_HEIGHT_CODES: Final = np.rint(255.0 * srgb_encode(np.arange(256) / 255.0)).astype(np.uint8)
 #: Rows upsampled together.
 _BAND: Final = 256
 
@@ -42,13 +46,25 @@ def lights_file(name: str) -> Path:
     >>> lights_file("earth").name
     'earth-lights.jpg'
     """
-    packaged = _DATA / f"{name}{_SUFFIX}"
-    return packaged if "/" not in name and packaged.is_file() else Path(name)
+    return packaged_map(name, _SUFFIX)
+
+
+def relief_file(name: str) -> Path:
+    """Path of a map of heights, packaged or a file, which may not exist.
+
+    Examples
+    --------
+    >>> relief_file("earth").name
+    'earth-relief.png'
+    """
+    return packaged_map(name, _RELIEF)
 
 
 @cache
-def ground_overlay(lights: str | None, clouds: str | None = None) -> SurfaceMap | None:
-    """Overlay of city lights and clouds, cached.
+def ground_overlay(
+    lights: str | None, clouds: str | None = None, relief: str | None = None
+) -> SurfaceMap | None:
+    """Overlay of city lights, clouds and heights, cached.
 
     Parameters
     ----------
@@ -56,58 +72,64 @@ def ground_overlay(lights: str | None, clouds: str | None = None) -> SurfaceMap 
         Name of packaged city lights (``earth``), or path of an equirectangular image, whose
         luminance is used.
     clouds : str or None
-        Path of an equirectangular image of cloud cover, linear. If the sizes differ, the smaller
-        image is enlarged.
+        Name of packaged clouds (``earth``), or path of an equirectangular image of cloud cover,
+        linear.
+    relief : str or None
+        Name of packaged heights (``earth``), or path of an equirectangular image of them, linear.
+        If sizes differ, smaller images are enlarged.
 
     Returns
     -------
     SurfaceMap or None
-        Map with the radiance of city lights in its colours, 1 for the brightest cities, and cloud
-        cover in the fourth channel; None without both.
+        Map with the radiance of city lights in its first channel, 1 for the brightest cities,
+        height in the second, 1 for ``scene.relief.HIGHEST``, and cloud cover in the fourth; None
+        without any.
 
     Raises
     ------
     FileError
-        If the file does not exist, or ``map_pixels`` rejects it.
+        If a file does not exist, or ``map_pixels`` rejects it.
     """
-    if lights is None and clouds is None:
+    if lights is None and clouds is None and relief is None:
         return None
-    files = lights_file(lights) if lights else None, Path(clouds) if clouds else None
-    levels = cached_levels(Path(__file__), files, lambda: _decoded(lights, clouds))
-    return SurfaceMap(name=f"{lights}, {clouds}", **levels._asdict())
+    files = (
+        lights_file(lights) if lights else None,
+        cloud_file(clouds) if clouds else None,
+        relief_file(relief) if relief else None,
+    )
+    levels = cached_levels(Path(__file__), files, lambda: _decoded(lights, clouds, relief))
+    return SurfaceMap(name=f"{lights}, {clouds}, {relief}", **levels._asdict())
 
 
-def _decoded(lights: str | None, clouds: str | None) -> Levels:
-    lamps = None if lights is None else _lamp_pixels(lights)
-    cover = None if clouds is None else cloud_pixels(clouds)
-    if lamps is None:
-        assert cover is not None
-        lamps = np.zeros_like(cover)
-    if cover is not None and cover.shape != lamps.shape:
-        lamps, cover = _of_one_size(lamps, cover)
-    return levels_of(_grey(lamps), cover)
+def _decoded(lights: str | None, clouds: str | None, relief: str | None) -> Levels:
+    parts = (
+        None if lights is None else _grey_pixels(lights, _SUFFIX, "city-lights map"),
+        None if relief is None else _HEIGHT_CODES[_grey_pixels(relief, _RELIEF, "map of heights")],
+        None if clouds is None else cloud_pixels(clouds),
+    )
+    given = [None if one is None else _reduced(one) for one in parts]
+    rows, columns = max(one.shape for one in given if one is not None)
+    lamps, heights, cover = (
+        np.zeros((rows, columns), np.uint8) if one is None else enlarged(one, rows, columns)
+        for one in given
+    )
+    return levels_of(np.dstack([lamps, heights, np.zeros_like(lamps)]), cover)
 
 
-def _lamp_pixels(lights: str) -> NDArray[np.uint8]:
+def _grey_pixels(name: str, suffix: str, kind: str) -> NDArray[np.uint8]:
     try:
-        return map_pixels(lights_file(lights), grey=True)
+        return map_pixels(packaged_map(name, suffix), grey=True)
     except FileNotFoundError as error:
-        known = ", ".join(sorted(p.name.removesuffix(_SUFFIX) for p in _DATA.glob(f"*{_SUFFIX}")))
-        raise FileError(lights, f"unknown city-lights map (known: {known})") from error
+        known = ", ".join(sorted(p.name.removesuffix(suffix) for p in MAPS.glob(f"*{suffix}")))
+        raise FileError(name, f"unknown {kind} (known: {known})") from error
 
 
-def _grey(values: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    return np.broadcast_to(values[..., None], (*values.shape, CHANNELS - 1))
-
-
-def _of_one_size(
-    lamps: NDArray[np.uint8], cover: NDArray[np.uint8]
-) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-    """Both maps at the size of the larger map."""
-    lamps = packed_texels(_grey(lamps))[..., 0]
-    cover = packed_texels(_grey(np.zeros_like(cover)), cover)[..., CHANNELS - 1]
-    rows, columns = max(lamps.shape, cover.shape)
-    return enlarged(lamps, rows, columns), enlarged(cover, rows, columns)
+def _reduced(values: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Values of one channel at ``map_size``."""
+    if values.shape == map_size(*values.shape):
+        return values
+    grey = np.broadcast_to(values[..., None], (*values.shape, CHANNELS - 1))
+    return packed_texels(grey, values)[..., CHANNELS - 1]
 
 
 def enlarged(values: NDArray[np.uint8], rows: int, columns: int) -> NDArray[np.uint8]:

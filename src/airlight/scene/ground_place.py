@@ -150,6 +150,42 @@ def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at
 
 
 @inlined
+def map_value(texels, rows, columns, level, latitude, longitude, channel):
+    """Bilinear interpolation of one channel of a mip level.
+
+    Parameters
+    ----------
+    texels, rows, columns, latitude, longitude :
+        Arguments of ``map_color``.
+    level : int
+        Existing level.
+    channel : int
+        0 to 2 for the colours, 3 for alpha.
+
+    Returns
+    -------
+    float
+        Linear value. [1]
+    """
+    start, height, width = level_place(rows, columns, level)
+    y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
+    x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
+    top = min(int(y), max(height - 2, 0))
+    west = floor(x)
+    down, right = y - top, x - west
+    bottom = min(top + 1, height - 1)
+    east = (west + 1) % width
+    west = (west + width) % width
+    upper = start + width * top
+    lower = start + width * bottom
+    above = channel_of(texels, upper + west, channel) * (1.0 - right)
+    above += channel_of(texels, upper + east, channel) * right
+    below = channel_of(texels, lower + west, channel) * (1.0 - right)
+    below += channel_of(texels, lower + east, channel) * right
+    return above * (1.0 - down) + below * down
+
+
+@inlined
 def add_texel(texels, texel, weight, out, at):
     """Add a texel times its weight to four elements of ``out``, from index ``at`` on. [1]"""
     out[at + 0] += weight * channel_of(texels, texel, 0)

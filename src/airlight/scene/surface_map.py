@@ -13,15 +13,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import FileError
 from airlight.image.texels import CHANNELS, DECODED, decoded_texels
-from airlight.planets.map_picture import map_pixels
+from airlight.planets.map_picture import MAPS, map_pixels, packaged_map
 from airlight.scene.map_cache import cached_levels
+from airlight.scene.map_grain import Grain, grain_of
 from airlight.scene.map_levels import Levels, empty_levels, fill_levels, level_views, reduced
 
-_DATA = Path(__file__).parent / "data"
 #: Suffix of packaged maps: ``earth`` is in ``data/earth-albedo.jpg``.
 _SUFFIX = "-albedo.jpg"
 #: Largest stored map; with its levels it fits a texture of 4096 by 8191 texels. [pixel]
 MOST_TEXELS: Final = 25_000_000
+#: Step between the texels from which the colour of water is taken.
+_SPARSE: Final = 8
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -79,6 +81,18 @@ class SurfaceMap:
         bands = 0.5 * (edges[:-1] - edges[1:])
         rows = [DECODED[c][full[..., c]].mean(axis=1, dtype=np.float64) for c in range(CHANNELS)]
         return np.asarray(rows) @ bands
+
+    @cached_property
+    def water_rgb(self) -> NDArray[np.float64]:
+        """Mean reflectance of the texels that are all water, shape (3,); black without any. [1]"""
+        texels = self.levels[0][::_SPARSE, ::_SPARSE]
+        wet = decoded_texels(texels[texels[..., 3] == 255])[:, :3]
+        return np.asarray(wet.mean(axis=0, dtype=np.float64)) if len(wet) else np.zeros(3)
+
+    @cached_property
+    def grain(self) -> Grain:
+        """Contrast of the land at the smallest scales of the map."""
+        return grain_of(self.levels)
 
     def level(self, footprint: ArrayLike) -> NDArray[np.float64]:
         """Mip level whose texels match a pixel footprint.
@@ -230,8 +244,7 @@ def map_file(name: str) -> Path:
     >>> map_file("earth").name
     'earth-albedo.jpg'
     """
-    packaged = _DATA / f"{name}{_SUFFIX}"
-    return packaged if "/" not in name and packaged.is_file() else Path(name)
+    return packaged_map(name, _SUFFIX)
 
 
 def water_file(name: str) -> Path:
@@ -276,7 +289,7 @@ def _decoded(name: str, file: Path, beside: Path) -> Levels:
     try:
         pixels = map_pixels(file)
     except FileNotFoundError as error:
-        known = ", ".join(sorted(p.name.removesuffix(_SUFFIX) for p in _DATA.glob(f"*{_SUFFIX}")))
+        known = ", ".join(sorted(p.name.removesuffix(_SUFFIX) for p in MAPS.glob(f"*{_SUFFIX}")))
         raise FileError(name, f"unknown ground map (known: {known})") from error
     water = map_pixels(beside, grey=True) if beside.is_file() else None
     if water is not None and water.shape != pixels.shape[:2]:

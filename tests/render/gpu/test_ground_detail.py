@@ -13,10 +13,17 @@ from airlight import Camera, Scene, load_planet, render
 from airlight.geometry.vectors import Vec3
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
-from airlight.scene.ground_detail import PERIOD, finest_cell, ground_detail, smooth_noise
+from airlight.scene.ground_detail import (
+    PERIOD,
+    WHOLE_PERIOD,
+    finest_cell,
+    ground_detail,
+    smooth_noise,
+)
 from airlight.solver.moments.solution import MomentsSolution
 
 CELL = np.float32(finest_cell(6371e3, 2700))
+FALL = np.float32(0.6)
 
 
 def test_noise_is_that_of_the_cpu(on_gpu: Callable[..., Any]) -> None:
@@ -32,12 +39,13 @@ def test_detail_near_the_observer_is_that_of_the_cpu(on_gpu: Callable[..., Any])
     away = 10.0 ** random.uniform(-1.0, 2.0, 500)
     steps = (random.normal(size=(3, 500)) * away).astype(np.float32)
     footprint = (1e-3 * away).astype(np.float32)
-    wholes = np.floor(random.uniform(0.0, 4194304.0, (3, 500))).astype(np.float32)
+    wholes = np.floor(random.uniform(0.0, WHOLE_PERIOD, (3, 500))).astype(np.float32)
     parts = random.uniform(0.0, 1.0, (3, 500)).astype(np.float32)
     cell = np.full(500, CELL)
-    given = Vec3(*steps), footprint, cell, Vec3(*wholes), Vec3(*parts)
+    falls = np.full(500, FALL)
+    given = Vec3(*steps), footprint, cell, Vec3(*wholes), Vec3(*parts), falls
     wanted = [
-        ground_detail(Vec3(*step), float(size), float(CELL), Vec3(*whole), Vec3(*part))
+        ground_detail(Vec3(*step), float(size), float(CELL), Vec3(*whole), Vec3(*part), float(FALL))
         for step, size, whole, part in zip(
             *(one.T.tolist() for one in (steps, footprint, wholes, parts)), strict=True
         )

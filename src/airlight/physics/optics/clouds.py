@@ -7,9 +7,14 @@ direct beam, it shadows its fraction, and transmits as diffuse light what it doe
 from __future__ import annotations
 
 from math import sqrt
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from airlight.kernel import kernel
+
+#: Altitudes below which clouds that are only seen from space are absent, and above which they are
+#: complete: no such cloud is between observer and ground, and a descent has no sudden change. [m]
+ABSENT_BELOW: Final = 60e3
+COMPLETE_ABOVE: Final = 100e3
 
 
 class GroundFactors(NamedTuple):
@@ -30,6 +35,35 @@ class GroundFactors(NamedTuple):
     sky_diffuse: float
     sky_specular: float
     mirrored: float
+
+
+@kernel
+def clouds_shown(altitude, detailed, from_space):
+    """Factor of the cloud cover in a picture. [1]
+
+    Parameters
+    ----------
+    altitude : float
+        Altitude of the observer. [m]
+    detailed : bool
+        Whether the ground has detail.
+    from_space : bool
+        Whether clouds are only seen from space: decoration of detailed ground.
+
+    Examples
+    --------
+    >>> [round(clouds_shown(altitude, True, True), 6) for altitude in (2.0, 8e4, 4e5)]
+    [0.0, 0.5, 1.0]
+    >>> clouds_shown(2.0, False, False)  # clouds that are part of the planet
+    1.0
+    """
+    if not from_space:
+        return 1.0
+    if not detailed:
+        return 0.0
+    part = (altitude - ABSENT_BELOW) / (COMPLETE_ABOVE - ABSENT_BELOW)
+    part = min(max(part, 0.0), 1.0)
+    return part * part * (3.0 - 2.0 * part)
 
 
 @kernel

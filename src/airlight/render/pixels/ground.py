@@ -16,23 +16,41 @@ from airlight.geometry.shell import first_intersection
 from airlight.geometry.vectors import Vec3, components, minus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
-from airlight.physics.optics.clouds import GroundFactors, layer_distance, under_clouds
+from airlight.physics.optics.clouds import GroundFactors, clouds_shown, layer_distance, under_clouds
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.physics.optics.water import water_reflectances
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
-from airlight.scene.ground_detail import ground_detail
+from airlight.render.pixels.relief import relief_light
+from airlight.scene.ground_detail import (
+    displacement,
+    grained_cover,
+    ground_detail,
+    sharper_share,
+    unmixed,
+)
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import MIRRORED
 from airlight.solver.moments.source import transmittance_columns
 
 #: Length of the array that ``ground_color`` fills.
-GROUND_VALUES: Final = 11
+GROUND_VALUES: Final = 12
+#: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
+NEARLY_WATER: Final = 0.999
+
+
+@inlined
+def level_ground(color):
+    """Values of ground without detail, clouds and relief, into ``color``. [1]"""
+    color[8] = 1.0
+    color[9] = 0.0
+    color[10] = 0.0
+    color[11] = 1.0
 
 
 @inlined
 def ground_color(ray, sine, angle, frame, color):
-    """Map values at the end of a line of sight, into ``color`` (11,). [1]
+    """Map values at the end of a line of sight, into ``color`` (12,). [1]
 
     Parameters
     ----------
@@ -42,10 +60,11 @@ def ground_color(ray, sine, angle, frame, color):
         Sine of its zenith angle [1]; angle of refraction [rad].
     frame : FrameTables
         What the pixels read.
-    color : array, shape (11,)
+    color : array, shape (12,)
         Receives linear sRGB reflectance and water fraction of the map, four values of the overlay,
-        the noise factor, and the cloud cover on the line of sight and on the path to the star;
-        values of absent maps are unchanged. [1]
+        the noise factor of ground without a map, the cloud cover on the line of sight and on the
+        path to the star, and the factor of direct light by the relief; values of absent maps are
+        unchanged. [1]
     """
     observer, view, tables = frame.observer, frame.camera, frame.tables
     cosine = ground_cosine(ray.z, sine, observer, tables)
@@ -54,39 +73,82 @@ def ground_color(ray, sine, angle, frame, color):
     both = max(tables.bottom * cosine - observer.r * ray.z, 1e-30)
     reach = observer.optical_altitude * (observer.r + tables.bottom) / both
     end = Vec3(reach * ray.x, reach * ray.y, up)
-    color[8] = 1.0
+    level_ground(color)
+    noise = 0.0
     if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
         # z - bottom of a point of the sphere, which single precision has to half a metre only
         below = -(end.x * end.x + end.y * end.y) / max(tables.bottom + end.z, 1e-3 * tables.bottom)
         place = components(Vec3(end.x, end.y, below), view.ground_x, view.ground_y, view.ground_z)
         footprint = view.pixel_angle * reach / max(cosine, 0.01)
-        color[8] = 1.0 + ground_detail(place, footprint, view.detail_cell, view.whole, view.part)
+        noise = ground_detail(
+            place, footprint, view.detail_cell, view.whole, view.part, view.grain_fall
+        )
+        color[8] = 1.0 + view.grain.x * noise
     end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
         components(end, view.ground_x, view.ground_y, view.ground_z)
     )
     if view.mapped:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
+        beside = displacement(level, noise, view.map_rows)
         map_color(
-            view.texels, view.map_rows, view.map_columns, view.map_levels, latitude,
-            longitude, level, color, 0,
+            view.texels, view.map_rows, view.map_columns, view.map_levels, latitude + beside,
+            longitude + beside, level, color, 0,
         )  # fmt: skip
-        color[8] = color[8] * (1.0 - color[3]) + color[3]
+        color[8] = 1.0
+        if view.detailed:
+            detailed_land(level, noise, view, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
+        shown = 0.0
         if view.clouded:
-            cloud_cover(end, ray, cosine, level, frame, color)
+            shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
+        if shown > 0.0:
+            beside = displacement(level, noise, view.over_rows)
+            cloud_cover(end, ray, cosine, level, beside, frame, color)
+            color[9] = shown * grained_cover(color[9], level, noise)
+            color[10] *= shown
+        if view.relieved and view.detailed:
+            color[11] = relief_light(end, level, frame)
         map_color(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, color, 4,
         )  # fmt: skip
-        if view.clouded:
-            for c in range(4, 7):
-                color[c] *= 1.0 - color[9]
+        # lamps have one channel; the others are heights, and empty
+        color[4] *= 1.0 - color[9]
+        color[5] = color[4]
+        color[6] = color[4]
 
 
 @inlined
-def cloud_cover(end, ray, cosine, level, frame, color):
+def detailed_land(level, noise, view, color):
+    """Decorate map values below the map's resolution: coast between texels, and land with noise.
+
+    Parameters
+    ----------
+    level : float
+        Level of the map. [1]
+    noise : float
+        Result of ``ground_detail``. [1]
+    view : ViewUniforms
+        Camera with its maps.
+    color : array, shape (12,)
+        Values of the map, which are changed. [1]
+    """
+    share = color[3]
+    if share < NEARLY_WATER:
+        sharp = sharper_share(share, level)
+        red = unmixed(color[0], view.water.x, share) * max(1.0 + view.grain.x * noise, 0.0)
+        green = unmixed(color[1], view.water.y, share) * max(1.0 + view.grain.y * noise, 0.0)
+        blue = unmixed(color[2], view.water.z, share) * max(1.0 + view.grain.z * noise, 0.0)
+        color[0] = red + sharp * (view.water.x - red)
+        color[1] = green + sharp * (view.water.y - green)
+        color[2] = blue + sharp * (view.water.z - blue)
+        color[3] = sharp
+
+
+@inlined
+def cloud_cover(end, ray, cosine, level, beside, frame, color):
     """Cloud cover on a line of sight and on the path from its end to the star. [1]
 
     Refraction between ground and layer is neglected.
@@ -99,6 +161,8 @@ def cloud_cover(end, ray, cosine, level, frame, color):
         Its direction, and cosine of the zenith angle of the way back. [1]
     level : float
         Level of the overlay. [1]
+    beside : float
+        Displacement of the clouds that are seen, in latitude and longitude. [rad]
     frame, color :
         Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
     """
@@ -108,14 +172,16 @@ def cloud_cover(end, ray, cosine, level, frame, color):
     out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
     for towards in range(2):
         place = minus(end, scaled(ray, back))
+        shift = beside
         if towards == 1:
+            shift = 0.0
             place = Vec3(end.x + out * observer.sun_x, end.y, end.z + out * observer.sun_z)
         latitude, longitude = latitude_longitude(
             components(place, view.ground_x, view.ground_y, view.ground_z)
         )
         map_color(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude, longitude, level, color, 4,
+            latitude + shift, longitude + shift, level, color, 4,
         )  # fmt: skip
         color[9 + towards] = color[7]
     if observer.r <= view.cloud_radius:
@@ -138,9 +204,9 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
     if view.mapped or view.overlaid or view.detailed:
         ground_color(ray, sine, angle, frame, color)
     else:
-        color[8] = 1.0
+        level_ground(color)
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
-    if tables.ground.law != 0 or tables.ground.wet or view.clouded:
+    if tables.ground.law != 0 or tables.ground.wet or view.clouded or view.relieved:
         mu_s, mu_r, nu = ground_angles(ray.x, ray.z, sine, angle, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
         share = 0.0
@@ -150,6 +216,8 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
             star_diffuse, star_specular = brdf_direct(
                 tables.ground.law, tables.ground, mu_s, mu_r, nu
             )
+            star_diffuse *= color[11]
+            star_specular *= color[11]
             sky_diffuse, sky_specular = brdf_diffuse(tables.ground.law, tables.ground, mu_r)
             if tables.ground.wet and view.mapped:
                 share = color[3]
@@ -163,7 +231,7 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
             mirrored = share * mirrored
     factors = GroundFactors(star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored)
     if view.clouded:
-        factors = under_clouds(color[9], color[10], tables.ground.cloud_albedo, factors)
+        factors = under_clouds(color[9], color[10], view.cover_albedo, factors)
     return factors
 
 
@@ -224,7 +292,8 @@ def ground_factor(color, view, factors, tables, work, at):
         at ``MIRRORED``.
     """
     albedo = reflectance(color, view.mapped, tables, at)
-    if tables.ground.law == 0 and not tables.ground.wet and not view.clouded:
+    plain = not view.clouded and not view.relieved
+    if tables.ground.law == 0 and not tables.ground.wet and plain:
         return albedo
     received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)
     star, sky = received[0], received[1]

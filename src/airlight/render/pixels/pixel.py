@@ -67,7 +67,13 @@ class ViewUniforms(NamedTuple):
     separated_phases: bool
     overlaid: bool
     clouded: bool
+    clouds_from_space: bool
+    relieved: bool
+    water: Vec3
+    grain: Vec3
+    grain_fall: float
     cloud_altitude: float
+    cover_albedo: float
     cloud_radius: float
     detailed: bool
     detail_cell: float

@@ -29,6 +29,7 @@ from airlight.render.pixels.sky_view_lut import Observer
 from airlight.scene import Camera, Scene
 from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell, lattice_origin
 from airlight.scene.ground_overlay import LAMP_TEMPERATURE, TOWN_LUMINANCE
+from airlight.scene.map_grain import EVEN
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.surface_map import SurfaceMap, surface_map
 from airlight.solver.moments.solution import MomentsSolution
@@ -220,7 +221,7 @@ def size_uniforms(ground: SurfaceMap | None, overlay: SurfaceMap | None) -> dict
 
 
 def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of city lights and of the cloud layer.
+    """Uniforms of city lights, of the cloud layer, and of the detail of the ground.
 
     Parameters
     ----------
@@ -229,11 +230,33 @@ def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:
     """
     medium, altitude = solution.medium, solution.medium.surface.cloud_altitude
     radius = solution.geometry.optical_radius(np.array(medium.bottom_radius + altitude))
-    return lamp_uniforms(solution) | {
-        "clouded": float(medium.surface.clouds is not None),
-        "cloud_altitude": altitude,
-        "cloud_radius": float(radius),
-    }
+    return (
+        lamp_uniforms(solution)
+        | land_uniforms(medium.surface.map)
+        | {
+            "clouded": float(medium.surface.overlay[1] is not None),
+            "clouds_from_space": float(medium.surface.clouds is None),
+            "relieved": float(medium.surface.relief is not None),
+            "cloud_altitude": altitude,
+            "cover_albedo": medium.surface.cloud_albedo,
+            "cloud_radius": float(radius),
+        }
+    )
+
+
+def land_uniforms(name: str | None) -> dict[str, float]:
+    """Uniforms of the detail of the ground: colour of the map's water, contrast of its land. [1]
+
+    Parameters
+    ----------
+    name : str or None
+        Map of the ground.
+    """
+    found = None if name is None else surface_map(name)
+    grain = EVEN if found is None else found.grain
+    water = np.zeros(3) if found is None else found.water_rgb
+    uniforms = _vector("water", water) | _vector("grain", np.asarray(grain.contrast))
+    return uniforms | {"grain_fall": grain.fall}
 
 
 def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES
+from airlight.planets.cloud_cover import cloud_file
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 from airlight.render import render
@@ -18,7 +19,7 @@ from airlight.render.solve_planet import solve_planet
 from airlight.render.star_points import add_catalogue
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
-from airlight.scene.ground_overlay import lights_file
+from airlight.scene.ground_overlay import lights_file, relief_file
 from airlight.scene.surface_map import map_file, water_file
 from airlight.scene.system import System
 from airlight.solver.moments.solve import solve_work
@@ -256,8 +257,9 @@ def _ground_files(planet: Planet) -> tuple[Path, ...]:
         found += [map_file(ground.map), water_file(ground.map)]
     if ground.lights is not None:
         found.append(lights_file(ground.lights))
-    if ground.clouds is not None:
-        found.append(Path(ground.clouds))
+    found += [cloud_file(one) for one in (ground.clouds, ground.clouds_from_space) if one]
+    if ground.relief is not None:
+        found.append(relief_file(ground.relief))
     return tuple(file for file in found if file.is_file())
 
 

@@ -253,9 +253,7 @@ def solution_package(
         "ground": ground_map(None if mapped is None else surface_map(mapped)),
         "body": None if solution.planet is None else solution.planet.body,
         "second": second_light_data(solution),
-        "overlay": ground_map(
-            ground_overlay(medium.surface.lights, medium.surface.clouds), lossless=True
-        ),
+        "overlay": ground_map(ground_overlay(*medium.surface.overlay), lossless=True),
         "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
     tables = {name: (FORMATS[values.shape[1]], values) for name, values in made.textures.items()}

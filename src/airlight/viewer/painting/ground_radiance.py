@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from airlight.geometry.vectors import Vec3
 from airlight.image.texels import CHANNELS
 from airlight.physics.optics import water
-from airlight.physics.optics.clouds import GroundFactors, layer_distance, under_clouds
+from airlight.physics.optics.clouds import GroundFactors, clouds_shown, layer_distance, under_clouds
 from airlight.physics.optics.cox_munk import mirrored_cosine
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct, cos_reflected
 from airlight.scene import Scene
@@ -90,7 +90,7 @@ def ground_radiance(
     if clouds is not None:
         clear = GroundFactors(star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored)
         star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = under_clouds(
-            *clouds, ground.cloud_albedo, clear
+            *clouds, medium.surface.cloud_albedo, clear
         )
     by_sky = _factor((sky_diffuse, sky_specular), albedo)
     if mirrored > 0.0:
@@ -146,10 +146,11 @@ def probed_clouds(
         Cover on the line of sight, and on the path to the light. None without clouds. [1]
     """
     medium, bottom = solution.medium, solution.medium.bottom_radius
-    if medium.surface.clouds is None or not np.isfinite(distance):
+    surface = medium.surface
+    shown = clouds_shown(scene.altitude, scene.ground == "detailed", surface.clouds is None)
+    overlay = ground_overlay(*surface.overlay)
+    if surface.overlay[1] is None or overlay is None or not np.isfinite(distance):
         return None
-    overlay = ground_overlay(medium.surface.lights, medium.surface.clouds)
-    assert overlay is not None
     place = distance * direction + np.array([0.0, 0.0, bottom + scene.altitude])
     cosine = -float(direction @ place) / bottom
     level = map_level(scene.camera.pixel_angle, distance, cosine, bottom, overlay.rows)
@@ -163,6 +164,6 @@ def probed_clouds(
             overlay.flat, overlay.rows, overlay.columns, len(overlay.levels),
             *latitude_longitude(Vec3(*spot)), level, texel, 0,
         )  # fmt: skip
-        covers.append(float(texel[CHANNELS - 1]))
+        covers.append(shown * float(texel[CHANNELS - 1]))
     above = scene.altitude > medium.surface.cloud_altitude
     return covers[0] if above else 0.0, covers[1]

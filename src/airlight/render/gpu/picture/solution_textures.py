@@ -124,7 +124,7 @@ class SolutionTextures:
             textures["ground"] = packed_texture(device, texels, "ground")
             release(texels)
         textures["map of"] = name
-        over = (medium.surface.lights, medium.surface.clouds) if maps else (None, None)
+        over = medium.surface.overlay if maps else (None, None, None)
         overlay = ground_overlay(*over)
         if before is not None and before.textures.get("overlay of") == over:
             textures["overlay"] = before.textures["overlay"]

@@ -1,0 +1,127 @@
+"""Sunlight on the slopes of the ground, and shadows of mountains, by a map of heights.
+
+Decoration of pictures: air and solver have a smooth sphere. The slope is that along the azimuth of
+the star, which alone changes direct light to first order; heights further along it give the
+shadow.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin, sqrt
+from typing import Final
+
+from airlight.geometry.vectors import Vec3, components
+from airlight.kernel import inlined, kernel
+from airlight.scene.ground_place import latitude_longitude, map_value
+
+#: Height of a map value of 1: NASA's picture of the Earth's topography ends there. [m]
+HIGHEST: Final = 6400.0
+#: Channel of the heights in the overlay.
+CHANNEL: Final = 1
+#: Number of places towards the star at which mountains are looked for, each twice as far.
+TAPS: Final = 4
+#: Sine of the star's elevation below which slopes count as at it: there the level ground's direct
+#: light, by which they are divided, vanishes. [1]
+LOWEST: Final = 0.06
+#: Largest factor of direct light. [1]
+BRIGHTEST: Final = 2.5
+#: Width of the edge of a shadow, in tangents of elevation: the sun's disc, and heights that are
+#: known at distances of texels. [1]
+EDGE: Final = 0.02
+
+
+@kernel
+def slope_light(mu_s, slope):
+    """Direct irradiance of a slope over that of level ground. [1]
+
+    Parameters
+    ----------
+    mu_s : float
+        Cosine of the star's zenith angle. [1]
+    slope : float
+        Tangent of the ascent towards the star's azimuth. [1]
+
+    Examples
+    --------
+    >>> slope_light(1.0, 0.3), round(slope_light(0.5, -0.1), 4)  # 1 + 0.1 tan 60°
+    (1.0, 1.1732)
+    """
+    sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    return min(max(1.0 - slope * sine / max(mu_s, LOWEST), 0.0), BRIGHTEST)
+
+
+@kernel
+def unshaded(elevation, skyline):
+    """Share of the star that is above a skyline, from the tangents of their elevations. [1]
+
+    Examples
+    --------
+    >>> unshaded(0.1, 0.0), unshaded(0.1, 0.1), unshaded(0.0, 0.1)
+    (1.0, 0.5, 0.0)
+    """
+    part = min(max(0.5 + (elevation - skyline) / EDGE, 0.0), 1.0)
+    return part * part * (3.0 - 2.0 * part)
+
+
+@inlined
+def height_towards(end, ahead, angle, level, frame):
+    """Height of the ground at an angle from a place. [m]
+
+    Parameters
+    ----------
+    end, ahead : Vec3
+        Unit vectors to the place from the planet's centre, and along the ground, in the observer's
+        frame. [1]
+    angle : float
+        Angle from the place, seen from the centre. [rad]
+    level : int
+        Mip level.
+    frame : FrameTables
+        What the pixels read.
+    """
+    view, near, far = frame.camera, cos(angle), sin(angle)
+    place = Vec3(
+        near * end.x + far * ahead.x, near * end.y + far * ahead.y, near * end.z + far * ahead.z
+    )
+    latitude, longitude = latitude_longitude(
+        components(place, view.ground_x, view.ground_y, view.ground_z)
+    )
+    return HIGHEST * map_value(
+        view.over_texels, view.over_rows, view.over_columns, level, latitude, longitude, CHANNEL
+    )
+
+
+@inlined
+def relief_light(end, level, frame):
+    """Direct light of the ground with its relief over that of a smooth sphere. [1]
+
+    Parameters
+    ----------
+    end : Vec3
+        End of the line of sight on the ground, from the centre, in the observer's frame. [m]
+    level : float
+        Level of the overlay. [1]
+    frame : FrameTables
+        What the pixels read.
+    """
+    observer, view, bottom = frame.observer, frame.camera, frame.tables.bottom
+    up = Vec3(end.x / bottom, end.y / bottom, end.z / bottom)
+    mu_s = up.x * observer.sun_x + up.z * observer.sun_z
+    sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    if mu_s <= 0.0 or sine < 1e-3:
+        return 1.0
+    level_x, level_z = observer.sun_x - mu_s * up.x, observer.sun_z - mu_s * up.z
+    ahead = Vec3(level_x / sine, -mu_s * up.y / sine, level_z / sine)
+    which = int(min(max(level, 0.0), view.over_levels - 1.0))
+    step = pi / view.over_rows * 2.0**which
+    here = height_towards(up, ahead, 0.0, which, frame)
+    behind = height_towards(up, ahead, -step, which, frame)
+    skyline, slope, angle = -1.0, 0.0, step
+    for tap in range(TAPS):
+        other = height_towards(up, ahead, angle, which, frame)
+        if tap == 0:
+            slope = (other - behind) / (2.0 * step * bottom)
+        # the sphere falls away below the tangent
+        skyline = max(skyline, (other - here) / (angle * bottom) - 0.5 * angle)
+        angle *= 2.0
+    return slope_light(mu_s, slope) * unshaded(mu_s / sine, skyline)
