@@ -36,8 +36,9 @@ ROWS = {"moon": 1536, "mars": 512}
 #: Quality of the JPEG files.
 QUALITY = {"moon": 85, "mars": 92}
 #: Albedos of Mars without ice that 2 % of the ground are below and above: Christensen et al.
-#: (2001), JGR 106, 23823, Thermal Emission Spectrometer. [1]
-DARK, BRIGHT = 0.10, 0.30
+#: (2001), JGR 106, 23823, Thermal Emission Spectrometer, 0.10 and 0.30 from above the dust, of
+#: which its optical depth of 0.5 adds about 0.04 over dark ground. [1]
+DARK, BRIGHT = 0.06, 0.30
 #: Contrast of these in red, green and blue; it nearly vanishes below 450 nm (McCord & Westphal
 #: 1971, Astrophysical Journal 168, 141).
 CONTRAST = np.array([1.1, 1.0, 0.3])
