@@ -97,17 +97,17 @@ class Stopping:
         return stricter_tolerance(self.tolerance, self.stricter, float(thick.max()))
 
 
-def stricter_tolerance(tolerance, stricter, thick):
+def stricter_tolerance(tolerance: float, stricter: float, thick: float) -> float:
     """Tolerance in a medium whose weight of ``Stopping.stricter`` is ``thick``. [1]"""
     return tolerance * (1.0 - stricter * thick)
 
 
-def is_converged(sweeps, fewest, error, tolerance):
+def is_converged(sweeps: int, fewest: int, error: float, tolerance: float) -> bool:
     """Whether the remaining error is within the tolerance, after the fewest sweeps at least."""
     return sweeps >= fewest and error <= tolerance
 
 
-def logarithmic_progress(error, tolerance):
+def logarithmic_progress(error: float, tolerance: float) -> float:
     """Progress: 0 at a remaining error of 1, 1 at the tolerance. [1]"""
     if error <= tolerance:
         return 1.0
