@@ -175,7 +175,7 @@ def main() -> None:
         wall = shortest(partial(to_display, rgb, exposure), time.perf_counter)
         display = DisplaySettings().display(exposure)
         picture = np.empty(rgb.shape, np.uint8)
-        own = shortest(partial(display_rows, rgb, picture, 0, 255.0, display), time.thread_time)
+        own = shortest(partial(display_rows, rgb, picture, 0, 0, 255.0, display), time.thread_time)
         print(f"{name:12s} {1e3 * wall:6.1f} ms  {1e9 * own / rgb[..., 0].size:5.0f} ns a pixel")
     sky = made["sky"]
     metering = shortest(partial(automatic_exposure, sky), time.perf_counter)

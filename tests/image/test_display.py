@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight.errors import ParameterError
 from airlight.image import display
 from airlight.image.display import to_display
-from airlight.image.dither import dither_noise
+from airlight.image.dither import dither_noise, dither_place
 from airlight.image.encoding import srgb_decode, srgb_encode
 from airlight.image.gamut import PRIMARIES, RGB_TO_P3, in_gamut
 from airlight.image.natural import natural
@@ -58,8 +58,9 @@ def test_dither_keeps_means_and_hides_contours():
 def test_dither_is_blue_and_has_no_beats():
     # Power over that of white noise, by the Fourier transform; a lattice has its power in peaks,
     # which become visible beats where a picture is scaled.
+    places = [[dither_place(x + 0.5, y + 0.5) for x in range(128)] for y in range(128)]
     noise = np.array(
-        [[[dither_noise(x + 0.5, y + 0.5, c) for x in range(128)] for y in range(128)]
+        [[[dither_noise(place, c) for place in row] for row in places]
          for c in range(3)]
     )  # fmt: skip
     assert_allclose(noise.mean(axis=(1, 2)), 0.0, atol=2e-3)

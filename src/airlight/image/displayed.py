@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, NamedTuple
 
-from airlight.image.dither import dithered
+from airlight.image.dither import dither_place, dithered
 from airlight.image.encoding import encoded
 from airlight.image.eye import cones_and_rods, with_rods
 from airlight.image.tone_maps import shown_light
@@ -90,8 +90,11 @@ def displayed(red, green, blue, px, py, display):
     red = encoded(display.encoding, red)
     green = encoded(display.encoding, green)
     blue = encoded(display.encoding, blue)
+    if display.dither <= 0.0:
+        return red, green, blue
+    place = dither_place(px, py)
     return (
-        dithered(red, px, py, 0, display.dither),
-        dithered(green, px, py, 1, display.dither),
-        dithered(blue, px, py, 2, display.dither),
+        dithered(red, place, 0, display.dither),
+        dithered(green, place, 1, display.dither),
+        dithered(blue, place, 2, display.dither),
     )

@@ -21,10 +21,12 @@ _COUNT: Final = 4096
 _PRIME: Final = 30269
 _ACROSS: Final = 171
 _DOWN: Final = 7919
-#: Seeds of the blocks of two and four pixels and of the rest.
+#: Seeds of the blocks of two and four pixels.
 _BLOCK_2: Final = 1
 _BLOCK_4: Final = 17
-_REST: Final = 101
+#: Steps of a lattice of 256 values, the last sixteenth of the range.
+_REST_ACROSS: Final = 151
+_REST_DOWN: Final = 77
 
 
 @kernel
@@ -40,8 +42,7 @@ def hashed(column, row, seed):
     """
     h = (_ACROSS * column + _DOWN * row + seed) % _PRIME
     h = (h * h + row) % _PRIME
-    h = (h * h + column) % _PRIME
-    return (h * h + seed) % _PRIME
+    return (h * h + column) % _PRIME
 
 
 @kernel
@@ -62,13 +63,27 @@ def quarter(column, row, seed):
 
 
 @kernel
-def dither_noise(px, py, channel):
-    """Noise of a pixel's channel, with a triangular density from -1 to 1. [1]
+def dither_place(px, py):
+    """Place of a pixel in the range of the noise, 0 to 4095.
 
     Parameters
     ----------
     px, py : float
         Position from the picture's left and top edge, up to 65536. [pixel]
+    """
+    column, row = math.floor(px), math.floor(py)
+    fine = 1024 * quarter(column, row, _BLOCK_2) + 256 * quarter(column // 2, row // 2, _BLOCK_4)
+    return fine + (_REST_ACROSS * column + _REST_DOWN * row) % 256
+
+
+@kernel
+def dither_noise(place, channel):
+    """Noise of a pixel's channel, with a triangular density from -1 to 1. [1]
+
+    Parameters
+    ----------
+    place : int
+        Result of ``dither_place``.
     channel : int
         0 to 2: the second is moved by half of the range and the third mirrored, so that they partly
         cancel in luminance.
@@ -84,31 +99,29 @@ def dither_noise(px, py, channel):
     Lipshitz, Wannamaker & Vanderkooy (1992), J. Audio Eng. Soc. 40, 355, on the density; Ulichney
     (1988), Proc. IEEE 76, 56, on blue noise; the stratified blocks are airlight's.
     """
-    column, row = math.floor(px), math.floor(py)
-    fine = 1024 * quarter(column, row, _BLOCK_2) + 256 * quarter(column // 2, row // 2, _BLOCK_4)
-    place = fine + 256 * hashed(column, row, _REST) // _PRIME
+    at = place
     if channel == 1:
-        place = (place + _COUNT // 2) % _COUNT
+        at = (place + _COUNT // 2) % _COUNT
     if channel == 2:
-        place = _COUNT - 1 - place
-    twice = (2.0 * place + 1.0) / _COUNT
+        at = _COUNT - 1 - place
+    twice = (2.0 * at + 1.0) / _COUNT
     if twice < 1.0:
         return math.sqrt(twice) - 1.0
     return 1.0 - math.sqrt(2.0 - twice)
 
 
 @kernel
-def dithered(value, px, py, channel, step):
+def dithered(value, place, channel, step):
     """Value of a channel with dither, except for black and white. [1]
 
     Parameters
     ----------
     value : float
         Encoded value, 0 to 1. [1]
-    px, py, channel :
+    place, channel :
         Arguments of ``dither_noise``.
     step : float
-        Quantisation step; 0 for no dither. [1]
+        Quantisation step. [1]
     """
     amplitude = min(step, min(value, 1.0 - value))
-    return value + amplitude * dither_noise(px, py, channel)
+    return value + amplitude * dither_noise(place, channel)

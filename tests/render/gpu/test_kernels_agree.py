@@ -270,7 +270,8 @@ COLORS = [
     # Whole numbers, then a root of one of 4096 parts of 2.
     Case(dither.hashed, (PIXELS[0].astype(int), PIXELS[1].astype(int), 17)),
     Case(dither.quarter, (PIXELS[0].astype(int), PIXELS[1].astype(int), 17)),
-    Case(dither.dither_noise, (PIXELS[0], PIXELS[1], 2), atol=EPS * 64),
+    Case(dither.dither_place, (PIXELS[0], PIXELS[1])),
+    Case(dither.dither_noise, (np.arange(4096), 1), atol=EPS * 64),
     Case(natural.natural_color, LIGHTS, atol=10 * POWER),
     Case(natural.natural_shown, (1, 1.4, *LIGHTS), atol=10 * POWER),
     Case(encoding.srgb_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
