@@ -15,6 +15,7 @@ from airlight.image.exposure import (
     eased,
     exposure_factor,
 )
+from airlight.image.xyz import luminance
 from airlight.physics.constants import LUMINOUS_EFFICACY
 
 #: A sunlit sky and ground of some 3000 cd/m². [W m⁻² sr⁻¹]
@@ -62,15 +63,43 @@ def test_darker_skies_are_never_shown_brighter():
 
 
 def test_highlights_are_protected():
-    # a tenth of the picture is forty times as bright: it decides
+    # a tenth of the picture is eight times as bright: it decides
     plain = np.full((40, 40, 3), 5.0)
     lit = plain.copy()
-    lit[:4] *= 40.0
-    assert_allclose(200.0 * exposure_factor(automatic_exposure(lit)), 1.5, rtol=1e-2)
-    # a hundredth of it does not
+    lit[:4] *= 8.0
+    assert_allclose(40.0 * exposure_factor(automatic_exposure(lit)), 1.5, rtol=1e-2)
+    # forty times as bright it lowers the key by 1.5 EV: its white is not worth more
+    lit[:4] = 200.0
+    key = lit[:, :, 0].ravel()
+    key = np.exp2(np.log2(np.sort(key)[400:1520]).mean())
+    assert_allclose(automatic_exposure(lit), math.log2(0.35 / key) - 1.5, atol=0.01)
+    # a hundredth of the picture does not decide
     few = plain.copy()
     few[0, :16] *= 40.0
     assert_allclose(automatic_exposure(few), automatic_exposure(plain), atol=0.1)
+
+
+def test_white_is_shown_as_white_and_soil_is_not():
+    # incident metering: a surface of the reflectance ρ that faces the star is shown as ρ where that
+    # is brighter than the key, so that snow and the clouds of Venus are not grey
+    def shown_as(reflectance: float) -> float:
+        picture = np.full((8, 8, 3), reflectance * 60.0)
+        return float(60.0 * reflectance * exposure_factor(automatic_exposure(picture, white=60.0)))
+
+    assert_allclose([shown_as(0.9), shown_as(0.7)], [0.9, 0.7], rtol=1e-9)
+    # by day the eye's adaptation takes less than half a per cent of the key
+    assert_allclose([shown_as(0.3), shown_as(0.1)], 0.35, rtol=5e-3)
+
+
+def test_a_saturated_red_counts_more_than_its_luminance():
+    # the sky at a setting sun has 2.4 times its luminance in red; shown as a grey sky it would be
+    # 0.84 there, of which glare leaves no room
+    grey = np.full((8, 8, 3), 3.0)
+    red = 3.0 * np.ones((8, 8, 1)) * np.array([2.4, 0.66, 0.25])
+    assert abs(luminance(red[0, 0]) - 3.0) < 0.05
+    assert_allclose(automatic_exposure(grey), math.log2(0.35 / 3.0), atol=0.01)
+    shown_red = 7.2 * exposure_factor(automatic_exposure(red))
+    assert 0.55 < shown_red < 0.7
 
 
 @pytest.mark.parametrize(("times", "darker"), [(1, 0.5 ** (1.0 / 3.0)), (9, 0.6)])

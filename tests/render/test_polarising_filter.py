@@ -122,3 +122,19 @@ def test_a_filter_needs_polarised_light() -> None:
         scalar.radiance(altitude=0.0, sun_zenith=30.0, view_zenith=60.0, azimuth=90.0, stokes=True)
     with pytest.raises(ParameterError, match=r"camera\.polariser is 500\.0; allowed: -360 to 360"):
         Camera(polariser=500.0)
+
+
+def test_a_filter_takes_one_stop_and_what_it_darkens_stays_darker(
+    solution: MomentsSolution,
+) -> None:
+    # grey is shown as without it, at any angle, as by the filter factor 2 of an ideal polariser;
+    # at 90° from the sun the picture of the sky is darker at one angle than at the other
+    plain = render(solution, _scene())
+    shown = []
+    for angle in (0.0, 60.0, 90.0, 150.0):
+        frame = render(solution, _scene(polariser=angle))
+        assert_allclose(frame.exposure, plain.exposure + 1.0, atol=1e-9)
+        shown.append(2.0**frame.exposure * luminance(frame.rgb.astype(float)).mean())
+    assert min(shown) < 0.8 * max(shown)
+    unfiltered = 2.0**plain.exposure * luminance(plain.rgb.astype(float)).mean()
+    assert min(shown) < unfiltered < max(shown)

@@ -11,11 +11,14 @@ from numpy.testing import assert_allclose
 from airlight.image.exposure import camera_exposure
 from airlight.image.glare import Glare
 from airlight.scene import Camera, Scene
-from airlight.scene.metering import metering_weights, scene_exposure
+from airlight.scene.metering import METERED, metering_weights, scene_exposure
 from airlight.scene.moon_light import MoonLight
 from airlight.scene.projections import PROJECTIONS
 
 RADIUS = 0.00465
+#: Luminance of a white surface in the sunlight above the Earth's air, 128 klx over π and 683 lm/W.
+#: [W m⁻² sr⁻¹]
+WHITE = 60.0
 
 
 def weights_of(projection: str, **size: float) -> np.ndarray:
@@ -131,6 +134,96 @@ def test_a_flight_to_space_ends_at_the_glow_of_the_sun():
     rgb, scene = lit_picture(120.0, 0.0, 1.8e6)
     assert_allclose(found[-1], scene_exposure(rgb, scene, RADIUS), atol=0.01)
     assert np.max(np.abs(np.diff(found))) < 1.3  # the sky itself falls by 1.1 EV a step
+
+
+def test_the_glint_of_the_sun_on_the_sea_is_a_highlight():
+    # bright haze, sea a quarter of it, and a glint of forty times the sea on a 15th of the picture:
+    # a photographer by "sunny 16" shows a white card that faces the sun as 0.7 to 1.4, half a stop
+    # about white, and what is white is the glint alone
+    camera = Camera(width=160, height=90, look_zenith=90.0, look_azimuth=120.0)
+    scene = Scene(camera=camera, sun_zenith=70.0)
+    rgb = np.full((90, 160, 3), 22.0)
+    rgb[45:] = 6.0
+    rgb[45:, 70:91] = 240.0
+    factor = 2.0 ** scene_exposure(rgb, scene, RADIUS, WHITE)
+    assert 0.7 < factor * WHITE < 1.4
+    assert np.mean(factor * rgb > 1.0) < 0.07
+    assert factor * 22.0 > 0.2  # no dull day: the haze is brighter than a grey card
+
+
+def test_a_sun_on_the_horizon_through_a_telephoto_lens_leaves_colour():
+    # of a red sky 1.5 times as bright below as above, with the sun and its glare drawn, a channel
+    # saturates on the disc and an eighth of the picture beside it: the glare may have 1.5 times
+    # white, which has 1.8 times its light in red, on a 25th of the picture, and falls as 1/θ²
+    for field_of_view in (3.0, 5.0, 10.0, 20.0):
+        rgb, scene = lit_picture(field_of_view, 1.6, 2500.0)
+        red = rgb * np.linspace(0.8, 1.2, rgb.shape[0])[:, None, None] * [2.4, 0.66, 0.25]
+        factor = 2.0 ** scene_exposure(red, scene, RADIUS, WHITE)
+        lens = Glare(red.astype(np.float32), scene.camera.glare_angle)
+        shown = factor * lens.rows(0, 135).max(axis=-1)
+        assert np.mean((shown > 1.0) & (rgb[..., 0] < 2500.0)) < 0.12
+
+
+def disc(radius: float, lit: float = 2.0, width: int = METERED, dark: float = 0.0) -> np.ndarray:
+    """Coverage of the pixels of a picture by a disc, or by the crescent of a shifted disc.
+
+    Parameters
+    ----------
+    radius : float
+        Radius over half the width. [1]
+    lit : float
+        Thickness of the crescent, in radii; 2 for the whole disc. [1]
+    dark : float
+        Light of the rest of the disc over that of the crescent. [1]
+    """
+    fine, height = 4, width * 9 // 16
+    across = (np.arange(fine * width) + 0.5) / (0.5 * fine * width) - 1.0
+    down = ((np.arange(fine * height) + 0.5) / (0.5 * fine * height) - 1.0) * 9.0 / 16.0
+    x, y = np.meshgrid(across - 0.003, down - 0.002)
+    inside = np.hypot(x, y) < radius
+    shade = np.hypot(x - lit * radius, y) < radius
+    light = np.where(inside & ~shade, 1.0, np.where(inside, dark, 0.0))
+    return light.reshape(height, fine, width, fine).mean(axis=(1, 3))
+
+
+SPACE = Scene(altitude=1e9, camera=Camera(width=METERED, height=72, look_zenith=180.0))
+
+
+def space_exposure(light: np.ndarray) -> float:
+    """Exposure of a picture from space, of light over that of white."""
+    rgb = WHITE * np.repeat(light[..., None], 3, axis=2)
+    return scene_exposure(rgb, SPACE, RADIUS, WHITE)
+
+
+def test_full_venus_is_bright_and_the_moon_is_not_white():
+    # geometric albedos of the discs at full phase [Mallama et al. 2017, Icarus 282, 19, V: 0.689;
+    # Lane & Irvine 1973, AJ 78, 267: 0.13]: Venus nearly white, the Moon a mid-grey of 18 to 35 %
+    venus = 0.689 * 2.0 ** space_exposure(0.689 * disc(0.3)) * WHITE
+    moon = 0.13 * 2.0 ** space_exposure(0.13 * disc(0.3)) * WHITE
+    assert 0.6 < venus < 0.8
+    assert 0.18 < moon < 0.35
+
+
+def test_crescents_of_all_thicknesses_are_exposed_for_their_light():
+    # the same light, whether the crescent has a 10th or a 100th of the picture, and whether the
+    # dark side is black, or lit by twilight: within half a stop, by which pixels on its edges dilute it
+    thick = space_exposure(0.3 * disc(0.5, lit=0.4))
+    for lit in (0.2, 0.1, 0.05):
+        for dark in (0.0, 1e-5, 1e-3):
+            thin = 0.3 * disc(0.5, lit=lit, dark=dark)
+            assert abs(space_exposure(thin) - thick) < 0.5, (lit, dark)
+
+
+def test_a_disc_that_grows_from_a_dot_to_the_frame_is_exposed_without_a_leap():
+    # steps of a tenth, from a twentieth of a pixel, which samples miss, to the whole picture: the
+    # light is the same; a sample that hits the disc first may show a stop, as any new light, and
+    # the share of black space 0.74 EV
+    radii = 0.05 / 64.0 * 1.1 ** np.arange(85)
+    assert radii[-1] > 1.2
+    for albedo in (0.1, 0.3, 0.7):
+        found = np.array([space_exposure(albedo * disc(one)) for one in radii])
+        assert np.max(np.abs(np.diff(found))) < 1.0
+        assert np.ptp(found) < 1.75
 
 
 def test_pictures_of_all_sizes_are_exposed_alike():

@@ -40,7 +40,7 @@ _DARK: Final = 1e-4
 #: Fraction of all pixels that may be brighter than the brightest one that counts as lit.
 _DISCS: Final = 0.005
 #: Light over that of the lit part from which on a pixel begins to be lit, and is. [1]
-_UNLIT: Final = 1e-3
+_UNLIT: Final = 1.0 / 500.0
 _LIT: Final = 1.0 / 60.0
 #: Light of a red pixel over its red channel, which saturates long before the luminance of a low sun
 #: and its sky; of other colours the luminance counts. [1]
