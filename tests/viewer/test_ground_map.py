@@ -18,7 +18,7 @@ def test_lamps_of_a_page_light_no_dark_sea() -> None:
     # a JPEG's error beside towns was light on 4 % of the dark texels, up to 17 of 255
     found = ground_overlay("earth")
     assert found is not None
-    data = ground_map(found, lossless=True)
+    data = ground_map(found, overlay=True)
     assert data is not None
     content = base64.b64decode(data["image"].partition(",")[2])
     rows, columns = data["rows"], data["columns"]

@@ -64,7 +64,9 @@ _FORMAT: Final = FORMATS[4]
 LEVELS: Final = 12
 #: Widest map that is embedded; a wider one is reduced to this width. [pixel]
 _WIDEST: Final = 2048
+#: Quality of the JPEG of a ground map, and of that of clouds, which have noise of their own.
 _QUALITY: Final = 90
+_CLOUD_QUALITY: Final = 75
 #: Temperatures, even in their reciprocal, in which the logarithm of a black body's light is almost
 #: straight; they span those of the view's control. [K]
 TEMPERATURES: Final = tuple((1.0 / np.linspace(1.0 / 1500.0, 1.0 / 40000.0, 25)).tolist())
@@ -253,7 +255,7 @@ def solution_package(
         "ground": ground_map(None if mapped is None else surface_map(mapped)),
         "body": None if solution.planet is None else solution.planet.body,
         "second": second_light_data(solution),
-        "overlay": ground_map(ground_overlay(*medium.surface.overlay), lossless=True),
+        "overlay": ground_map(ground_overlay(*medium.surface.overlay), overlay=True),
         "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
     tables = {name: (FORMATS[values.shape[1]], values) for name, values in made.textures.items()}
@@ -322,21 +324,21 @@ def _short(values: FloatArray) -> list[float]:
     return [float(f"{x:.{_DIGITS}g}") for x in values.ravel()]
 
 
-def ground_map(found: SurfaceMap | None, *, lossless: bool = False) -> dict[str, Any] | None:
+def ground_map(found: SurfaceMap | None, *, overlay: bool = False) -> dict[str, Any] | None:
     """Ground map, or overlay, for ``web/drawing/ground.js``.
 
     Parameters
     ----------
-    lossless : bool
-        Whether compression is lossless, as for city lights, whose JPEG artefacts would brighten a
-        dark sea.
+    overlay : bool
+        Whether it is an overlay, whose colours are compressed without loss: artefacts of city
+        lights would brighten a dark sea. Clouds have no such edges.
 
     Returns
     -------
     dict or None
-        ``image``, a data URL; ``water``, a data URL of the water fraction, or None; ``rows`` and
-        ``columns``; ``decoded``, linear values of the 256 encoded values [1]. None without a
-        map.
+        ``image``, a data URL; ``water``, a data URL of the water fraction or cloud cover, or None;
+        ``rows`` and ``columns``; ``decoded``, linear values of the 256 encoded values [1]. None
+        without a map.
     """
     if found is None:
         return None
@@ -344,39 +346,38 @@ def ground_map(found: SurfaceMap | None, *, lossless: bool = False) -> dict[str,
     if texels.shape[1] > _WIDEST:
         texels = reduced(texels, _WIDEST // 2, _WIDEST)
     rows, columns = texels.shape[:2]
+    colors, shares = texels[..., :3], texels[..., 3]
+    if overlay and not colors[..., 1:].any():  # no shader reads the empty channels
+        colors = colors[..., 0]
     return {
-        "image": _colors(texels[..., :3], lossless),
-        "water": _water(texels[..., 3]),
+        "image": _png(colors) if overlay else _jpeg(colors, _QUALITY),
+        "water": (_jpeg(shares, _CLOUD_QUALITY) if overlay else _png(shares))
+        if shares.any()
+        else None,
         "rows": rows,
         "columns": columns,
         "decoded": [float(x) for x in DECODED[0]],
     }
 
 
-def _colors(pixels: NDArray[np.uint8], lossless: bool) -> str:
-    """Data URL of a JPEG, or of a PNG if lossless."""
+def _png(pixels: NDArray[np.uint8]) -> str:
+    """Data URL of a PNG."""
     from PIL import Image
 
     room = io.BytesIO()
-    grey = np.ptp(pixels, axis=2).max() == 0
-    image = Image.fromarray(np.ascontiguousarray(pixels[..., 0] if grey else pixels))
-    if lossless:
-        image.save(room, "PNG", optimize=True)
-        return _as_address("png", room.getvalue())
-    # No subsampling of colours: coasts would lose their water's.
-    image.save(room, "JPEG", quality=_QUALITY, subsampling=0, optimize=True)
-    return _as_address("jpeg", room.getvalue())
-
-
-def _water(shares: NDArray[np.uint8]) -> str | None:
-    """Data URL of a lossless grey image of the water fraction; None without water."""
-    from PIL import Image
-
-    if not shares.any():
-        return None
-    room = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(shares)).save(room, "PNG", optimize=True)
+    Image.fromarray(np.ascontiguousarray(pixels)).save(room, "PNG", optimize=True)
     return _as_address("png", room.getvalue())
+
+
+def _jpeg(pixels: NDArray[np.uint8], quality: int) -> str:
+    """Data URL of a JPEG without subsampling of colours: coasts would lose their water's."""
+    from PIL import Image
+
+    room = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(pixels)).save(
+        room, "JPEG", quality=quality, subsampling=0, optimize=True
+    )
+    return _as_address("jpeg", room.getvalue())
 
 
 def _as_address(kind: str, content: bytes) -> str:
