@@ -34,7 +34,7 @@ FloatArray = NDArray[np.float64]
 #: Rows of the maps; Mars' source has 256, enlarged so that its pixels do not show.
 ROWS = {"moon": 1536, "mars": 512}
 #: Quality of the JPEG files.
-QUALITY = {"moon": 85, "mars": 92}
+QUALITY = {"moon": 85, "mars": 97}
 #: Albedos of Mars without ice that 2 % of the ground are below and above: Christensen et al.
 #: (2001), JGR 106, 23823, Thermal Emission Spectrometer, 0.10 and 0.30 from above the dust, of
 #: which its optical depth of 0.5 adds about 0.04 over dark ground. [1]

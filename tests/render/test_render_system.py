@@ -21,6 +21,7 @@ from airlight.scene.local_ground import local_ground
 from airlight.scene.system import System, load_system
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
+from airlight.scene.system.milky_way import milky_way_radiance
 from airlight.scene.system.stars import stars
 from airlight.scene.system.vectors import unit
 from airlight.scene.system.viewpoint import SceneObserver, View
@@ -216,8 +217,8 @@ def test_options_out_of_range_are_refused() -> None:
 
 
 def test_stars_have_their_light_and_their_place() -> None:
-    # Orion's belt without air: all light of the catalogue within the picture, and Alnilam, HIP
-    # 26311 at 84.05338, -1.20192 degrees, in its centre.
+    # Orion's belt without air: all light of the catalogue and of the Milky Way within the picture,
+    # and Alnilam, HIP 26311 at 84.05338, -1.20192 degrees, in its centre.
     towards = direction_to(84.05338, -1.20192)
     rock = Body(name="rock", radius=1.0, position=tuple(-1e6 * towards))
     scene = replace(
@@ -238,6 +239,10 @@ def test_stars_have_their_light_and_their_place() -> None:
     expected = (stars().irradiances(NM)[inside] @ weights).sum(axis=0)
     x, y = (np.arange(81) + 0.5 - 40.5) / 40.5 * np.tan(np.radians(10.0)), 0
     solid = (np.tan(np.radians(10.0)) / 40.5) ** 2 / (1.0 + x[:, None] ** 2 + x**2) ** 1.5 + y
+    across, down = np.meshgrid(x, x)
+    lines = np.stack([across, -down, np.ones_like(x * across)], axis=-1) @ scene.camera_axes
+    lines = (lines / np.linalg.norm(lines, axis=-1, keepdims=True)).reshape(-1, 3)
+    expected += solid.ravel() @ milky_way_radiance(lines, NM) @ weights
     total = (rgb * solid[..., None]).sum(axis=(0, 1))
     assert_allclose(total, expected, rtol=0.03)
 

@@ -91,12 +91,12 @@ MOON: Final = Regolith(
     surge=1.686,
     surge_width=0.0672,
     slope=0.43273864224742586,
-    scale=8.954599633724897,
-    constant=1.0792338424369359,
-    linear=-0.49418011426580977,
-    square=0.7527248066808098,
-    cube=-0.47622916179083896,
-    level=0.10890652915884472,
+    scale=8.954599633720342,
+    constant=1.0792338424561692,
+    linear=-0.49418011405060974,
+    square=0.7527248064523618,
+    cube=-0.47622916169460555,
+    level=0.1089065290116546,
 )
 
 
@@ -192,6 +192,8 @@ def hapke_reflectance(mu_s, mu_r, cosine, regolith):
         emergent_sine = sqrt(max((1.0 - emergent) * (1.0 + emergent), 1e-12))
         turn = (cosine - incident * emergent) / (incident_sine * emergent_sine)
         turn = min(max(turn, -1.0), 1.0)
+        if turn > 1.0 - 1e-12:  # below, roots would magnify a rounding at opposition
+            turn = 1.0
         azimuth, folded = acos(turn) / pi, 0.5 * (1.0 - turn)
         same = exp(-2.0 * sqrt((1.0 - turn) / max(1.0 + turn, 1e-12)))
         chi = 1.0 / sqrt(1.0 + pi * slope * slope)
