@@ -285,7 +285,7 @@ CASES = [
     Case(between_four, (source.between,), (UNIT, UNIT, *AMOUNTS[:2]), {},
          {"field": lanes(2, 2, 2)}),
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
-    Case(multiple_scattering_of_four, (source.multiple_scattering_source,),
+    Case(multiple_scattering_of_four, (source.multiple_scattering_source, source.field_node),
          (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
          {"moments": lanes(THREE, DEGREE + 1), "polarised_moments": lanes(THREE, 4),
           "field": FIELD},
