@@ -262,9 +262,9 @@ class _Sweeps(Backend):
         setup = batch.setup
         self.batch, self.first, self.light, self.best = batch, first, light, light
         self.synthetic, self.cancel = synthetic, cancel
-        self.degrees = (
-            active_degrees(batch, light[0]) if setup.refinement > 1 else batch.all_degrees
-        )
+        self.degrees = batch.all_degrees
+        if setup.refinement > 1:
+            self.degrees = active_degrees(batch, light[0])
         self.scheme = 0
         self._iterates: deque[Light] = deque(maxlen=SWEEP_ITERATES)
         # Arrays are reused between sweeps: the system would clear new memory page by page.
@@ -284,13 +284,9 @@ class _Sweeps(Backend):
     def sweep(self) -> None:
         """Compute the next iterate: a sweep of the guess, and its accelerated residual."""
         batch, light, swept = self.batch, self.light, self._swept
+        level, refinement = batch.level, batch.setup.refinement
         packed = pack_light(
-            light[0],
-            light[1][:1],
-            batch.level,
-            batch.setup.refinement,
-            narrow=batch.narrow,
-            out=self._packed,
+            light[0], light[1][:1], level, refinement, narrow=batch.narrow, out=self._packed
         )
         self._packed = packed[0]
         loop = sweep_radius_narrow if batch.narrow else sweep_radius
@@ -298,22 +294,12 @@ class _Sweeps(Backend):
         add_first_order(swept, self.first, light, self._residual)
         mean, scheme = swept[0][:, :, 0], FALLBACK_SCHEMES[self.scheme]
         self._weight = scheme.acceleration * acceleration_weights(mean, batch.lateral_threshold)
-        accelerated_residual = (
-            self.synthetic.apply(*self._residual, (mean, swept[1]))
-            if scheme.acceleration > 0.0
-            else None
-        )
-        self._iterates.append(
-            next_iterate(
-                light,
-                self._residual,
-                accelerated_residual,
-                swept,
-                self._weight,
-                POLARISED_OVER_RELAXATION,
-                scheme.relaxation,
-            )
-        )
+        accelerated = None
+        if scheme.acceleration > 0.0:
+            accelerated = self.synthetic.apply(*self._residual, (mean, swept[1]))
+        fields = light, self._residual, accelerated, swept
+        factors = self._weight, POLARISED_OVER_RELAXATION, scheme.relaxation
+        self._iterates.append(next_iterate(*fields, *factors))
 
     def reduce(self) -> tuple[Float32Array, Float32Array]:
         """Mean radiances, and their sums with the changes of the polarised moments."""
@@ -340,14 +326,9 @@ def _iterate(
     """
     setup, used = batch.setup, batch.used
     watch.report()
-    first_field, first_sky = first = gather(
-        batch,
-        first_order_radius_narrow if batch.narrow else first_order_radius,
-        setup.column_rows,
-        setup.star_ratios,
-        setup.geometry.refraction_table,
-        cancel=cancel,
-    )
+    loop = first_order_radius_narrow if batch.narrow else first_order_radius
+    tables = setup.column_rows, setup.star_ratios, setup.geometry.refraction_table
+    first_field, first_sky = first = gather(batch, loop, *tables, cancel=cancel)
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0, 0
     synthetic = SyntheticAcceleration(batch, cancel)
@@ -374,7 +355,5 @@ def _iterate(
         spectral_guess.add(nm, guess, sweeps.light)
     field, sky = sweeps.light
     clip_to_first_order(field, first_field)
-    return (
-        field[..., :used], sky[..., :used], iteration.remaining_error, iteration.sweeps,
-        sweeps.scheme,
-    )  # fmt: skip
+    residual = iteration.remaining_error
+    return field[..., :used], sky[..., :used], residual, iteration.sweeps, sweeps.scheme

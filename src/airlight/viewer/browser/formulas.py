@@ -37,35 +37,17 @@ from airlight.scene.metering import left_out, metering_weight
 from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
+from airlight.solver.moments import (
+    convergence,
+    elimination,
+    iterate_update,
+    packing,
+    stopping,
+    synthetic_acceleration,
+    synthetic_operator,
+)
 from airlight.solver.moments.acceleration import combine
-from airlight.solver.moments.convergence import (
-    acceleration_weight,
-    add_weighted,
-    counted_changes,
-    damp_towards,
-    geometric_tail,
-    is_near,
-    is_positive,
-    lateral_threshold_of,
-    replace_unsound,
-    tail_steps,
-)
 from airlight.solver.moments.delta_m import delta_m_scaling
-from airlight.solver.moments.elimination import factorise, substitute
-from airlight.solver.moments.iterate_update import accelerate_nodes, fill_quantities
-from airlight.solver.moments.packing import floor_below, level_weight, optically_thick_weight
-from airlight.solver.moments.stopping import (
-    is_converged,
-    logarithmic_progress,
-    stricter_tolerance,
-)
-from airlight.solver.moments.synthetic_acceleration import (
-    lateral_diffusion_equations,
-    multiply,
-    spread_onto,
-    take_terms,
-)
-from airlight.solver.moments.synthetic_operator import gather_levels, project_radii
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
 
@@ -122,60 +104,58 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     light_visibility: (),
     light_left: (),
     disc_factor: (),
-    stricter_tolerance: (),
-    is_converged: (),
-    logarithmic_progress: (),
-    counted_changes: (_table(3), _table(3), _table(1), F32, _table(1), _table(2), _table(1)),
-    tail_steps: (I32,),
-    geometric_tail: (F32, F32, I32),
-    combine: (LocalArray(1), I32, LocalArray(1)),
-    add_weighted: (_table(4), _table(4), _table(1)),
-    damp_towards: (_table(4), _table(4), _table(3)),
-    replace_unsound: (_table(4), _table(4), _table(3)),
-    accelerate_nodes: (
-        *(_table(3) for _ in range(4)),
-        _table(2),
+    stopping.stricter_tolerance: (),
+    stopping.is_converged: (),
+    stopping.logarithmic_progress: (),
+    convergence.counted_changes: (
+        _table(3),
+        _table(3),
         _table(1),
         F32,
-        _table(3),
+        _table(1),
+        _table(2),
+        _table(1),
     ),
-    fill_quantities: (_table(4), _table(4), I32, _table(4), _table(4)),
-    is_near: (),
-    is_positive: (),
-    lateral_threshold_of: (),
-    floor_below: (),
-    acceleration_weight: (),
+    convergence.tail_steps: (I32,),
+    convergence.geometric_tail: (F32, F32, I32),
+    combine: (LocalArray(1), I32, LocalArray(1)),
+    convergence.add_weighted: (_table(4), _table(4), _table(1)),
+    convergence.damp_towards: (_table(4), _table(4), _table(3)),
+    convergence.replace_unsound: (_table(4), _table(4), _table(3)),
+    iterate_update.accelerate_nodes: (*[_table(3)] * 4, _table(2), _table(1), F32, _table(3)),
+    iterate_update.fill_quantities: (_table(4), _table(4), I32, _table(4), _table(4)),
+    convergence.is_near: (),
+    convergence.is_positive: (),
+    convergence.lateral_threshold_of: (),
+    packing.floor_below: (),
+    convergence.acceleration_weight: (),
     node_value: (F32, F32, F32, ShaderTable("first_nodes"), ShaderTable("row")),
-    lateral_diffusion_equations: (
-        ShaderTable("sun_cosines"),
+    synthetic_acceleration.lateral_diffusion_equations: (
+        _table(1),
         F32,
         F32,
         LocalArray(1),
         LocalArray(1),
     ),
-    take_terms: (_lanes(3), _lanes(2), I32, I32, I32, _lanes(2)),
-    spread_onto: (_table(2), _lanes(2), _table(1), I32, _lanes(1), _lanes(2)),
-    multiply: (_lanes(2), _lanes(2), _lanes(2)),
-    gather_levels: (_table(2), _lanes(3), _lanes(3)),
-    project_radii: (_table(2), _lanes(3), I32, I32, _lanes(2)),
-    factorise: (LocalArray(1, VEC4), I32),
-    substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
-    delta_m_scaling: (
-        ShaderTable("scattering", 2),
-        ShaderTable("absorption", 2),
-        ShaderTable("phases", 3),
-        ShaderTable("polarised_elements", 3),
-        ShaderTable("columns"),
+    synthetic_acceleration.take_terms: (_lanes(3), _lanes(2), I32, I32, I32, _lanes(2)),
+    synthetic_acceleration.spread_onto: (
+        _table(2),
+        _lanes(2),
+        _table(1),
         I32,
-        LocalArray(1),
-        LocalArray(1),
-        LocalArray(1),
-        LocalArray(1),
+        _lanes(1),
+        _lanes(2),
     ),
+    synthetic_acceleration.multiply: (_lanes(2), _lanes(2), _lanes(2)),
+    synthetic_operator.gather_levels: (_table(2), _lanes(3), _lanes(3)),
+    synthetic_operator.project_radii: (_table(2), _lanes(3), I32, I32, _lanes(2)),
+    elimination.factorise: (LocalArray(1, VEC4), I32),
+    elimination.substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
+    delta_m_scaling: (*[_table(2)] * 2, *[_table(3)] * 2, _table(1), I32, *[LocalArray(1)] * 4),
     turbidity_of: (),
     haze_of: (),
-    optically_thick_weight: (),
-    level_weight: (),
+    packing.optically_thick_weight: (),
+    packing.level_weight: (),
 }
 
 

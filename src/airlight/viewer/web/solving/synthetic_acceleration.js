@@ -52,9 +52,8 @@ export class SyntheticAcceleration {
     this.both = lateralDiffusionMatrix(cosines, diffusion_length, grid_diffusion);
     this.diffusion = transposed(lateralDiffusionMatrix(cosines, diffusion_length, 0));
     this.gridDiffusion = lateralDiffusionMatrix(cosines, 0, grid_diffusion);
-    this.points = pointsOf(plan.sizes, tableOf);
-    this.rays = rays;
-    this.start = tableOf("start");
+    this.rays = { ...rays, start: tableOf("start").values, radius: tableOf("radius").values };
+    this.nodes = [tableOf("first_nodes"), tableOf("row")];
   }
 
   /**
@@ -69,7 +68,7 @@ export class SyntheticAcceleration {
       await breathe();
       this.lanes.push(this.equations(at));
     }
-    this.rays = this.points = null;
+    this.rays = null;
     return this;
   }
 
@@ -114,16 +113,17 @@ export class SyntheticAcceleration {
 
   /** Weights of the moments at all radii in the radiances of the rays from a radius. */
   seen(i, at) {
-    const { radii, angles, terms, levels } = this.sizes;
-    const { factors, shares } = this.rays;
+    const { radii, angles, terms, levels, bottom, top } = this.sizes;
+    const { factors, shares, start, radius } = this.rays;
     const { length } = this.pairs;
     const fine = new Float64Array(angles * levels * length);
     for (let a = 0; a < angles; a++) {
       const share = shares[(i * angles + a) * LANES + at];
       const row = i * (angles + 1) + a;
-      for (let k = this.start.values[row]; k < this.start.values[row + 1]; k++) {
-        const below = (a * levels + this.points.levels[k]) * length;
-        const f = this.points.fractions[k];
+      for (let k = start[row]; k < start[row + 1]; k++) {
+        const x = node_value(radius[k], bottom, top, ...this.nodes);
+        const level = Math.min(Math.trunc(x), levels - 2);
+        const [below, f] = [(a * levels + level) * length, x - level];
         this.pairs.forEach((pair, n) => {
           const value = share * factors[(k * (terms + 1) + pair) * LANES + at];
           fine[below + n] += (1 - f) * value;
@@ -213,20 +213,6 @@ function move(matrix, more, i, terms, inner, scale, { values, shape, step, at })
   const shares = alone(rows.map((x, k) => x / here[k % suns]), terms.length, suns);
   const out = lane(at, values.subarray(i * suns * count * step), suns, count);
   spread_onto(matrix, shares, table(terms, terms.length), inner, alone(here, suns), out);
-}
-
-/** Level of the table below each point of the rays, and the point's fraction of the step above. */
-function pointsOf({ levels: count, bottom, top }, table) {
-  const radius = table("radius").values;
-  const levels = new Int32Array(radius.length);
-  const fractions = new Float64Array(radius.length);
-  const [nodes, rows] = [table("first_nodes"), table("row")];
-  radius.forEach((q, k) => {
-    const x = node_value(q, bottom, top, nodes, rows);
-    levels[k] = Math.min(Math.trunc(x), count - 2);
-    fractions[k] = x - levels[k];
-  });
-  return { levels, fractions };
 }
 
 /** Matrix between sun elevations, rows first: `lateral_diffusion_matrix` of synthetic_acceleration.py. */
