@@ -184,6 +184,7 @@ def test_the_kernel_draws_what_a_browser_asks_for(viewer: Any, solution: Any) ->
     wanted = to_display(
         light.rgb, -2.0, str(view["display.tone_map"]), eye=True,
         glare=float(view["display.glare"]), pixel_angle=light.pixel_angle,
+        star_white=light.star_white,
     )  # fmt: skip
     assert_array_equal(got, wanted)
     # what cannot be rendered is said, and the next picture is rendered

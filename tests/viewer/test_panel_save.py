@@ -58,9 +58,9 @@ def test_a_saved_picture_is_what_is_shown(tmp_path: Path, shown: Picture) -> Non
     assert saving.error == ""
     assert saving.message.startswith(f"saved {file}  40×24")
     scene = shown.request.scene
-    light = render(shown.request.solution, scene, orders="multiple").rgb
-    angle = scene.camera.pixel_angle
-    expected = to_display(light, exposure=-1.5, tone_map="aces", pixel_angle=angle)
+    light = render(shown.request.solution, scene, orders="multiple")
+    angle, white = scene.camera.pixel_angle, light.star_white
+    expected = to_display(light.rgb, -1.5, tone_map="aces", pixel_angle=angle, star_white=white)
     pixels = np.asarray(Image.open(file).convert("RGB"))
     assert_allclose(pixels.astype(int), expected.astype(int), rtol=0, atol=0)
 
@@ -108,9 +108,9 @@ def test_a_film_shows_the_sun_move_from_where_one_is(tmp_path: Path, shown: Pict
         assert film.n_frames == 4
         for index in (0, 3):
             film.seek(index)
-            light = render(shown.request.solution, scenes[index], orders="multiple").rgb
-            angle = scenes[index].camera.pixel_angle
-            expected = to_display(light, exposure=-1.5, tone_map="aces", pixel_angle=angle)
+            light = render(shown.request.solution, scenes[index], orders="multiple")
+            angle, white = scenes[index].camera.pixel_angle, light.star_white
+            expected = to_display(light.rgb, -1.5, "aces", pixel_angle=angle, star_white=white)
             assert_allclose(np.asarray(film.convert("RGB")).astype(int), expected, rtol=0, atol=0)
     assert np.abs(np.diff([s[0] for s in suns])).min() > 1.0
 
@@ -135,9 +135,7 @@ def test_a_film_s_automatic_exposure_follows_the_light_smoothly(
             frame = render(request.solution, scene, orders="multiple")
             share = 1.0 - np.exp(-0.05 / 0.13)
             exposure += share * (frame.exposure + 0.5 - exposure)
-            expected = to_display(
-                frame.rgb, exposure, "aces", eye=False, pixel_angle=frame.pixel_angle
-            )
+            expected = to_display(frame.rgb, exposure, "aces", eye=False, **frame.lens)
             found = np.asarray(film.convert("RGB")).astype(int)
             assert_allclose(found, expected, rtol=0, atol=1)
     assert exposure < -1.8  # it has moved

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from airlight.image.display import to_display
 from airlight.image.exposure import DEFAULT_EXPOSURE
 from airlight.image.spectral import rgb_weights
+from airlight.image.white_balance import star_white
 from airlight.image.xyz import chromaticity, rgb_to_xyz
 from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -77,7 +78,9 @@ def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> t
     )
     rgb = np.asarray(radiance) @ rgb_weights(nm, solution.lights[0].spectrum)
     xyz = rgb_to_xyz(rgb)
-    shown = to_display(rgb[np.newaxis, :, :], DEFAULT_EXPOSURE, dither=False)[0]
+    white = star_white(solution.lights[0].spectrum)
+    picture = rgb[np.newaxis, :, :]
+    shown = to_display(picture, DEFAULT_EXPOSURE, star_white=white, dither=False)[0]
     return tuple(
         SkyColor(
             look=look,

@@ -10,11 +10,14 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, MoonLight, Scene, StarLight, load_planet, solve
 from airlight.image.display import to_display
+from airlight.image.display_settings import DisplaySettings
 from airlight.render import render
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 
+#: Display of light alone.
+PLAIN = DisplaySettings(eye=False, glare=0.0)
 #: Use of a texture that is drawn into and read: RENDER_ATTACHMENT and COPY_SRC of WebGPU.
 TARGET = 0x10 | 0x01
 
@@ -54,8 +57,11 @@ def test_several_lights_are_shown_as_by_the_cpu(name: str, device: Device) -> No
     shown = []
     for one in (replace(scene, secondary_lights=()), scene):
         target = device.device.create_texture(size=(96, 54, 1), format="rgba32float", usage=TARGET)
-        pictures.display(one, target.create_view(), "rgba32float", exposure=wanted.exposure)
+        pictures.display(
+            one, target.create_view(), "rgba32float", exposure=wanted.exposure, settings=PLAIN
+        )
         shown.append(255.0 * read_texture(device, target)[..., :3])
-    expected = to_display(wanted.rgb, wanted.exposure).astype(float)
+    given = {"settings": PLAIN, "star_white": wanted.star_white}
+    expected = to_display(wanted.rgb, wanted.exposure, **given).astype(float)  # type: ignore[arg-type]
     assert np.abs(shown[1] - expected).max() <= 2
     assert np.abs(shown[0] - expected).max() > 5  # the second light is seen

@@ -102,9 +102,9 @@ class Editing:
 
     @property
     def display(self) -> dict[str, Value]:
-        """Display values: ``automatic``, ``exposure`` [EV], ``tone_map`` and ``glare``."""
-        names = ("automatic", "exposure", "tone_map", "glare")
-        return {name: self._side.view[f"display.{name}"] for name in names}
+        """Display values by name: ``automatic``, ``exposure`` [EV], ``tone_map``, …"""
+        values = self._side.view.items()
+        return {path[8:]: value for path, value in values if path.startswith("display.")}
 
     @property
     def holds_exposure(self) -> bool:
