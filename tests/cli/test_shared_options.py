@@ -42,18 +42,8 @@ SHARED = {
     *("latitude", "longitude", "moon", "second_star", "stars", "look", "look_at", "roll", "fov"),
     *("projection", "size", "exposure", "iso", "aperture", "shutter", "tone_map", "glare"),
     *("encoding", "primaries", "bits", "wavelengths", "quality", "no_polarisation", "no_cache"),
-    *(
-        "device",
-        "exact",
-        "samples",
-        "set_",
-        "ground_albedo",
-        "star_temperature",
-        "planet",
-        "scheduler",
-        "workers",
-    ),
-    "overwrite",
+    *("device", "exact", "samples", "set_", "ground_albedo", "planet", "scheduler", "workers"),
+    *("overwrite", "star_temperature"),
 }
 
 
