@@ -138,8 +138,8 @@ def test_a_flight_to_space_ends_at_the_glow_of_the_sun():
 
 def test_the_glint_of_the_sun_on_the_sea_is_a_highlight():
     # bright haze, sea a quarter of it, and a glint of forty times the sea on a 15th of the picture:
-    # a photographer by "sunny 16" shows a white card that faces the sun as 0.7 to 1.4, half a stop about
-    # white, and what is white is the glint alone
+    # a photographer by "sunny 16" shows a white card that faces the sun as 0.7 to 1.4, half a stop
+    # about white, and what is white is the glint alone
     camera = Camera(width=160, height=90, look_zenith=90.0, look_azimuth=120.0)
     scene = Scene(camera=camera, sun_zenith=70.0)
     rgb = np.full((90, 160, 3), 22.0)
@@ -205,8 +205,8 @@ def test_full_venus_is_bright_and_the_moon_is_not_white():
 
 
 def test_crescents_of_all_thicknesses_are_exposed_for_their_light():
-    # the same light, whether the crescent has a 10th or a 100th of the picture, and whether the dark
-    # side is black, or lit by twilight: within half a stop, by which pixels on its edges dilute it
+    # the same light, whether the crescent has a 10th or a 100th of the picture, and whether the
+    # dark side is black, or lit by twilight: within half a stop, by which edges dilute it
     thick = space_exposure(0.3 * disc(0.5, lit=0.4))
     for lit in (0.2, 0.1, 0.05):
         for dark in (0.0, 1e-5, 1e-3):
