@@ -44,7 +44,7 @@ SHARED = {
     *("white_balance", "style"),
     *("encoding", "primaries", "bits", "wavelengths", "quality", "no_polarisation", "no_cache"),
     *("device", "exact", "samples", "set_", "ground_albedo", "planet", "scheduler", "workers"),
-    "overwrite",
+    *("overwrite", "star_temperature"),
 }
 
 

@@ -206,8 +206,7 @@ def test_full_venus_is_bright_and_the_moon_is_not_white():
 
 def test_crescents_of_all_thicknesses_are_exposed_for_their_light():
     # the same light, whether the crescent has a 10th or a 100th of the picture, and whether the
-    # dark side is black, or lit by twilight: within half a stop, by which pixels on its edges
-    # dilute it
+    # dark side is black, or lit by twilight: within half a stop, by which edges dilute it
     thick = space_exposure(0.3 * disc(0.5, lit=0.4))
     for lit in (0.2, 0.1, 0.05):
         for dark in (0.0, 1e-5, 1e-3):

@@ -41,7 +41,8 @@ def test_targets_are_where_their_names_say() -> None:
     assert look_at("horizon", **where) == (90.0, 0.0)
     assert look_at("sun", **where) == (80.0, 0.0)
     assert look_at("zenith", **where) == (0.0, 0.0)
-    assert look_at("nadir", **where) == (180.0, 0.0)
+    # as on a map, north is up, whose azimuth from a sun in the east-south-east is -112.5°
+    assert look_at("nadir", **where, sun_azimuth="ESE") == (180.0, -112.5)
 
 
 def test_an_unknown_target_is_refused() -> None:

@@ -61,7 +61,7 @@ def test_automatic_exposure_is_that_of_the_scene(modules: Callable[..., Any]) ->
     got = page.evaluate(
         """([rgba, view]) => automaticExposure(
           new Float32Array(rgba), [16, 9], cameraOf(view, { perspective: [1e-3, 170] }), 0, 0.005,
-          4.0
+          4.0,
         )""",
         [rgba.ravel().tolist(), view],
     )

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from airlight.cli import options
 from airlight.cli.console import note, shown_progress
 from airlight.cli.option_groups import (
     OptionGroup,
@@ -60,17 +61,31 @@ class GroundOptions(PlanetOptions):
         "if there is no map.",
         "ALBEDO",
     )
+    star_temperature: float | None = option(
+        "Temperature of the star, a black body that gives the planet as much energy as its own: "
+        "3000K.",
+        "KELVIN",
+        read=options.temperature,
+    )
 
     def load(self) -> Planet:
-        """Planet with its overrides and ``--ground-albedo``."""
+        """Planet with its overrides, ``--star-temperature`` and ``--ground-albedo``."""
         planet = super().load()
+        if self.star_temperature is not None:
+            from airlight.planets import replace
+
+            with named_errors(**{"star.temperature": "--star-temperature"}):
+                star = planet.star.of_temperature(self.star_temperature)
+            planet = replace(planet, star=star)
         if self.ground_albedo is None:
             return planet
         return with_ground_albedo(planet, self.ground_albedo)
 
     def changes(self) -> dict[str, str]:
-        """Overrides and ``--ground-albedo``, as metadata of a file."""
+        """Overrides, ``--star-temperature`` and ``--ground-albedo``, as metadata of a file."""
         given = {} if self.ground_albedo is None else {"ground_albedo": self.ground_albedo}
+        if self.star_temperature is not None:
+            given["star_temperature"] = f"{self.star_temperature:.10g} K"
         return super().changes() | given
 
 

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
-from airlight.physics.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
+from airlight.physics.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS, SOLAR_TEMPERATURE
 from airlight.physics.units import Measure, quantity, with_powers
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Wavelengths, key
@@ -248,6 +248,40 @@ class Star(TomlModel):
         distance = quantity(distance, "m", "distance", bare=True)
         angle = math.degrees(math.asin(self.known_radius / distance))
         return dataclasses.replace(self, distance=distance, angular_radius=float(f"{angle:.3g}"))
+
+    def of_temperature(self, temperature: Measure) -> Star:
+        r"""Black body of another temperature at the same distance, with the same total irradiance.
+
+        .. math:: R = R_0\, (T_0 / T)^2
+
+        Parameters
+        ----------
+        temperature : float
+            Effective temperature T. [K]
+
+        Raises
+        ------
+        ConflictError
+            If the star has given irradiances, whose total is not known.
+
+        Examples
+        --------
+        >>> dwarf = Star(spectrum="astm-g173").of_temperature(2886.0)  # half that of the sun
+        >>> f"{dwarf.angular_radius_degrees / 0.266568:.3f}"
+        '4.000'
+        """
+        if self.known_distance is None or self.irradiance is not None:
+            raise ConflictError("star.temperature", "cannot be combined with a given irradiance")
+        kelvin = quantity(temperature, "K", "star.temperature", bare=True)
+        own = SOLAR_TEMPERATURE, SOLAR_RADIUS
+        if self.temperature is not None and self.radius is not None:
+            own = self.temperature, self.radius
+        # The radius is at most half the distance.
+        lowest = max(100.0, own[0] * math.sqrt(2.0 * own[1] / self.known_distance))
+        if not lowest <= kelvin <= 1e6:
+            raise ParameterError("star.temperature", kelvin, f"{math.ceil(lowest)} to 1e6 K")
+        radius = own[1] * (own[0] / kelvin) ** 2
+        return Star(temperature=kelvin, radius=radius, distance=self.known_distance)
 
     @property
     def limits(self) -> Limits:

@@ -68,9 +68,9 @@ def look_at(
     Parameters
     ----------
     target : str
-        Name of the target: ``horizon`` (below the sun, on the ground's edge), ``nadir``,
-        ``zenith``, ``sun`` or ``moon``; or a compass bearing: ``NE``, degrees such as ``315``, with
-        an optional elevation, ``315/20``; by default on the horizon.
+        Name of the target: ``horizon`` (below the sun, on the ground's edge), ``nadir`` (with north
+        up), ``zenith``, ``sun`` or ``moon``; or a compass bearing: ``NE``, degrees such as ``315``,
+        with an optional elevation, ``315/20``; by default on the horizon.
     altitude : float
         Altitude of the observer. [m]
     sun_zenith : float
@@ -106,7 +106,7 @@ def look_at(
     if target == "horizon":
         return horizon_zenith(altitude, bottom_radius), 0.0
     if target == "nadir":
-        return 180.0, 0.0
+        return 180.0, math.remainder(-sun_azimuth, 360.0)
     if target == "zenith":
         return 0.0, 0.0
     if target == "sun":

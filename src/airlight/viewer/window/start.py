@@ -150,6 +150,7 @@ def opened(start: Start) -> Session:
             altitude=float(view["view.altitude"]),
             sun_zenith=float(view["view.sun_zenith"]),
             bottom_radius=1e3 * float(session.value("shell.bottom_radius")),
+            sun_azimuth=float(view["view.sun_azimuth"]),
             planet=read_tables(session.planet.tables, session.planet.source),
         )
     if target is not None:
