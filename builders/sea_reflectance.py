@@ -1,8 +1,8 @@
 """Print the fits in ``src/airlight/physics/optics/cox_munk.py``: light that a rough sea mirrors.
 
-Run with ``python builders/sea_reflectance.py``; it needs NumPy, and airlight for the formulas. A
-fit is a polynomial in x = 2 cos - 1 and y = (rms slope - 0.22)/0.14, fitted by least squares whose
-weights are raised where the error is largest.
+Run with ``python builders/sea_reflectance.py``; it needs NumPy, SciPy, and airlight for the
+formulas. A fit is a polynomial in x = 2 cos - 1 and y = (rms slope - 0.22)/0.14, fitted by least
+squares whose weights are raised where the error is largest.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import least_squares
+from scipy.special import ndtr
 
 from airlight.kernel import vectorized
 from airlight.physics.optics.cox_munk import glint_factor, mean_square_slope
@@ -61,8 +63,36 @@ def fitted(name: str, values: FloatArray, degrees: tuple[int, int], scale: Float
     print(best[1].reshape(degrees[0] + 1, -1).tolist())
 
 
+def fit_visible_slopes() -> None:
+    """Print the shift and the bend of ``facing_slope`` by the limit, and their fits."""
+    normal = np.linspace(-2.6, 2.6, 53)
+    limits = np.array([0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0, 20.0])
+    found = []
+    for limit in limits:
+        x = np.linspace(-min(limit, 8.0), 8.0, 40001)
+        mass = np.cumsum((limit + x) * np.exp(-0.5 * x**2))
+        slope = np.interp(ndtr(normal), mass / mass[-1], x)
+
+        def error(p: FloatArray, limit: float = limit, slope: FloatArray = slope) -> FloatArray:
+            above = normal + limit + p[0]
+            miss = 0.5 * (above + np.sqrt(above**2 + p[1])) - limit - slope
+            return np.asarray(miss * np.exp(-0.25 * normal**2))
+
+        found.append(least_squares(error, [0.6, 2.0]).x)
+    shift, bend = np.array(found).T
+    fits = {
+        "shift": (lambda p: (p[0] + p[1] * limits) / (1.0 + limits * (p[2] + p[3] * limits)), shift,
+                  [0.6, 0.1, 0.6, 0.3]),
+        "bend": (lambda p: p[0] + p[1] / (1.0 + p[2] * limits**2), bend, [2.0, 0.4, 0.5]),
+    }  # fmt: skip
+    for name, (form, values, start) in fits.items():
+        fit = least_squares(lambda p, form=form, values=values: form(p) - values, start)
+        print(f"{name} of visible slopes", fit.x.round(3), np.abs(fit.fun).max().round(3))
+
+
 def main() -> None:
     """Integrate the glint's factor over the hemisphere, and fit."""
+    fit_visible_slopes()
     table = np.array([[mirrored(cosine, wind) for cosine in COSINES] for wind in WINDS])
     fitted(
         "logarithm of the reflected fraction", np.log(table[..., 0]), (5, 2), 1.0 + 0.0 * COSINES

@@ -10,18 +10,27 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from PIL import Image
+from scipy.special import erfc
 
 from airlight import Camera, Ground, Scene, load_planet
-from airlight.physics.optics.cox_munk import glint_factor, mirrored_cosine, mirrored_fraction
-from airlight.physics.optics.water import FOAM, foam_fraction
+from airlight.geometry.mappings.sky_view import direction_from_row
+from airlight.physics.optics.cox_munk import (
+    SEA_WATER,
+    glint_factor,
+    mean_square_slope,
+    mirrored_fraction,
+)
+from airlight.physics.optics.fresnel import fresnel_reflectances
 from airlight.planets.medium import Medium
 from airlight.render import render
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene.surface_map import surface_map
 from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 Wet = Callable[..., MomentsSolution]
 WIND = 6.0
+RGB = (680.0, 550.0, 440.0)
 FROM_SPACE = Scene(
     altitude=800e3,
     sun_zenith=40.0,
@@ -78,29 +87,74 @@ def test_without_wind_a_mask_changes_nothing(wet: Wet) -> None:
     assert_allclose(rgb_of(wet(wind=None), FROM_SPACE), rgb_of(wet(0), FROM_SPACE), rtol=1e-6)
 
 
-@pytest.mark.parametrize("azimuth", [0.0, 90.0, 180.0])
-def test_the_sea_shows_the_sky_that_its_facets_turn_to(azimuth: float, wet: Wet) -> None:
-    # Second path: the solution's own line of sight towards the mirrored sky, from the ground, times
-    # the fraction that is mirrored; a glint is added by the formula.
-    solution, scene = wet(), at(1.0, 55.0, 100.0, azimuth)
-    mu_r = np.cos(np.radians(80.0))
-    mu_s = np.cos(np.radians(55.0))
-    nu = -mu_s * mu_r + np.sqrt((1 - mu_s**2) * (1 - mu_r**2)) * np.cos(np.radians(azimuth))
-    foam, up = foam_fraction(WIND), mirrored_cosine(mu_r, WIND)
+def facets(cosine: float) -> tuple[np.ndarray, np.ndarray]:
+    """Directions that facets mirror, and their weights, by a dense grid of slopes.
+
+    Smith's visibility with its error function: nothing of the kernels but Fresnel's formula.
+    """
+    square, sine = mean_square_slope(WIND), np.sqrt(1.0 - cosine**2)
+
+    def hidden(mu: np.ndarray) -> np.ndarray:
+        v = mu / np.sqrt(square * np.maximum(1.0 - mu**2, 1e-12))
+        return np.asarray(0.5 * (np.exp(-(v**2)) / (v * np.sqrt(np.pi)) - erfc(v)))
+
+    x, y = np.meshgrid(*[np.linspace(-4.0, 4.0, 81) * np.sqrt(0.5 * square)] * 2, indexing="ij")
+    normal = np.stack([-x, -y, np.ones_like(x)]) / np.sqrt(1.0 + x**2 + y**2)
+    facing = cosine * normal[2] - sine * normal[0]
+    ray = 2.0 * facing * normal - np.array([-sine, 0.0, cosine])[:, None, None]
+    up = np.clip(ray[2], 1e-9, 1.0 - 1e-9)
+    smooth = np.array([np.mean(fresnel_reflectances(SEA_WATER, max(one, 0.0)))
+                       for one in facing.ravel()]).reshape(x.shape)  # fmt: skip
+    weight = np.exp(-(x**2 + y**2) / square) * np.maximum(facing, 0.0) / normal[2] * smooth
+    weight /= 1.0 + hidden(np.array(cosine)) + hidden(up)
+    return ray, np.where(ray[2] > 0.0, weight, 0.0)
+
+
+@pytest.mark.parametrize("sun", [40.0, 88.0])
+@pytest.mark.parametrize(("view", "azimuth"), [(92.0, 60.0), (100.0, 0.0), (130.0, 120.0)])
+def test_the_mirrored_sky_is_the_integral_over_the_facets(
+    sun: float, view: float, azimuth: float, wet: Wet
+) -> None:
+    # A second method: the solution's own lines of sight in thousands of directions. The star's
+    # glint, by its formula, is a part of the light.
+    solution, scene = wet(), at(2.0, sun, view, azimuth, 20.0)
+    large = replace(scene.camera, width=640, height=360)
+    renderer = CpuRenderer(solution, replace(scene, camera=large))
+    renderer.fill_sky_view()
+    window, observer = renderer.window, renderer._observer
+    assert window is not None
+    row, column = window.ground_count // 2, window.column_count // 2
+    texel = (window.sky_count + row) * window.column_count + column
+    found = renderer._view.sky_mirrored[texel, : len(RGB)] ** 4.0
+    place = (window.first_ground + row) / (window.rows - 1)
+    _, sine = direction_from_row(place, False, observer.horizon_mu, observer.horizon_sine)
+    cosine = np.sqrt(1.0 - (sine * observer.r / solution.tables.bottom) ** 2)
+    ray, weight = facets(float(cosine))
+    kept = weight > 1e-5 * weight.max()
+    turn = 180.0 * (window.first_column + column) / (window.columns - 1)
     sky = np.asarray(solution.radiance(
-        altitude=0.0, sun_zenith=55.0, view_zenith=np.degrees(np.arccos(up)), azimuth=azimuth
+        altitude=0.0, sun_zenith=sun, view_zenith=np.degrees(np.arccos(ray[2][kept])),
+        azimuth=turn + np.degrees(np.arctan2(ray[1], ray[0]))[kept],
     ))  # fmt: skip
-    star = np.asarray(solution.irradiance(altitude=0.0, sun_zenith=55.0).direct) / np.pi
-    mirrored = (1.0 - foam) * mirrored_fraction(mu_r, WIND) + foam * FOAM
-    glint = (1.0 - foam) * glint_factor(mu_s, mu_r, nu, WIND) + foam * FOAM
-    weights = solution.lights[0].colors() / solution.lights[0].irradiance[:, None]
-    expected = (sky * mirrored + star * glint) @ weights
-    # 6 m of air in between add 0.2 %; the aureole is spread by the facets in the picture alone:
-    # towards the star it is within 10 % of the mirrored sky, a hundredth of the glint.
-    for exact in (True, False):
-        seen = rgb_of(solution, replace(scene, camera=replace(scene.camera, width=160, height=90)),
-                      exact=exact)[44:46, 79:81].mean(axis=(0, 1))  # fmt: skip
-        assert_allclose(seen, expected, rtol=0.02)
+    expected = weight[kept] @ sky / weight[kept].sum() / solution.lights[0].irradiance
+    mu_s, bend = np.cos(np.radians(sun)), np.sqrt(1.0 - cosine**2) * np.sin(np.radians(sun))
+    nu = bend * np.cos(np.radians(turn)) - cosine * mu_s
+    beam = np.asarray(solution.irradiance(altitude=0.0, sun_zenith=sun).direct) / np.pi
+    glint = glint_factor(mu_s, cosine, nu, WIND) / mirrored_fraction(cosine, WIND)
+    star = beam / solution.lights[0].irradiance * glint
+    assert_allclose(found + star, expected + star, rtol=0.01)
+
+
+def test_waves_keep_the_sea_s_mean(wet: Wet) -> None:
+    # A picture of so few pixels that they resolve no waves has the mean of one that resolves them.
+    solution = wet(wind=2.0)
+    camera = Camera(width=640, height=360, field_of_view=40.0, look_zenith=120.0)
+    scene = Scene(altitude=20.0, sun_zenith=45.0, camera=camera)
+    waves = rgb_of(solution, scene)
+    blurred = replace(camera, width=16, height=9)
+    mean = rgb_of(solution, replace(scene, camera=blurred)).mean(axis=(0, 1))
+    assert_allclose(waves.mean(axis=(0, 1)), mean, rtol=0.03)
+    assert waves[..., 1].std() > 0.1 * mean[1]
 
 
 @pytest.mark.parametrize("orders", ["all", "single", "multiple"])

@@ -97,7 +97,7 @@ def program() -> dict[str, Any]:
 
     sky = [(name, FLAT_WIDTH, 1) for name in LAYERS[:2]]
     peaks = [(name, FLAT_WIDTH, 1) for name in LAYERS[2:4]]
-    polarised = [(name, FLAT_WIDTH, 1) for name in LAYERS[4:]]
+    polarised = [(name, FLAT_WIDTH, 1) for name in LAYERS[4:6]]
     return {
         "plan": {
             "layout": places,

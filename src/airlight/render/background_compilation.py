@@ -16,14 +16,14 @@ from airlight.kernel.lanes import LANES
 from airlight.kernel.shader_fields import InTexture, shader_fields
 from airlight.render.pixels.pixel import FrameTables
 from airlight.render.pixels.render_cpu import march_pixels, render_pixels
-from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_texels
+from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_mirrored, fill_texels
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.view_uniforms import cpu_view_uniforms, observer_from
 from airlight.scene import Camera
 from airlight.solver.moments.march_tables import MarchTables, new_workspace, quadratures
 
 #: Loops of a frame with a sky-view LUT, in the order of use; and of a frame without.
-SKY_VIEW_LOOPS: Final = (fill_texels, render_pixels)
+SKY_VIEW_LOOPS: Final = (fill_texels, fill_mirrored, render_pixels)
 MARCH_LOOPS: Final = (march_pixels,)
 
 
@@ -60,7 +60,8 @@ def _arguments() -> list[tuple[Any, ...]]:
     weights, rgb = np.zeros((3, LANES), np.float32), np.zeros((1, 3), np.float32)
     none = np.zeros(0)
     pixels = (none, none, FrameTables(1.0, window, observer, view, tables), work, weights, rgb)
-    return [(0, 0, window, observer, tables, work, layers), pixels, pixels]
+    texels = (0, 0, window, observer, tables, work, layers)
+    return [texels, texels, pixels, pixels]
 
 
 def empty(bundle: Any) -> Any:

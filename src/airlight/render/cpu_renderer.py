@@ -14,7 +14,7 @@ from airlight.render.pixels.polarising_filter import NONE
 from airlight.render.pixels.render_cpu import march_pixels, render_pixels
 from airlight.render.pixels.render_tables import render_tables
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
-from airlight.render.pixels.sky_view_window import SkyViewWindow, sky_view_window
+from airlight.render.pixels.sky_view_window import COARSEST, SkyViewWindow, sky_view_window
 from airlight.render.pixels.view_uniforms import (
     checked_samples,
     cpu_view_uniforms,
@@ -56,6 +56,9 @@ class CpuRenderer:
     ----------
     window : SkyViewWindow or None
         Window of the sky-view LUT; None where every pixel is marched.
+    filled : SkyViewWindow or None
+        The same, or a window of no texels for the table of the sky over the sea of marched pixels;
+        None if there is nothing to fill.
     """
 
     solution: MomentsSolution
@@ -86,6 +89,9 @@ class CpuRenderer:
         self.window: SkyViewWindow | None = None
         if not self.exact and self.air:
             self.window = sky_view_window(camera, self._observer, tables.bottom, tables.top)
+        self.filled, self._is_filled = self.window, False
+        if self.window is None and self.air and tables.ground.wet:
+            self.filled = SkyViewWindow(*COARSEST, 0, 1, 0, 0, 0, 0)
         resolution = march_points(solution)
         self._tables = render_tables(
             solution,
@@ -107,20 +113,21 @@ class CpuRenderer:
     def fill_sky_view(
         self, *, cancel: Cancel | None = None, progress: Progress | None = None
     ) -> None:
-        """Fill the sky-view LUT, if any; to be called before rendering."""
-        if self.window is None:
+        """Fill the sky-view LUT, or what marched water needs; otherwise rendering does so."""
+        if self.filled is None or self._is_filled:
             return
         layers = fill_sky_view(
             self._tables,
             self._observer,
-            self.window,
-            polarised=self._polarised,
+            self.filled,
+            polarised=self._polarised and self.window is not None,
             cancel=cancel,
             progress=progress,
         )
         self._view = cpu_view_uniforms(
             self._uniforms, self._camera, self._ground, self._overlay, layers
         )
+        self._is_filled = True
 
     def render_rows(
         self, first: int, last: int, rgb: Float32Array, element: int | None = None
@@ -155,12 +162,13 @@ class CpuRenderer:
         element : int, optional
             As in ``render_rows``.
         """
+        self.fill_sky_view()
         view = self._view if element is None else self._view._replace(filter=element)
         pixels = march_pixels if self.window is None else render_pixels
         pixels(px, py, self._frame(view), new_workspace(self._tables), self._weights, rgb)
 
     def _frame(self, view: ViewUniforms) -> FrameTables:
-        window = SkyViewWindow.whole(0, 0) if self.window is None else self.window
+        window = SkyViewWindow.whole(0, 0) if self.filled is None else self.filled
         return FrameTables(self._reach, window, self._observer, view, self._tables)
 
 

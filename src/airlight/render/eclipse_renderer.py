@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.vectors import Vec3
-from airlight.kernel.threads import Cancel, Progress
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.pixels.eclipsed_pixel import render_eclipsed
 from airlight.scene import Scene
@@ -42,14 +41,10 @@ class EclipseRenderer(CpuRenderer):
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
         check_unfiltered(scene)
         super().__init__(eclipsed.solution, scene, exact=True, disc=False)
+        self.filled = None  # the sky is not symmetric about the star
         self._shadow = eclipsed.shadow
         self._turn = tuple(Vec3(*row) for row in (eclipsed.axes @ local.T).tolist())
         self._colors = eclipsed.solution.lights[0].colors()
-
-    def fill_sky_view(
-        self, *, cancel: Cancel | None = None, progress: Progress | None = None
-    ) -> None:
-        """No effect, as there is no sky-view LUT."""
 
     def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None

@@ -168,7 +168,7 @@ def add_rendered(
     step = max(1, _BLOCK_PIXELS // width)
     blocks = -(-height // step)
     # The sky-view LUT counts as half of the progress.
-    total = blocks if renderer.window is None else 2 * blocks
+    total = blocks if renderer.filled is None else 2 * blocks
 
     def filling(done: int, count: int, message: str) -> None:
         if progress is not None:

@@ -6,16 +6,21 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from scipy.special import erfc
+from scipy.stats import norm
 
 from airlight.kernel import vectorized
 from airlight.physics.optics.cox_munk import (
     SEA_WATER,
+    facing_normal,
+    facing_slope,
     glint_factor,
     hidden_slopes,
     mean_mirrored,
     mean_square_slope,
+    mirrored_by,
     mirrored_cosine,
     mirrored_fraction,
+    steepest_mirror,
 )
 from airlight.physics.optics.fresnel import fresnel_reflectances
 
@@ -125,3 +130,44 @@ def test_light_takes_the_same_way_back_from_the_facets():
     nu = -(mu[0] * mu[1] + np.sqrt((1.0 - mu[0] ** 2) * (1.0 - mu[1] ** 2)) * np.cos(turn))
     there = vectorized(glint_factor)(mu[0], mu[1], nu, 5.0)
     assert_allclose(vectorized(glint_factor)(mu[1], mu[0], nu, 5.0), there, rtol=1e-12)
+
+
+@pytest.mark.parametrize("limit", [0.0, 0.5, 2.0, 8.0])
+def test_normal_variables_become_visible_slopes(limit):
+    # Their density is (A + x) φ(x), whose mean over its integral is Φ/(A Φ + φ) and mean square
+    # (A Φ + 2 φ)/(A Φ + φ).
+    normal = np.linspace(-5.0, 5.0, 1001)
+    weight = norm.pdf(normal) * 0.01
+    slope = vectorized(facing_slope)(normal, limit)
+    area = limit * norm.cdf(limit) + norm.pdf(limit)
+    assert np.all(np.diff(slope) > 0.0)
+    assert slope.min() > -limit
+    assert_allclose(slope @ weight, norm.cdf(limit) / area, atol=0.04)
+    square = (limit * norm.cdf(limit) + 2.0 * norm.pdf(limit)) / area
+    assert_allclose(slope**2 @ weight, square, rtol=0.05)
+    inner = slope[(normal > -2.0) & (normal < 4.0)]
+    back = vectorized(facing_slope)(vectorized(facing_normal)(inner, limit), limit)
+    assert_allclose(back, inner, atol=1e-9)
+
+
+@pytest.mark.parametrize("cosine", [0.05, 0.4, 0.9])
+def test_a_facet_mirrors_by_the_law_of_reflection(cosine):
+    # Snell: the facet's normal halves the angle; Fresnel: both shares are its reflectance.
+    sine = np.sqrt(1.0 - cosine**2)
+    for along in np.linspace(steepest_mirror(cosine) + 0.01, 0.5, 7):
+        for across in (-0.3, 0.0, 0.2):
+            normal = np.array([-along, -across, 1.0]) / np.sqrt(1.0 + along**2 + across**2)
+            eye = np.array([-sine, 0.0, cosine])
+            share, rest, *ray = mirrored_by(along, across, cosine, 5.0)
+            facing = eye @ normal
+            smooth = np.mean(fresnel_reflectances(SEA_WATER, facing))
+            assert_allclose(share + rest, smooth, rtol=1e-12)
+            if share > 0.0:
+                assert_allclose(ray, 2.0 * facing * normal - eye, atol=1e-12)
+
+
+def test_the_steepest_mirror_shows_the_horizon():
+    for cosine in (0.1, 0.5, 0.9):
+        edge = steepest_mirror(cosine)
+        assert mirrored_by(edge - 1e-3, 0.0, cosine, 5.0)[0] == 0.0
+        assert 0.0 < mirrored_by(edge + 1e-3, 0.0, cosine, 5.0)[4] < 4e-3

@@ -6,6 +6,11 @@ Cox & Munk (1954), J. Opt. Soc. Am. 44, 838: photographs of sun glitter off Hawa
 Trans. Antennas Propag. 15, 668, in the form of Walter et al. (2007), "Microfacet models for
 refraction through rough surfaces", EGSR, eq. 34; multiple reflection between facets is neglected.
 Mishchenko & Travis (1997), J. Geophys. Res. 102, 16989, eqs. 8 to 14, use the same model.
+
+The facets that face a line of sight are weighted by the area across it (Heitz & d'Eon 2014,
+"Importance sampling microfacet-based BSDFs using the distribution of visible normals", CGF 33(4),
+103): slopes along the line have the density (A + x)₊ φ(x)/(A Φ(A) + φ(A)), with the slope x and
+A = cot θ in units of the standard deviation, φ the normal density and Φ its integral.
 """
 
 from __future__ import annotations
@@ -18,7 +23,7 @@ from airlight.physics.optics.fresnel import fresnel_reflectances
 #: Refractive index of sea water in visible light, 1.337 to 1.349 (Quan & Fry 1995). [1]
 SEA_WATER = 1.34
 #: Smallest cosine of the star: the mean over the visible half of a sun on the horizon. [1]
-_LEVEL = 2e-3
+LEVEL = 2e-3
 
 
 @kernel
@@ -85,7 +90,7 @@ def glint_factor(mu_s, mu_r, nu, wind):
     """
     square = mean_square_slope(wind)
     slope = sqrt(square)
-    sun, eye = max(mu_s, _LEVEL), max(mu_r, 0.0)
+    sun, eye = max(mu_s, LEVEL), max(mu_r, 0.0)
     cosine = sqrt(min(max(0.5 * (1.0 - nu), 1e-8), 1.0))
     tilt = min((sun + eye) / (2.0 * cosine), 1.0)
     upright = tilt * tilt
@@ -165,3 +170,140 @@ def mirrored_cosine(cosine, wind):
         + x * x * x * x * (-0.3068 + y * (-0.0706 + 0.0578 * y))
     )
     return min(max(1.0 - 0.5 * (1.0 - x) * fall, 0.0), 1.0)
+
+
+@kernel
+def facing_limit(cosine, deviation):
+    """Slope of facets edge-on to a line of sight, A = cot θ over the standard deviation. [1]
+
+    Parameters
+    ----------
+    cosine : float
+        Cosine of the line's zenith angle. [1]
+    deviation : float
+        Standard deviation of the slopes of one axis. [1]
+
+    Examples
+    --------
+    >>> facing_limit(0.6, 0.25)
+    3.0
+    """
+    sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 1e-8))
+    return cosine / (sine * deviation)
+
+
+@kernel
+def _shift(limit):
+    """Shift of ``facing_slope``, fitted by ``builders/sea_reflectance.py``. [1]"""
+    return (0.629 + 0.137 * limit) / (1.0 + limit * (0.675 + 0.336 * limit))
+
+
+@kernel
+def _bend(limit):
+    """Width squared of the bend of ``facing_slope``, fitted likewise. [1]"""
+    return 1.961 + 0.379 / (1.0 + 0.738 * limit * limit)
+
+
+@kernel
+def facing_slope(normal, limit):
+    """Slope along a line of sight, of facets that face it, from a standard normal variable. [1]
+
+    A hyperbola above -A that maps the normal density to that of visible slopes, within 0.17 at 2.6
+    standard deviations and 0.05 on the average.
+
+    Parameters
+    ----------
+    normal : float
+        Normal variable; the slope of one axis for a vertical line. [1]
+    limit : float
+        Result of ``facing_limit``. [1]
+
+    Returns
+    -------
+    float
+        Slope in units of the standard deviation, positive where a facet is turned to the observer.
+
+    Examples
+    --------
+    >>> round(facing_slope(0.5, 1e4), 3), facing_slope(-3.0, 0.0) > 0.0
+    (0.5, True)
+    """
+    above = normal + limit + _shift(limit)
+    return 0.5 * (above + sqrt(above * above + _bend(limit))) - limit
+
+
+@kernel
+def facing_normal(slope, limit):
+    """Inverse of ``facing_slope``: the normal variable. [1]
+
+    Examples
+    --------
+    >>> round(facing_normal(facing_slope(-0.7, 1.5), 1.5), 12)
+    -0.7
+    """
+    above = max(slope + limit, 1e-3)
+    return above - 0.25 * _bend(limit) / above - limit - _shift(limit)
+
+
+@kernel
+def mirrored_by(along, across, cosine, wind):
+    """Direction that a facet mirrors to the observer, and its share of that light. [1]
+
+    The share is the Fresnel reflectance times the visibility of that direction from facets that
+    are seen, (1 + Λ)/(1 + Λ + Λ'); 0 for directions below the horizon. Its mean over visible slopes
+    is what ``mirrored_fraction`` fits. The rest of the reflectance mirrors other facets.
+
+    Parameters
+    ----------
+    along, across : float
+        Slopes towards and across the line of sight. [1]
+    cosine : float
+        Cosine of the zenith angle towards the observer. [1]
+    wind : float
+        Wind speed. [m s⁻¹]
+
+    Returns
+    -------
+    share, rest, ahead, aside, up : float
+        Share, and rest of the reflectance; components of the direction along the horizontal
+        direction of the line of sight, across it and upwards.
+
+    Examples
+    --------
+    >>> share, rest, ahead, _, up = mirrored_by(0.0, 0.0, 0.6, 5.0)
+    >>> round(ahead, 12), round(up, 12)  # a level mirror
+    (0.8, 0.6)
+    """
+    sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
+    tilt = 1.0 / sqrt(1.0 + along * along + across * across)
+    facing = min(max((cosine + sine * along) * tilt, 0.0), 1.0)
+    turn = 2.0 * facing * tilt
+    up = min(turn - cosine, 1.0)
+    r_s, r_p = fresnel_reflectances(SEA_WATER, facing)
+    mirrored = 0.5 * (r_s + r_p)
+    if up <= 0.0:
+        return 0.0, mirrored, 1.0, 0.0, 0.0
+    slope = sqrt(mean_square_slope(wind))
+    seen = cosine + hidden_slopes(cosine, slope)
+    lit = up * seen / max(up * seen + cosine * hidden_slopes(up, slope), 1e-12)
+    share = mirrored * lit
+    return share, mirrored - share, sine - turn * along, -turn * across, up
+
+
+@kernel
+def steepest_mirror(cosine):
+    """Slope of the facet that mirrors the horizon, -tan of half the line's elevation. [1]
+
+    Facets that lean farther away from the observer mirror the sea.
+
+    Parameters
+    ----------
+    cosine : float
+        Cosine of the zenith angle towards the observer. [1]
+
+    Examples
+    --------
+    >>> round(steepest_mirror(0.6), 12)  # 3/5 and 4/5: an elevation of 36.9°
+    -0.333333333333
+    """
+    return -cosine / (1.0 + sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0)))

@@ -59,7 +59,7 @@ def mean_specular(wind):
 
 
 @kernel
-def water_reflectances(wind, mu_s, mu_r, nu):
+def water_reflectances(wind, mu_s, mu_r, nu, sparkle):
     """``brdf_direct`` and ``brdf_diffuse`` of water together, for renderers.
 
     Parameters
@@ -68,6 +68,8 @@ def water_reflectances(wind, mu_s, mu_r, nu):
         Wind speed. [m s⁻¹]
     mu_s, mu_r, nu : float
         Cosines as in ``reflection.direct_reflectance``. [1]
+    sparkle : float
+        Glint relative to that of all facets: 1, or that of a pixel that resolves waves. [1]
 
     Returns
     -------
@@ -79,7 +81,7 @@ def water_reflectances(wind, mu_s, mu_r, nu):
     mirrored = mirrored_fraction(mu_r, wind)
     diffuse = free * (1.0 - mirrored) / through
     star_diffuse = diffuse * (1.0 - mirrored_fraction(mu_s, wind)) / through
-    glint = glint_factor(mu_s, mu_r, nu, wind)
+    glint = sparkle * glint_factor(mu_s, mu_r, nu, wind)
     return star_diffuse, free * glint + white, diffuse, free * mirrored + white
 
 
@@ -97,7 +99,7 @@ def brdf_direct(ground, mu_s, mu_r, nu):
     diffuse, specular : float
         Factor of the albedo, and part without it. [1]
     """
-    diffuse, specular, _, _ = water_reflectances(ground.wind, mu_s, mu_r, nu)
+    diffuse, specular, _, _ = water_reflectances(ground.wind, mu_s, mu_r, nu, 1.0)
     return diffuse, specular
 
 

@@ -21,6 +21,15 @@ from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.physics.optics.water import water_reflectances
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
 from airlight.render.pixels.relief import relief_light
+from airlight.render.pixels.sea_sky import mirror_place
+from airlight.render.pixels.sea_surface import (
+    SMALL,
+    Waves,
+    disc_spread,
+    mirror_waves,
+    resolved_waves,
+    spread_glint,
+)
 from airlight.scene.ground_detail import (
     displacement,
     grained_cover,
@@ -29,6 +38,7 @@ from airlight.scene.ground_detail import (
     unmixed,
 )
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
+from airlight.scene.sea_waves import COARSEST, peak_wavenumber
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import MIRRORED
 from airlight.solver.moments.source import transmittance_columns
@@ -46,6 +56,53 @@ def level_ground(color):
     color[9] = 0.0
     color[10] = 0.0
     color[11] = 1.0
+
+
+@inlined
+def straight_end(ray, sine, cosine, observer, tables):
+    """Distance to the end of a line of sight without refraction [m], and its place.
+
+    Parameters
+    ----------
+    ray, sine, cosine : Vec3, float, float
+        Direction in the observer's frame, sine of its zenith angle, and ``ground_cosine``. [1]
+    observer, tables : Observer, MarchTables
+        Observer, and tables of the solution.
+
+    Returns
+    -------
+    reach, end : float, Vec3
+        Distance; end from the centre, in the observer's frame. [m]
+    """
+    _across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)
+    # the distance as a quotient, of which single precision keeps all digits near the observer
+    both = max(tables.bottom * cosine - observer.r * ray.z, 1e-30)
+    reach = observer.optical_altitude * (observer.r + tables.bottom) / both
+    return reach, Vec3(reach * ray.x, reach * ray.y, up)
+
+
+@inlined
+def ground_spot(reach, end, cosine, view, tables):
+    """Place of a pixel on the ground, and the longer axis of its footprint. [m]
+
+    Parameters
+    ----------
+    reach, end : float, Vec3
+        Results of ``straight_end``. [m]
+    cosine : float
+        Cosine of the zenith angle towards the observer. [1]
+    view, tables : ViewUniforms, MarchTables
+        Camera, and tables of the solution.
+
+    Returns
+    -------
+    place, footprint : Vec3, float
+        Position relative to the point below the observer, in the planet's frame; length.
+    """
+    # z - bottom of a point of the sphere, which single precision has to half a metre only
+    below = -(end.x * end.x + end.y * end.y) / max(tables.bottom + end.z, 1e-3 * tables.bottom)
+    place = components(Vec3(end.x, end.y, below), view.ground_x, view.ground_y, view.ground_z)
+    return place, view.pixel_angle * reach / max(cosine, 0.01)
 
 
 @inlined
@@ -68,18 +125,11 @@ def ground_color(ray, sine, angle, frame, color):
     """
     observer, view, tables = frame.observer, frame.camera, frame.tables
     cosine = ground_cosine(ray.z, sine, observer, tables)
-    _across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)
-    # the distance as a quotient, of which single precision keeps all digits near the observer
-    both = max(tables.bottom * cosine - observer.r * ray.z, 1e-30)
-    reach = observer.optical_altitude * (observer.r + tables.bottom) / both
-    end = Vec3(reach * ray.x, reach * ray.y, up)
+    reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
     noise = 0.0
     if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
-        # z - bottom of a point of the sphere, which single precision has to half a metre only
-        below = -(end.x * end.x + end.y * end.y) / max(tables.bottom + end.z, 1e-3 * tables.bottom)
-        place = components(Vec3(end.x, end.y, below), view.ground_x, view.ground_y, view.ground_z)
-        footprint = view.pixel_angle * reach / max(cosine, 0.01)
+        place, footprint = ground_spot(reach, end, cosine, view, tables)
         noise = ground_detail(
             place, footprint, view.detail_cell, view.whole, view.part, view.grain_fall
         )
@@ -223,7 +273,10 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
                 share = color[3]
         if share > 0.0:
             land = 1.0 - share
-            star, glint, sky, mirrored = water_reflectances(tables.ground.wind, mu_s, mu_r, nu)
+            sparkle = wave_light(ray, sine, mu_s, mu_r, nu, frame, work)
+            star, glint, sky, mirrored = water_reflectances(
+                tables.ground.wind, mu_s, mu_r, nu, sparkle
+            )
             star_diffuse = land * star_diffuse + share * star
             star_specular = land * star_specular + share * glint
             sky_diffuse = land * sky_diffuse + share * sky
@@ -236,12 +289,40 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
 
 
 @inlined
+def wave_light(ray, sine, mu_s, mu_r, nu, frame, work):
+    """Result of ``spread_glint`` for a pixel of water, and its mirrored sky. [1]
+
+    Parameters
+    ----------
+    ray, sine, frame, work :
+        Arguments of ``ground_reflectances``; ``radiance`` at ``MIRRORED`` becomes that of the
+        resolved waves, unless the frame has no table of the sky over the sea.
+    mu_s, mu_r, nu : float
+        Results of ``ground_angles``. [1]
+    """
+    observer, view, tables = frame.observer, frame.camera, frame.tables
+    reach, end = straight_end(ray, sine, mu_r, observer, tables)
+    spot, footprint = ground_spot(reach, end, mu_r, view, tables)
+    waves = Waves(0.0, 0.0, 0.0)
+    if footprint * peak_wavenumber(tables.ground.wind) < COARSEST:
+        waves = resolved_waves(ray, sine, spot, footprint, view, tables)
+    broadening = 1.0
+    if waves.share > 0.0 or disc_spread(mu_s, mu_r, tables) > SMALL:
+        side = -1.0 if ray.y > 0.0 else 1.0
+        place = mirror_place(mu_s, mu_r, nu, side, observer, frame.window)
+        broadening = spread_glint(waves, place, tables)
+        if waves.share > 0.0 and observer.orders != 1 and frame.window.columns > 0:
+            mirror_waves(waves, place, view.sky_air, tables, work)
+    return broadening
+
+
+@inlined
 def lamp_light(color, view, tables, columns, at):
     """Attenuated radiance of city lights, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
-    color : array, shape (11,)
+    color : array, shape (12,)
         Values from ``ground_color``. [1]
     view, tables : ViewUniforms, MarchTables
         Colour of the lamps, and tables of the solution.

@@ -1,4 +1,4 @@
-"""Angles at the ground intersection of a line of sight, and its mirrored ray."""
+"""Angles at the ground intersection of a line of sight."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from math import sqrt
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import first_intersection
 from airlight.kernel import inlined, kernel
-from airlight.physics.optics.cox_munk import mirrored_cosine
 from airlight.solver.tables.column_ratios import columns_to_top
 
 
@@ -136,25 +135,3 @@ def ground_angles(x, z, sine, angle, observer, tables):
         mu_s, nu = turned(-mu_r, mu_s, nu, angle)
         mu_s = min(max(mu_s, -1.0), 1.0)
     return mu_s, mu_r, nu
-
-
-@inlined
-def mirrored_line(x, z, sine, angle, observer, tables):
-    """Mirrored ray at the end of a line of sight on water.
-
-    Parameters
-    ----------
-    x, z, sine, angle, observer, tables :
-        Arguments of ``ground_angles``.
-
-    Returns
-    -------
-    mu, mu_s, nu : float
-        Cosines at the ground: of its zenith angle, of the star-zenith angle, and between both. [1]
-    """
-    mu_s, mu_r, nu = ground_angles(x, z, sine, angle, observer, tables)
-    mu = mirrored_cosine(mu_r, tables.ground.wind)
-    level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
-    ahead = min(max((nu + mu_r * mu_s) / level, -1.0), 1.0)
-    towards = mu * mu_s + sqrt((1.0 - mu) * (1.0 + mu)) * ahead
-    return mu, mu_s, min(max(towards, -1.0), 1.0)

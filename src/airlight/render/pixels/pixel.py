@@ -15,8 +15,13 @@ from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.physics.optics.clouds import GroundFactors
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
-from airlight.render.pixels.ground_angles import columns_to_ground, refraction_to_ground
+from airlight.render.pixels.ground_angles import (
+    columns_to_ground,
+    ground_angles,
+    refraction_to_ground,
+)
 from airlight.render.pixels.polarising_filter import filter_shares
+from airlight.render.pixels.sea_sky import mirror_place, mirrored_sky
 from airlight.render.pixels.sky_view_lut import Observer, SightLine, half_sine_between, look
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.star_disc import star_disc
@@ -93,6 +98,7 @@ class ViewUniforms(NamedTuple):
     sky_second: Annotated[np.ndarray, InTexture("second", spectral=True, whole=True)]
     sky_q: Annotated[np.ndarray, InTexture("stokes_q", spectral=True, whole=True)]
     sky_u: Annotated[np.ndarray, InTexture("stokes_u", spectral=True, whole=True)]
+    sky_mirrored: Annotated[np.ndarray, InTexture("mirrored", spectral=True, whole=True)]
 
 
 class FrameTables(NamedTuple):
@@ -320,19 +326,14 @@ def sky_lookup(ray, found, exact, frame, work):
     if exact:
         cos_azimuth = ray.x / found.sine if found.sine > 0.0 else 1.0
         line = SightLine(ray.z, found.sine, cos_azimuth, half_sine, found.to_ground)
-        # The mirrored sky first, as the second march leaves its results in place.
-        for part in range(2):
-            mirrored = part == 0
-            if not mirrored or (wet and observer.orders != 1):
-                refraction = look(
-                    line, mirrored, True, False, view.filter > 0, observer, tables, work
-                )
-            if mirrored:
-                for at in range(0, tables.lanes, LANES):
-                    radiance = lane_view(work.radiance, at)
-                    radiance[MIRRORED] = splat(0.0)
-                    if wet and observer.orders != 1:
-                        radiance[MIRRORED] = radiance[0]
+        refraction = look(line, True, False, view.filter > 0, observer, tables, work)
+        for at in range(0, tables.lanes, LANES):
+            radiance = lane_view(work.radiance, at)
+            radiance[MIRRORED] = splat(0.0)
+        if wet and observer.orders != 1:
+            mu_s, mu_r, nu = ground_angles(ray.x, ray.z, found.sine, refraction, observer, tables)
+            end = mirror_place(mu_s, mu_r, nu, 1.0, observer, window)
+            mirrored_sky(end, view.sky_air, tables, work)
     else:
         place = sky_view_place(ray, found, window)
         turn_cosine, turn_sine = 1.0, 0.0
@@ -349,9 +350,10 @@ def sky_lookup(ray, found, exact, frame, work):
             if found.to_ground:
                 radiance[1] = between_texels(lane_view(view.sky_ground, at), place)
             if wet:
-                near = place.near + window.ground_count * window.column_count
-                mirror = TexelPlace(near, place.stride, place.right, place.down)
-                radiance[MIRRORED] = between_texels(lane_view(view.sky_air, at), mirror)
+                radiance[MIRRORED] = splat(0.0)
+                if observer.orders != 1:
+                    mirrored = lane_view(view.sky_mirrored, at)
+                    radiance[MIRRORED] = between_texels(mirrored, place)
         if found.to_ground and tables.refraction_strength > 0.0:
             refraction = refraction_to_ground(
                 ray.z, found.sine, observer, tables, work.columns_total
@@ -373,7 +375,7 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
         Constant: whether the pixel is marched.
     frame : FrameTables
         What the pixels read.
-    work, color : MarchWorkspace, array of shape (11,)
+    work, color : MarchWorkspace, array of shape (12,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]

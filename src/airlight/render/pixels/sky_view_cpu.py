@@ -5,16 +5,17 @@ It also serves software GPUs, on which the march is about fifteen times slower.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.kernel.without_refcount import without_refcount
-from airlight.render.pixels.sky_view_lut import Observer, sky_view_texel
+from airlight.render.pixels.sea_sky import sea_sky_size
+from airlight.render.pixels.sky_view_lut import Observer, mirrored_texel, sky_view_texel
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.solver.moments.march_tables import MarchTables, new_workspace
 
@@ -27,8 +28,8 @@ _BLOCK: Final = 256
 class SkyViewLayers(NamedTuple):
     """Sky-view LUT, all wavelengths: fourth roots, each shape (texels, w).
 
-    Rows of the sky come first, then of the ground, then of the sky mirrored by water. Unused layers
-    of absent peaked constituents have one texel.
+    Rows of the sky come first, then of the ground; in ``air``, over water, the table of
+    ``sea_sky`` follows. Unused layers have one texel.
 
     Attributes
     ----------
@@ -38,6 +39,8 @@ class SkyViewLayers(NamedTuple):
         Single scattering by separated constituents, without phase function. [1]
     stokes_q, stokes_u : array
         I + Q and I + U of the other path radiance; one texel if not requested. [sr^-¼]
+    mirrored : array
+        Mean sky that the sea mirrors at the end of each line to the ground. [sr^-¼]
     """
 
     air: Float32Array
@@ -46,12 +49,27 @@ class SkyViewLayers(NamedTuple):
     second: Float32Array
     stokes_q: Float32Array
     stokes_u: Float32Array
+    mirrored: Float32Array
 
     @classmethod
     def none(cls) -> SkyViewLayers:
         """Empty layers."""
         empty = np.zeros((1, LANES), np.float32)
-        return cls(*[empty] * 6)
+        return cls(*[empty] * 7)
+
+
+@inlined
+def _indices(texel, window):
+    """Column and row of a texel in the whole LUT."""
+    stride = window.column_count
+    line, beyond = texel // stride, texel - stride * (window.sky_count + window.ground_count)
+    column, row = window.first_column + texel - stride * line, window.first_sky + line
+    if line >= window.sky_count:
+        row = window.rows + window.first_ground + line - window.sky_count
+    if beyond >= 0:
+        down = beyond // window.columns
+        column, row = beyond - window.columns * down, 2 * window.rows + down
+    return column, row
 
 
 @compiled_loop
@@ -59,16 +77,8 @@ def fill_texels(begin, end, window, observer, tables, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
     tables, work, layers = without_refcount((tables, work, layers))
     peaks, polarised = tables.separated_1 >= 0, layers.stokes_q.shape[0] > 1
-    stride = window.column_count
-    sky_texels = stride * window.sky_count
     for texel in range(begin, end):
-        column = window.first_column + texel % stride
-        row = window.first_sky + texel // stride
-        if texel >= sky_texels:
-            line = (texel - sky_texels) // stride
-            row = window.rows + window.first_ground + line
-            if line >= window.ground_count:
-                row += window.rows - window.ground_count
+        column, row = _indices(texel, window)
         sky_view_texel(column, row, window, True, peaks, polarised, observer, tables, work)
         layers.air[texel], layers.ground[texel] = work.radiance[0], work.radiance[1]
         if tables.separated_1 >= 0:
@@ -77,6 +87,16 @@ def fill_texels(begin, end, window, observer, tables, work, layers):
             layers.second[texel] = work.radiance[3]
         if polarised:
             layers.stokes_q[texel], layers.stokes_u[texel] = work.radiance[4], work.radiance[5]
+
+
+@compiled_loop
+def fill_mirrored(begin, end, window, observer, tables, work, layers):
+    """Fill texels ``begin`` to ``end`` - 1 of the mirrored sky, once the table is filled."""
+    tables, work, layers = without_refcount((tables, work, layers))
+    for texel in range(begin, end):
+        column, row = _indices(texel, window)
+        mirrored_texel(column, row, window, layers.air, observer, tables, work)
+        layers.mirrored[texel] = work.radiance[0]
 
 
 def fill_sky_view(
@@ -104,12 +124,12 @@ def fill_sky_view(
     SkyViewLayers
         Layers with the lanes of ``tables``.
     """
-    texels = window.texels
-    if tables.ground.wet:
-        texels += window.ground_count * window.column_count
+    seen = window.texels
+    wet = tables.ground.wet and observer.orders != 1
+    texels = seen + (sea_sky_size(observer, window) if wet else 0)
 
-    def layer(*, kept: bool = True) -> Float32Array:
-        return np.zeros((texels if kept else 1, tables.lanes), np.float32)
+    def layer(count: int = texels, *, kept: bool = True) -> Float32Array:
+        return np.zeros((count if kept else 1, tables.lanes), np.float32)
 
     layers = SkyViewLayers(
         air=layer(),
@@ -118,18 +138,19 @@ def fill_sky_view(
         second=layer(kept=tables.separated_2 >= 0),
         stokes_q=layer(kept=polarised),
         stokes_u=layer(kept=polarised),
+        mirrored=layer(max(seen, 1), kept=wet),
     )
 
-    def run(index: int) -> None:
-        fill_texels(
-            index * _BLOCK,
-            min((index + 1) * _BLOCK, texels),
-            window,
-            observer,
-            tables,
-            new_workspace(tables),
-            layers,
-        )
+    def filled(loop: Any, first: int, count: int, progress: Progress | None) -> None:
+        def run(index: int) -> None:
+            begin = first + index * _BLOCK
+            end = min(begin + _BLOCK, first + count)
+            loop(begin, end, window, observer, tables, new_workspace(tables), layers)
 
-    run_blocks(run, -(-texels // _BLOCK), cancel=cancel, progress=progress, message="rendering")
+        run_blocks(run, -(-count // _BLOCK), cancel=cancel, progress=progress, message="rendering")
+
+    filled(fill_texels, 0, texels, progress)
+    if wet:
+        sky = window.sky_count * window.column_count
+        filled(fill_mirrored, sky, seen - sky, None)
     return layers

@@ -1,8 +1,7 @@
 """Sky-view LUT (Hillaire 2020, CGF 39, 13): radiance by direction from one observer.
 
 Texels hold fourth roots, which keep interpolation positive and accurate to 1 % where radiance
-changes by a factor e between texels. With water, a third part after sky and ground holds the
-mirrored sky at the ground end of each line of sight.
+changes by a factor e between texels. With water, the table of ``sea_sky`` follows sky and ground.
 """
 
 from __future__ import annotations
@@ -16,11 +15,11 @@ from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_i
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_view, maximum, splat
-from airlight.physics.optics.cox_munk import mean_square_slope
-from airlight.render.pixels.ground_angles import mirrored_line, refraction_to_ground, star_from
+from airlight.render.pixels.ground_angles import ground_angles, refraction_to_ground, star_from
+from airlight.render.pixels.sea_sky import mirror_place, mirrored_sky, sea_sky_texel
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march import march
-from airlight.solver.moments.march_tables import MarchTerms, Segment
+from airlight.solver.moments.march_tables import MIRRORED, MarchTerms, Segment
 from airlight.solver.moments.source import read_phase
 
 #: Offset of the last sky row from the top of the shell, from outside. [rows]
@@ -159,21 +158,17 @@ def star_on_ground(line, r, start_mu, nu, length, column, observer, tables):
 
 
 @inlined
-def look(line, mirrored, air, peaks, polarised, observer, tables, work):
+def look(line, air, peaks, polarised, observer, tables, work):
     """March one line of sight: path radiance, and radiance of a white ground behind it.
 
-    Single scattering by separated constituents is included for mirrored rays only. The result is
-    ``work.radiance``: the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the
-    single scattering by the two peaked constituents [1], and with ``polarised`` Q and U of the
-    air's light. [sr⁻¹]
+    Single scattering by separated constituents is excluded. The result is ``work.radiance``: the
+    air's radiance, that of a white Lambert ground behind it [sr⁻¹], the single scattering by the
+    two peaked constituents [1], and with ``polarised`` Q and U of the air's light. [sr⁻¹]
 
     Parameters
     ----------
     line : SightLine
         Line of sight.
-    mirrored : bool
-        Whether to march the ray mirrored by water at that end instead. The phase functions are
-        blurred by the slope distribution of the facets.
     air, peaks, polarised : bool
         ``MarchTerms``.
     work : MarchWorkspace
@@ -186,26 +181,16 @@ def look(line, mirrored, air, peaks, polarised, observer, tables, work):
     float
         Angle of refraction of a line that ends on the ground. [rad]
     """
-    mu, sine, cos_azimuth, half_sine, to_ground = line
+    _, _, _, half_sine, to_ground = line
     r, start_mu, start_mu_s, nu, length = line_of_sight(line, observer, tables)
-    angle, orders = 0.0, observer.orders
-    if mirrored:
-        if tables.refraction_strength > 0.0:
-            angle = refraction_to_ground(mu, sine, observer, tables, work.columns_total)
-        r, orders = tables.bottom, 2
-        start_mu, start_mu_s, nu = mirrored_line(
-            sine * cos_azimuth, mu, sine, angle, observer, tables
-        )
-        length = distance_to_top(r, start_mu, tables.top)
-        spread = 0.25 * mean_square_slope(tables.ground.wind)
-        half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
-    phases_towards(half_sine, mirrored, tables.phase, tables, work.phase)
+    angle = 0.0
+    unseparated_phases(half_sine, tables.phase, tables, work.phase)
     if polarised:
-        phases_towards(half_sine, False, tables.phase_f12, tables, work.phase_f12)
+        unseparated_phases(half_sine, tables.phase_f12, tables, work.phase_f12)
     segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length)
     terms = MarchTerms(air, peaks, polarised)
-    march(segment, orders, terms, tables, work, work.radiance)
-    if air and to_ground and not mirrored:
+    march(segment, observer.orders, terms, tables, work, work.radiance)
+    if air and to_ground:
         column = work.columns_total[tables.constituents - 1]
         mu_s, angle = star_on_ground(line, r, start_mu, nu, length, column, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
@@ -220,15 +205,13 @@ def look(line, mirrored, air, peaks, polarised, observer, tables, work):
 
 
 @inlined
-def phases_towards(half_sine, separated_phases, table, tables, phase):
-    """Phase matrix element of all constituents; 0 if separated, on request. [sr⁻¹]
+def unseparated_phases(half_sine, table, tables, phase):
+    """Phase matrix element of all constituents; 0 if separated. [sr⁻¹]
 
     Parameters
     ----------
     half_sine : float
         sin(θ/2). [1]
-    separated_phases : bool
-        Whether separated constituents are included.
     table : array
         ``phase`` or ``phase_f12`` of the tables.
     tables : MarchTables
@@ -237,13 +220,12 @@ def phases_towards(half_sine, separated_phases, table, tables, phase):
         Receives the elements. [sr⁻¹]
     """
     read_phase(half_sine, table, phase)
-    if not separated_phases:
-        for at in range(0, tables.lanes, LANES):
-            elements = lane_view(phase, at)
-            if tables.separated_1 >= 0:
-                elements[tables.separated_1] = splat(0.0)
-            if tables.separated_2 >= 0:
-                elements[tables.separated_2] = splat(0.0)
+    for at in range(0, tables.lanes, LANES):
+        elements = lane_view(phase, at)
+        if tables.separated_1 >= 0:
+            elements[tables.separated_1] = splat(0.0)
+        if tables.separated_2 >= 0:
+            elements[tables.separated_2] = splat(0.0)
 
 
 @inlined
@@ -296,29 +278,58 @@ def sky_view_texel(column, row, window, air, peaks, polarised, observer, tables,
     ----------
     column, row : int
         Indices; of 3·rows, the first third is the sky from the horizon up, the second the ground,
-        the last the mirrored sky for the same lines of sight as the ground.
+        the last the table of ``sea_sky``.
     window : SkyViewWindow
         Window of the LUT, with its numbers of azimuths and of rows of one half.
     air, peaks, polarised, observer, tables, work :
         Arguments of ``look``.
     """
-    mirrored = row >= 2 * window.rows
-    shown = air and tables.ground.wet and observer.orders != 1
-    if shown or not mirrored:
-        seen = row - window.rows if mirrored else row
-        line = line_of_texel(column, seen, window, observer, tables)
+    if row >= 2 * window.rows:
+        shown = air and tables.ground.wet and observer.orders != 1
+        number = (row - 2 * window.rows) * window.columns + column
+        sea_sky_texel(number, shown, window, air, peaks, observer, tables, work)
+    else:
+        line = line_of_texel(column, row, window, observer, tables)
         if polarised and line.sine < UPRIGHT:
             mu = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if line.mu > 0.0 else -1.0)
             line = SightLine(mu, UPRIGHT, line.cos_azimuth, line.half_sine, line.to_ground)
-        look(line, mirrored, air, peaks, polarised, observer, tables, work)
+        look(line, air, peaks, polarised, observer, tables, work)
+        for at in range(0, tables.lanes, LANES):
+            found = lane_view(work.radiance, at)
+            if polarised:
+                for layer in range(4, 6):
+                    found[layer] = fourth_root(maximum(found[0] + found[layer], 0.0))
+            for layer in range(4):
+                found[layer] = fourth_root(found[layer])
+
+
+@inlined
+def mirrored_texel(column, row, window, sky, observer, tables, work):
+    """Texel of the mean sky that the sea mirrors, a fourth root, in ``work.radiance``.
+
+    Parameters
+    ----------
+    column, row : int
+        Indices as in ``sky_view_texel``; only those of the ground are filled.
+    sky : array, shape (texels, w)
+        Layer ``air`` of the LUT, with the table of ``sea_sky``. [sr^-¼]
+    window, observer, tables, work :
+        Arguments of ``sky_view_texel``.
+    """
+    filled = row >= window.rows and row < 2 * window.rows
+    if filled and tables.ground.wet and observer.orders != 1:
+        line = line_of_texel(column, row, window, observer, tables)
+        angle = 0.0
+        if tables.refraction_strength > 0.0:
+            angle = refraction_to_ground(line.mu, line.sine, observer, tables, work.columns_total)
+        mu_s, mu_r, nu = ground_angles(
+            line.sine * line.cos_azimuth, line.mu, line.sine, angle, observer, tables
+        )
+        place = mirror_place(mu_s, mu_r, nu, 1.0, observer, window)
+        mirrored_sky(place, sky, tables, work)
     for at in range(0, tables.lanes, LANES):
         found = lane_view(work.radiance, at)
-        if polarised:
-            for layer in range(4, 6):
-                found[layer] = fourth_root(maximum(found[0] + found[layer], 0.0))
-        for layer in range(4):
-            root = splat(0.0)
-            # The mirrored sky includes separated constituents.
-            if not mirrored or (shown and layer < 2):
-                root = fourth_root(found[layer])
-            found[layer] = root
+        root = splat(0.0)
+        if filled and tables.ground.wet and observer.orders != 1:
+            root = fourth_root(found[MIRRORED])
+        found[0] = root

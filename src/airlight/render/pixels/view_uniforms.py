@@ -201,6 +201,7 @@ def cpu_view_uniforms(
         sky_second=layers.second,
         sky_q=layers.stokes_q,
         sky_u=layers.stokes_u,
+        sky_mirrored=layers.mirrored,
     )
 
 

@@ -17,6 +17,7 @@ from airlight.render.gpu.picture.display_shaders import (
 from airlight.render.gpu.picture.shaders import (
     picture_shader,
     sky_air_shader,
+    sky_mirrored_shader,
     sky_peaks_shader,
     sky_polarised_shader,
 )
@@ -43,6 +44,7 @@ def web_shaders() -> dict[str, dict[str, Any]]:
             sky_air_shader(dialect),
             sky_peaks_shader(dialect),
             sky_polarised_shader(dialect),
+            sky_mirrored_shader(dialect),
             picture_shader(False, (), dialect),
             coarser_shader(dialect),
             spread_shader(dialect),

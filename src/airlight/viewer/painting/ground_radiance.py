@@ -11,8 +11,8 @@ from airlight.geometry.vectors import Vec3
 from airlight.image.texels import CHANNELS
 from airlight.physics.optics import water
 from airlight.physics.optics.clouds import GroundFactors, clouds_shown, layer_distance, under_clouds
-from airlight.physics.optics.cox_munk import mirrored_cosine
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct, cos_reflected
+from airlight.render.pixels.sea_sky import ACROSS, ALONG, mirror_facet
 from airlight.scene import Scene
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level
@@ -105,16 +105,23 @@ def _factor(shares: tuple[float, float], albedo: FloatArray) -> FloatArray:
 
 
 def _mirrored(solution: MomentsSolution, mu_s: float, mu_r: float, nu: float) -> FloatArray:
-    """Mirrored sky radiance over that of a uniform sky, shape (nl,). [1]"""
+    """Mean sky that the facets mirror over a uniform sky, shape (nl,). [1]"""
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
-    mu = mirrored_cosine(mu_r, solution.medium.ground.wind)
-    ahead = (nu + mu_r * mu_s) / math.sqrt(max(1.0 - mu_r * mu_r, 1e-12))
-    sine = math.sqrt(1.0 - mu * mu)
-    turn = min(max(mu * mu_s + sine * min(max(ahead, -1.0), 1.0), -1.0), 1.0)
-    r, *line = (np.array([x]) for x in (bottom, mu, sine, mu_s, turn))
-    up = enter_shell(r, line[0], line[1], line[2], line[3], bottom, top)
-    seen = solution.relative_radiance(up)[0]
-    even = solution.relative_sky_irradiance(up.r, up.mu_s)[0] / math.pi
+    wind = solution.medium.ground.wind
+    facets = [mirror_facet(number, mu_r, wind) for number in range(ALONG * ACROSS)]
+    share = np.array([one for one, _ in facets])
+    ahead, aside, mu = np.array([ray for _, ray in facets])[share > 0.0].T
+    share = share[share > 0.0] / share.sum()
+    level = math.sqrt(max(1.0 - mu_s * mu_s, 0.0))
+    towards = (nu + mu_r * mu_s) / math.sqrt(max(1.0 - mu_r * mu_r, 1e-12))
+    towards = min(max(towards, -level), level)
+    across = math.sqrt(max(level * level - towards * towards, 0.0))
+    turn = np.clip(mu * mu_s + ahead * towards + aside * across, -1.0, 1.0)
+    sine = np.sqrt((1.0 - mu) * (1.0 + mu))
+    same = np.ones_like(mu)
+    up = enter_shell(bottom * same, mu, sine, mu_s * same, turn, bottom, top)
+    seen = share @ solution.relative_radiance(up)
+    even = solution.relative_sky_irradiance(up.r[:1], up.mu_s[:1])[0] / math.pi
     return np.asarray(np.divide(seen, even, out=np.zeros_like(seen), where=even > 0.0))
 
 

@@ -19,6 +19,7 @@ from airlight.render.gpu.picture.shaders import (
     assembled,
     picture_shader,
     sky_air_shader,
+    sky_mirrored_shader,
     sky_peaks_shader,
     sky_polarised_shader,
 )
@@ -113,6 +114,7 @@ def all_shaders() -> tuple[Shader, ...]:
         sky_air_shader(),
         sky_peaks_shader(),
         sky_polarised_shader(),
+        sky_mirrored_shader(),
         picture_shader(False),
         picture_shader(True),
         coarser_shader(),

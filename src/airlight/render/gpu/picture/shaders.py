@@ -29,7 +29,7 @@ from airlight.render.pixels.ground import GROUND_VALUES
 from airlight.render.pixels.pixel import FrameTables, ViewUniforms
 from airlight.render.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
 from airlight.render.pixels.samples import light_of_centre, sampled_light
-from airlight.render.pixels.sky_view_lut import Observer, sky_view_texel
+from airlight.render.pixels.sky_view_lut import Observer, mirrored_texel, sky_view_texel
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.solver.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
 
@@ -148,6 +148,13 @@ def _sky_shader(
         march_workspace(emitter),
         name=function,
     )  # fmt: skip
+    return _lut_shader(emitter, name, made, layers)
+
+
+def _lut_shader(emitter: Emitter, name: str, made: Emitted, layers: tuple[int, ...]) -> Shader:
+    """Shader of the texels of some layers, from the function that fills one."""
+    dialect = emitter.dialect
+    assert isinstance(dialect, ShaderDialect)
     columns = dialect.uniform(FRAME.uniform("sky_columns").text, I32)
     places = ("number % columns", "number / columns")
     x, y = dialect.convert("at.x", I32), dialect.convert("at.y", I32)
@@ -156,8 +163,22 @@ def _sky_shader(
         dialect.let("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
         *filled_by(made, places, dialect),
     ]
-    entry = dialect.fragment(name, 2, body, [f"work_radiance[{layer}]" for layer in layers])
+    results = [f"work_radiance[{layer}]" for layer in layers]
+    entry = dialect.fragment(name, len(layers), body, results)
     return assembled(name, {name: entry}, emitter)
+
+
+@cache
+def sky_mirrored_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Sky-view LUT shader: mean sky that the sea mirrors, from the table in the layer ``air``."""
+    emitter = Emitter(dialect)
+    view = FRAME.struct_value(ViewUniforms)
+    made = emitter.add(
+        mirrored_texel, I32, I32, _whole_window(), view.fields["sky_air"],
+        FRAME.struct_value(Observer), FRAME.struct_value(MarchTables), march_workspace(emitter),
+        name="texel_of_sea",
+    )  # fmt: skip
+    return _lut_shader(emitter, "sky_mirrored", made, (0,))
 
 
 def march_workspace(emitter: Emitter) -> StructValue:

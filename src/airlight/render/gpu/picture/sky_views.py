@@ -18,6 +18,7 @@ from airlight.render.gpu.picture.display_passes import LINEAR
 from airlight.render.gpu.picture.frame_passes import FramePasses
 from airlight.render.gpu.picture.shaders import (
     sky_air_shader,
+    sky_mirrored_shader,
     sky_peaks_shader,
     sky_polarised_shader,
 )
@@ -158,12 +159,13 @@ class SkyViews:
         uniforms : mapping
             Uniforms of the frame.
         exact : bool
-            Whether every pixel is marched, so that the LUT is not read.
+            Whether every pixel is marched, so that the LUT is read over water only.
         """
         sky = self._of(number, light.solution)
         peaks, polarised = uniforms["separated_phases"], uniforms["filter"] > 0
         seen = observer_from(uniforms), peaks, uniforms["star_radius"], polarised
-        if exact or not light.air or seen == sky.seen:
+        wet = uniforms["wet"] > 0 and uniforms["orders"] != 1
+        if (exact and not wet) or not light.air or seen == sky.seen:
             return
         if self._on_cpu:
             self._upload(sky, uniforms)
@@ -172,10 +174,13 @@ class SkyViews:
             if peaks:
                 passes.append((sky_peaks_shader(), LAYERS[2:4]))
             if polarised:
-                passes.append((sky_polarised_shader(), LAYERS[4:]))
+                passes.append((sky_polarised_shader(), LAYERS[4:6]))
+            if wet:
+                passes.append((sky_mirrored_shader(), LAYERS[6:]))
             for shader, layers in passes:
                 targets = [sky.layers[name] for name in layers]
-                self._passes.run(shader, uniforms, targets, (LINEAR, LINEAR), light=number)
+                formats = (LINEAR,) * len(targets)
+                self._passes.run(shader, uniforms, targets, formats, light=number)
         sky.seen = seen
 
     def _upload(self, sky: SkyView, uniforms: Mapping[str, float]) -> None:

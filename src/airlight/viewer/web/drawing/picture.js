@@ -252,6 +252,7 @@ export class Picture {
         `sky_air${suffix}`,
         ...(peaks ? [`sky_peaks${suffix}`] : []),
         ...(light.camera.filter ? [`sky_polarised${suffix}`] : []),
+        ...(planet.uniforms.wet ? [`sky_mirrored${suffix}`] : []),
       );
       this.skyViews[i] = keys[i];
       rendered += 1;

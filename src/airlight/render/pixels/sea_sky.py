@@ -1,0 +1,281 @@
+"""Sky that the sea mirrors: a table of the sky over the sea, and its mean over the facets.
+
+The table has the radiance of the sky at the ground by the star's zenith cosine, elevation and
+azimuth from the star; it follows sky and ground in the sky-view LUT. The mean over the facets of a
+line of sight, weighted by their visible area, Fresnel reflectance and visibility of the sky, is a
+layer of the LUT with the texels of its ground.
+"""
+
+from __future__ import annotations
+
+from math import exp, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from airlight.geometry.shell import distance_to_top
+from airlight.geometry.vectors import Vec3
+from airlight.kernel import inlined, kernel
+from airlight.kernel.lanes import LANES, fourth_root, lane_view, splat
+from airlight.physics.optics.cox_munk import (
+    mean_square_slope,
+    mirrored_by,
+    steepest_mirror,
+)
+from airlight.solver.moments.march import march
+from airlight.solver.moments.march_tables import MIRRORED, MarchTerms, Segment
+from airlight.solver.moments.source import read_phase
+
+#: Elevations, as squares of the cosine of the zenith angle, and azimuths, by sin(φ/2).
+ELEVATIONS: Final = 18
+AZIMUTHS: Final = 20
+SLICE: Final = ELEVATIONS * AZIMUTHS
+#: Step of the star's zenith cosine between slices, and lowest cosine: a star 20° below the horizon.
+STEP: Final = 0.032
+DARKEST: Final = -0.35
+#: Facets along and across the line of sight; spacing across in standard deviations. [1]
+ALONG: Final = 9
+ACROSS: Final = 7
+SPACING: Final = 0.85
+#: Largest slope along the line of sight, in standard deviations. [1]
+STEEPEST: Final = 3.6
+#: Square of sin(θ/2) by which phase functions are blurred, over the mean-square slope. Facets of
+#: the sum are farther apart, but more would dim the aureole: 0.012 by 2.5 %. [1]
+BLUR: Final = 0.003
+
+
+class SunSlices(NamedTuple):
+    """Slices of the table of the sky over the sea.
+
+    Attributes
+    ----------
+    first, step : float
+        Star's zenith cosine of the first, and step. [1]
+    count : int
+        Number of slices.
+    """
+
+    first: float
+    step: float
+    count: int
+
+
+class MirrorPlace(NamedTuple):
+    """End of a line of sight on water, for the look-up of what its facets mirror.
+
+    Attributes
+    ----------
+    cosine : float
+        Cosine of the zenith angle towards the observer. [1]
+    sun_up, sun_ahead, sun_aside : float
+        Direction of the star: upwards, along the horizontal direction of the line and across. [1]
+    start : int
+        First texel of the lower of two slices.
+    part : float
+        Fraction of the distance to the next slice. [1]
+    """
+
+    cosine: float
+    sun_up: float
+    sun_ahead: float
+    sun_aside: float
+    start: int
+    part: float
+
+
+@kernel
+def sun_slices(observer, window):
+    """``SunSlices`` of the star's zenith cosines that an observer sees, up to the horizon.
+
+    Parameters
+    ----------
+    observer, window : Observer, SkyViewWindow
+        Observer, and window of the sky-view LUT.
+    """
+    low = observer.sun_z * observer.horizon_sine + observer.sun_x * observer.horizon_mu
+    high = observer.sun_z * observer.horizon_sine - observer.sun_x * observer.horizon_mu
+    if observer.sun_z > observer.horizon_sine:
+        high = 1.0
+    low = min(max(low, DARKEST), 1.0 - 1e-3)
+    high = max(high, low + 1e-3)
+    most = window.columns * window.rows // SLICE
+    count = min(2 + int((high - low) / STEP), most)
+    return SunSlices(low, (high - low) / (count - 1), count)
+
+
+@kernel
+def sea_sky_size(observer, window):
+    """Number of texels of the table; arguments of ``sun_slices``."""
+    return SLICE * sun_slices(observer, window).count
+
+
+@inlined
+def sea_sky_texel(number, shown, window, air, peaks, observer, tables, work):
+    """Texel of the table: radiance of the sky over the sea, in ``work.radiance``. [sr⁻¹]
+
+    Parameters
+    ----------
+    number : int
+        Index in the table; texels beyond its end are black.
+    shown : bool
+        Whether the table is read.
+    window, air, peaks, observer, tables, work :
+        Arguments of ``sky_view_texel``.
+    """
+    slices = sun_slices(observer, window)
+    which = number // SLICE
+    if shown and which < slices.count:
+        row = (number - which * SLICE) // AZIMUTHS
+        column = number - which * SLICE - row * AZIMUTHS
+        level, half = row / (ELEVATIONS - 1), column / (AZIMUTHS - 1)
+        mu, mu_s = level * level, slices.first + which * slices.step
+        level = sqrt(max((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
+        nu = min(max(mu * mu_s + level * (1.0 - 2.0 * half * half), -1.0), 1.0)
+        blur = BLUR * mean_square_slope(tables.ground.wind)
+        half_sine = sqrt(min(0.5 * (1.0 - nu) + blur, 1.0))
+        read_phase(half_sine, tables.phase, work.phase)
+        length = distance_to_top(tables.bottom, mu, tables.top)
+        segment = Segment(tables.bottom, mu, mu_s, nu, half_sine, length)
+        march(segment, 2, MarchTerms(air, peaks, False), tables, work, work.radiance)
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(work.radiance, at)
+        root = splat(0.0)
+        if shown and which < slices.count:
+            root = fourth_root(found[0])
+        for layer in range(4):
+            found[layer] = splat(0.0)
+        found[0] = root
+
+
+@inlined
+def mirror_place(mu_s, mu_r, nu, side, observer, window):
+    """``MirrorPlace`` at the end of a line of sight.
+
+    Parameters
+    ----------
+    mu_s, mu_r, nu : float
+        Results of ``ground_angles``. [1]
+    side : float
+        Sign of the star's component across the line of sight.
+    observer, window : Observer, SkyViewWindow
+        Observer, and window of the sky-view LUT.
+    """
+    slices = sun_slices(observer, window)
+    level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
+    across = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    ahead = min(max((nu + mu_r * mu_s) / level, -across), across)
+    aside = side * sqrt(max((across - ahead) * (across + ahead), 0.0))
+    at = min(max((mu_s - slices.first) / slices.step, 0.0), slices.count - 1.0)
+    lower = min(int(at), slices.count - 2)
+    first = (window.sky_count + window.ground_count) * window.column_count
+    return MirrorPlace(mu_r, mu_s, ahead, aside, first + lower * SLICE, at - lower)
+
+
+@inlined
+def add_mirrored(share, ray, place, sky, tables, work):
+    """Add the light of one facet to the mirrored sky.
+
+    Parameters
+    ----------
+    share : float
+        Share of that light. [1]
+    ray : Vec3
+        Direction that the facet mirrors: along the horizontal direction of the line of sight,
+        across it and upwards. [1]
+    place : MirrorPlace
+        End of the line of sight.
+    sky : array, shape (texels, w)
+        Layer of the sky-view LUT with the table. [sr^-¼]
+    tables, work : MarchTables, MarchWorkspace
+        Tables; workspace, whose ``radiance`` at ``MIRRORED`` is added to. [sr⁻¹]
+    """
+    if share > 0.0:
+        level = ray.x * ray.x + ray.y * ray.y
+        level *= (1.0 - place.sun_up) * (1.0 + place.sun_up)
+        turn = (ray.x * place.sun_ahead + ray.y * place.sun_aside) / sqrt(max(level, 1e-12))
+        column = sqrt(min(max(0.5 - 0.5 * turn, 0.0), 1.0)) * (AZIMUTHS - 1)
+        row = sqrt(ray.z) * (ELEVATIONS - 1)
+        i, j = min(int(row), ELEVATIONS - 2), min(int(column), AZIMUTHS - 2)
+        near = place.start + i * AZIMUTHS + j
+        down, right = row - i, column - j
+        near_left = np.float32((1.0 - down) * (1.0 - right))
+        near_right = np.float32((1.0 - down) * right)
+        far_left = np.float32(down * (1.0 - right))
+        far_right = np.float32(down * right)
+        later, sooner = np.float32(place.part), np.float32(1.0 - place.part)
+        for at in range(0, tables.lanes, LANES):
+            roots, total = lane_view(sky, at), lane_view(work.radiance, at)
+            root = sooner * (
+                roots[near] * near_left
+                + roots[near + 1] * near_right
+                + roots[near + AZIMUTHS] * far_left
+                + roots[near + AZIMUTHS + 1] * far_right
+            )
+            root = root + later * (
+                roots[near + SLICE] * near_left
+                + roots[near + SLICE + 1] * near_right
+                + roots[near + SLICE + AZIMUTHS] * far_left
+                + roots[near + SLICE + AZIMUTHS + 1] * far_right
+            )
+            square = root * root
+            total[MIRRORED] = total[MIRRORED] + square * square * np.float32(share)
+
+
+@kernel
+def mirror_facet(number, cosine, wind):
+    """Facet of the sum over the sea: its share of the light, and the direction that it mirrors.
+
+    Those along the line of sight are denser where they mirror the horizon. The sum is within 0.4 %
+    of the integral for a sky that is ten times as bright at the horizon as overhead, for winds of
+    0.5 to 12 m/s.
+
+    Parameters
+    ----------
+    number : int
+        Index, 0 to ``ALONG * ACROSS`` - 1.
+    cosine, wind : float
+        Arguments of ``mirrored_by``.
+
+    Returns
+    -------
+    share, ray : float, Vec3
+        Weight of the facet times its share [1]; direction as in ``add_mirrored`` [1].
+    """
+    row = number // ACROSS
+    deviation = sqrt(0.5 * mean_square_slope(wind))
+    low = max(steepest_mirror(cosine), -STEEPEST * deviation)
+    step = (row + 0.5) / ALONG
+    along = low + (STEEPEST * deviation - low) * step * step
+    relative, normal = along / deviation, SPACING * (number - ACROSS * row - 0.5 * (ACROSS - 1))
+    share, _rest, ahead, aside, up = mirrored_by(along, normal * deviation, cosine, wind)
+    sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
+    weight = step * max(cosine + sine * along, 0.0)
+    weight *= exp(-0.5 * (relative * relative + normal * normal))
+    return weight * share, Vec3(ahead, aside, up)
+
+
+@inlined
+def mirrored_sky(place, sky, tables, work):
+    r"""Mean radiance of the sky that the sea mirrors, to ``work.radiance`` at ``MIRRORED``.
+
+    .. math:: L = \frac{\sum w_i F_i V_i L(\omega_i)}{\sum w_i F_i V_i}
+
+    over the facets of ``mirror_facet``, with the weights of visible slopes.
+
+    Parameters
+    ----------
+    place, sky, tables, work :
+        Arguments of ``add_mirrored``.
+    """
+    total = 0.0
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(work.radiance, at)
+        found[MIRRORED] = splat(0.0)
+    for number in range(ALONG * ACROSS):
+        share, ray = mirror_facet(number, place.cosine, tables.ground.wind)
+        add_mirrored(share, ray, place, sky, tables, work)
+        total += share
+    inverse = np.float32(1.0 / max(total, 1e-30))
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(work.radiance, at)
+        found[MIRRORED] = found[MIRRORED] * inverse
