@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop
+from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import run_blocks
 from airlight.solver.moments.convergence import LEAST, Light
 from airlight.solver.moments.harmonics import POLARISED
@@ -78,20 +79,10 @@ def next_iterate(
     factors = over_relaxation if accelerated_residual is not None else np.ones_like(over_relaxation)
 
     def at(i: int) -> None:
-        accelerate_nodes(
-            *(one[0][i] for one in (light, residual, accelerated, swept)),
-            weight[i],
-            factors,
-            np.float32(relaxation),
-            out[0][i],
-        )
-        accelerate_nodes(
-            *(one[1][i][:, None] for one in (light, residual, accelerated, swept)),
-            weight[i],
-            factors[:0],
-            np.float32(relaxation),
-            out[1][i][:, None],
-        )
+        for part, over in ((0, factors), (1, factors[:0])):
+            fields = (one[part][i] for one in (light, residual, accelerated, swept, out))
+            *given, found = (one.reshape(one.shape[0], -1, LANES) for one in fields)
+            accelerate_nodes(*given, weight[i], over, np.float32(relaxation), found)
 
     run_blocks(at, light[0].shape[0])
     return out

@@ -215,9 +215,8 @@ def _fill_positions(grid, r, mu, mu_s, to_ground):
             for k in range(grid.sun_angles):
                 r[at] = min(bottom + h, grid.top_radius)
                 mu[at], to_ground[at] = cosine, ground
-                mu_s[at] = cosine_from_coordinate(
-                    index_coordinate(k, grid.sun_angles), grid.sun_power
-                )
+                w = index_coordinate(k, grid.sun_angles)
+                mu_s[at] = cosine_from_coordinate(w, grid.sun_power)
                 at += 1
 
 

@@ -70,16 +70,12 @@ def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
     """
     bottom, top = grid.bottom_radius, grid.top_radius
     x = view_coordinate(r, mu, to_ground, bottom, top)
-    half = grid.views // 2
+    half, last = grid.views // 2, grid.sun_angles - 1
     first = 0 if to_ground else half
     return (
         cell(altitude_coordinate(r, bottom, top) * (grid.radii - 1), 0, grid.radii - 1),
         cell(view_index(x, to_ground, grid.views), first, first + half - 1),
-        cell(
-            sun_coordinate(mu_s, grid.lowest, bottom, top) * (grid.sun_angles - 1),
-            0,
-            grid.sun_angles - 1,
-        ),
+        cell(sun_coordinate(mu_s, grid.lowest, bottom, top) * last, 0, last),
         cell(angle_coordinate(nu) * (grid.angles - 1), 0, grid.angles - 1),
     )
 
@@ -139,9 +135,8 @@ def _fill_positions(grid, r, mu, mu_s, nu, to_ground):
             x, ground = view_from_index(float(j), grid.views)
             cosine = cosine_from_view(x, ground, radius, bottom, top)
             for k in range(grid.sun_angles):
-                sun = sun_from_coordinate(
-                    index_coordinate(k, grid.sun_angles), grid.lowest, bottom, top
-                )
+                x_s = index_coordinate(k, grid.sun_angles)
+                sun = sun_from_coordinate(x_s, grid.lowest, bottom, top)
                 for l in range(grid.angles):
                     angle = angle_from_coordinate(index_coordinate(l, grid.angles))
                     r[at], mu[at], mu_s[at], to_ground[at] = radius, cosine, sun, ground
