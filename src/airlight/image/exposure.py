@@ -344,7 +344,7 @@ def metered_pixels(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
         Light of the pixels. [W m⁻² sr⁻¹]
     """
     chosen = sampled(rgb, step)
-    return np.maximum(luminance(chosen), _RED * chosen[..., 0])
+    return np.asarray(np.maximum(luminance(chosen), _RED * chosen[..., 0]))
 
 
 def automatic_exposure(
