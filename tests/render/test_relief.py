@@ -74,7 +74,7 @@ def light_at(longitude: float, elevation: float) -> float:
     axes = Vec3(x[0], 0.0, z[0]), Vec3(x[1], 0.0, z[1]), Vec3(0.0, 1.0, 0.0)
     view = Heights(*axes, ridge(10.0), ROWS, COLUMNS, 1)
     frame = Frame(Star(cosine, sine), view, Sphere(BOTTOM))
-    return float(relief_light(Vec3(0.0, 0.0, BOTTOM), 0.0, frame))
+    return float(relief_light(Vec3(0.0, 0.0, BOTTOM), 0.0, up, 0.0, frame))
 
 
 def test_a_ridge_shades_what_is_behind_it() -> None:

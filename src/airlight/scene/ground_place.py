@@ -150,6 +150,30 @@ def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at
 
 
 @inlined
+def map_channel(texels, rows, columns, levels, latitude, longitude, level, channel):
+    """Trilinear interpolation of one channel of a map, as by ``map_color``. [1]
+
+    Parameters
+    ----------
+    texels, rows, columns, levels, latitude, longitude, level :
+        Arguments of ``map_color``.
+    channel : int
+        0 to 2 for the colours, 3 for alpha.
+    """
+    level = min(max(level, 0.0), levels - 1.0)
+    first = min(int(level), max(levels - 2, 0))
+    part = level - first
+    value = 0.0
+    if part < 1.0:
+        near = map_value(texels, rows, columns, first, latitude, longitude, channel)
+        value += (1.0 - part) * near
+    if part > 0.0:
+        far = map_value(texels, rows, columns, first + 1, latitude, longitude, channel)
+        value += part * far
+    return value
+
+
+@inlined
 def map_value(texels, rows, columns, level, latitude, longitude, channel):
     """Bilinear interpolation of one channel of a mip level.
 

@@ -471,9 +471,9 @@ WHOLE = {
     "test_kernels_agree.py::test_a_formula_on_the_gpu_is_the_cpu_s": ("_shift", "_bend"),
     "test_clouds.py::test_clouds_of_a_device_are_those_of_the_cpu": ("cloud_cover",),
     "test_ground_detail.py::test_decorated_ground_from_orbit_is_that_of_the_cpu": (
-        "clouds_shown", "detailed_land", "displacement", "grained_cover", "height_towards",
-        "level_ground", "map_value", "pixel_width", "relief_light", "sharper_share", "slope_light",
-        "unmixed", "unshaded",
+        "clouds_shown", "detailed_land", "displacement", "grained_cover", "height_at",
+        "level_ground", "map_channel", "map_value", "pixel_width", "relief_light", "sharper_share",
+        "slope_light", "unmixed", "unshaded",
     ),
     "test_clouds.py::test_a_device_solves_for_the_mean_ground": ("_with_clouds",),
     "test_lights.py::test_lights_by_night_are_those_of_the_cpu": (

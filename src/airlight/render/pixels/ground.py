@@ -14,6 +14,7 @@ import numpy as np
 
 from airlight.geometry.shell import first_intersection
 from airlight.geometry.vectors import Vec3, components, minus, scaled
+from airlight.image.texels import CHANNELS
 from airlight.kernel import inlined
 from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
 from airlight.physics.optics.clouds import GroundFactors, clouds_shown, layer_distance, under_clouds
@@ -37,7 +38,13 @@ from airlight.scene.ground_detail import (
     sharper_share,
     unmixed,
 )
-from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
+from airlight.scene.ground_place import (
+    latitude_longitude,
+    map_channel,
+    map_color,
+    map_level,
+    moved_on,
+)
 from airlight.scene.sea_waves import COARSEST, peak_wavenumber
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import MIRRORED
@@ -118,10 +125,10 @@ def ground_color(ray, sine, angle, frame, color):
     frame : FrameTables
         What the pixels read.
     color : array, shape (12,)
-        Receives linear sRGB reflectance and water fraction of the map, four values of the overlay,
-        the noise factor of ground without a map, the cloud cover on the line of sight and on the
-        path to the star, and the factor of direct light by the relief; values of absent maps are
-        unchanged. [1]
+        Receives linear sRGB reflectance and water fraction of the map, three colours of city
+        lights, the noise factor of ground without a map (at 8), the cloud cover on the line of
+        sight and on the path to the star, and the factor of direct light by the relief; values of
+        absent maps are unchanged. [1]
     """
     observer, view, tables = frame.observer, frame.camera, frame.tables
     cosine = ground_cosine(ray.z, sine, observer, tables)
@@ -159,13 +166,12 @@ def ground_color(ray, sine, angle, frame, color):
             color[9] = shown * grained_cover(color[9], level, noise)
             color[10] *= shown
         if view.relieved and view.detailed:
-            color[11] = relief_light(end, level, frame)
-        map_color(
+            color[11] = relief_light(end, latitude, longitude, level, frame)
+        lamps = map_channel(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude, longitude, level, color, 4,
+            latitude, longitude, level, 0,
         )  # fmt: skip
-        # lamps have one channel; the others are heights, and empty
-        color[4] *= 1.0 - color[9]
+        color[4] = lamps * (1.0 - color[9])
         color[5] = color[4]
         color[6] = color[4]
 
@@ -229,11 +235,10 @@ def cloud_cover(end, ray, cosine, level, beside, frame, color):
         latitude, longitude = latitude_longitude(
             components(place, view.ground_x, view.ground_y, view.ground_z)
         )
-        map_color(
+        color[9 + towards] = map_channel(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude + shift, longitude + shift, level, color, 4,
+            latitude + shift, longitude + shift, level, CHANNELS - 1,
         )  # fmt: skip
-        color[9 + towards] = color[7]
     if observer.r <= view.cloud_radius:
         color[9] = 0.0
 

@@ -12,7 +12,7 @@ from typing import Final
 
 from airlight.geometry.vectors import Vec3, components
 from airlight.kernel import inlined, kernel
-from airlight.scene.ground_place import latitude_longitude, map_value
+from airlight.scene.ground_place import map_value
 
 #: Height of a map value of 1: NASA's picture of the Earth's topography ends there. [m]
 HIGHEST: Final = 6400.0
@@ -25,6 +25,10 @@ TAPS: Final = 4
 LOWEST: Final = 0.06
 #: Largest factor of direct light. [1]
 BRIGHTEST: Final = 2.5
+#: Tangent of the elevation of the steepest skyline of the map. [1]
+STEEPEST: Final = 0.35
+#: Cosine of the latitude beyond which meridians count as at it. [1]
+POLAR: Final = 0.05
 #: Width of the edge of a shadow, in tangents of elevation: the sun's disc, and heights that are
 #: known at distances of texels. [1]
 EDGE: Final = 0.02
@@ -64,41 +68,33 @@ def unshaded(elevation, skyline):
 
 
 @inlined
-def height_towards(end, ahead, angle, level, frame):
-    """Height of the ground at an angle from a place. [m]
+def height_at(latitude, longitude, level, view):
+    """Height of the ground. [m]
 
     Parameters
     ----------
-    end, ahead : Vec3
-        Unit vectors to the place from the planet's centre, and along the ground, in the observer's
-        frame. [1]
-    angle : float
-        Angle from the place, seen from the centre. [rad]
+    latitude, longitude : float
+        Geocentric coordinates. [rad]
     level : int
-        Mip level.
-    frame : FrameTables
-        What the pixels read.
+        Mip level of the overlay.
+    view : ViewUniforms
+        Camera with its maps.
     """
-    view, near, far = frame.camera, cos(angle), sin(angle)
-    place = Vec3(
-        near * end.x + far * ahead.x, near * end.y + far * ahead.y, near * end.z + far * ahead.z
-    )
-    latitude, longitude = latitude_longitude(
-        components(place, view.ground_x, view.ground_y, view.ground_z)
-    )
     return HIGHEST * map_value(
         view.over_texels, view.over_rows, view.over_columns, level, latitude, longitude, CHANNEL
     )
 
 
 @inlined
-def relief_light(end, level, frame):
+def relief_light(end, latitude, longitude, level, frame):
     """Direct light of the ground with its relief over that of a smooth sphere. [1]
 
     Parameters
     ----------
     end : Vec3
         End of the line of sight on the ground, from the centre, in the observer's frame. [m]
+    latitude, longitude : float
+        Its coordinates. [rad]
     level : float
         Level of the overlay. [1]
     frame : FrameTables
@@ -112,16 +108,26 @@ def relief_light(end, level, frame):
         return 1.0
     level_x, level_z = observer.sun_x - mu_s * up.x, observer.sun_z - mu_s * up.z
     ahead = Vec3(level_x / sine, -mu_s * up.y / sine, level_z / sine)
+    # coordinates change along the ground in proportion to the distance, but for the poles
+    way = components(ahead, view.ground_x, view.ground_y, view.ground_z)
+    parallel = max(cos(latitude), POLAR)
+    north = way.z / parallel
+    east = (cos(longitude) * way.y - sin(longitude) * way.x) / parallel
     which = int(min(max(level, 0.0), view.over_levels - 1.0))
-    step = pi / view.over_rows * 2.0**which
-    here = height_towards(up, ahead, 0.0, which, frame)
-    behind = height_towards(up, ahead, -step, which, frame)
-    skyline, slope, angle = -1.0, 0.0, step
-    for tap in range(TAPS):
-        other = height_towards(up, ahead, angle, which, frame)
-        if tap == 0:
-            slope = (other - behind) / (2.0 * step * bottom)
+    angle = pi / view.over_rows * 2.0**which
+    length = angle * bottom
+    behind = height_at(latitude - angle * north, longitude - angle * east, which, view)
+    other = height_at(latitude + angle * north, longitude + angle * east, which, view)
+    light = slope_light(mu_s, (other - behind) / (2.0 * length))
+    elevation = mu_s / sine
+    if elevation < STEEPEST:
+        here = height_at(latitude, longitude, which, view)
         # the sphere falls away below the tangent
-        skyline = max(skyline, (other - here) / (angle * bottom) - 0.5 * angle)
-        angle *= 2.0
-    return slope_light(mu_s, slope) * unshaded(mu_s / sine, skyline)
+        skyline = (other - here) / length - 0.5 * angle
+        for _tap in range(TAPS - 1):
+            angle *= 2.0
+            length *= 2.0
+            other = height_at(latitude + angle * north, longitude + angle * east, which, view)
+            skyline = max(skyline, (other - here) / length - 0.5 * angle)
+        light *= unshaded(elevation, skyline)
+    return light
