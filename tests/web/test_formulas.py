@@ -44,7 +44,7 @@ def field(*shape: int) -> np.ndarray:
     return RNG.uniform(0.5, 1.5, shape).astype(np.float32)
 
 
-#: Arguments of loops over fields, the last of which receives the result, or the first if `IN_PLACE`.
+#: Arguments of loops over fields: the last receives the result, or the first if `IN_PLACE`.
 #: Those of loops over lanes have eight wavelengths.
 LOOPS: dict[str, tuple[Any, ...]] = {
     "counted_changes": (
