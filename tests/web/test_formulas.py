@@ -45,8 +45,8 @@ def field(*shape: int) -> np.ndarray:
     return RNG.uniform(0.5, 1.5, shape).astype(np.float32)
 
 
-#: Arguments of loops over fields, the last of which receives the result, or the first if
-#: `IN_PLACE`. Those of loops over lanes have eight wavelengths.
+#: Arguments of loops over fields: the last receives the result, or the first if `IN_PLACE`.
+#: Those of loops over lanes have eight wavelengths.
 LOOPS: dict[str, tuple[Any, ...]] = {
     "counted_changes": (
         field(3, 5, 4), field(3, 5, 4), np.array([0.0, 0.2, 0.7, 1.0]), 0.25, 1.5 * np.ones(4),
