@@ -305,6 +305,7 @@ class MomentsSolution(Solution):
         polarised = np.zeros((n, 3, count))
         ends = lines.to_ground if ground else np.zeros_like(lines.to_ground)
         block = min(max(-(-n // _SHARES), _FEWEST), _MOST)
+        sights = lines.r, lines.mu, lines.mu_s, lines.nu, lines.length
 
         def run(index: int) -> None:
             rows = slice(index * block, min((index + 1) * block, n))
@@ -318,13 +319,9 @@ class MomentsSolution(Solution):
             if stokes:
                 phase_f12 = pack(self.geometry.medium.phase_f12(seen[rows]))
             result = np.empty((len(phase), 6 if stokes else 3, chosen.lanes), np.float32)
-            segments = Segment(
-                *(one[rows] for one in (lines.r, lines.mu, lines.mu_s, lines.nu)),
-                half_sine,
-                lines.length[rows],
-            )
+            some = (*(one[rows] for one in sights), half_sine)
             work = new_workspace(chosen)
-            _march_all(segments, ends[rows], orders, stokes, phase, phase_f12, chosen, work, result)
+            _march_all(some, ends[rows], orders, stokes, phase, phase_f12, chosen, work, result)
             out[rows], transmittance[rows], air[rows] = result[:, :3, :count].swapaxes(0, 1)
             if stokes:
                 polarised[rows] = result[:, [0, 4, 5], :count]
@@ -367,9 +364,9 @@ class MomentsSolution(Solution):
 
 
 @compiled_loop
-def _march_all(segments, to_ground, orders, stokes, phase, phase_f12, tables, work, out):
+def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work, out):
     tables, work = without_refcount((tables, work))
-    r, mu, mu_s, nu, half_sine, length = segments
+    r, mu, mu_s, nu, length, half_sine = sights
     bottom, ground = tables.bottom, np.empty(tables.lanes, np.float32)
     terms = MarchTerms(True, False, stokes)
     for k in range(r.size):

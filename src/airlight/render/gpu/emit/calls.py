@@ -136,8 +136,8 @@ class Calls(Scope, ABC):
             kind = self.emitter.record_type(called)
             if len(node.args) != len(kind.items):
                 raise self.refuse(node, f"{len(kind.items)} fields")
-            chosen = [self.fold(one) for one in node.args]
-            if all(isinstance(one, bool) for one in chosen):  # they choose code
+            chosen = [one for one in map(self.fold, node.args) if isinstance(one, bool)]
+            if len(chosen) == len(node.args):  # they choose code
                 fields = zip(called._fields, map(Constant, chosen), strict=True)
                 return "", StructValue(dict(fields))
             pairs = zip(node.args, kind.items, strict=True)

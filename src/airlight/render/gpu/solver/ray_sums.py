@@ -184,9 +184,9 @@ def gathered(path, first_point, rows, bright, polarised, sizes, tables):
         mu_sk, nu_k = star_from_point(tables.turn, k, path.mu_s, path.nu)
         x = sun_index(mu_sk, tables.place)
         column = min(int(x), sizes.sun_angles - 2)
-        step = np.float32(azimuth_cosine(tables.mu_along[k], mu_sk, nu_k))
-        sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
-        star = StarNode(column, np.float32(x - column), step, sine)
+        step = azimuth_cosine(tables.mu_along[k], mu_sk, nu_k)
+        sine = sqrt(max((1.0 - step) * (1.0 + step), 0.0))
+        star = StarNode(column, x - column, step, sine)
         light, point_q, point_u = source_at_point(
             rows, k - first_point, star, sizes.degree + 1, sizes.degree, bright, polarised, False
         )
