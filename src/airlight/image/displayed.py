@@ -58,7 +58,7 @@ def displayed(red, green, blue, px, py, display):
         Encoded values, 0 to 1. [1]
     """
     if display.eye:
-        red, green, blue = seen_by_eye(red, green, blue)
+        red, green, blue = seen_by_eye(red, green, blue, display.exposure)
     red, green, blue = shown_light(
         display.tone_map,
         display.primaries,

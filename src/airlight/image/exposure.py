@@ -52,6 +52,10 @@ _DISC: Final = 0.8
 _SPREAD: Final = TOTAL / (2.0 * math.pi * math.log(COARSEST / FINEST))
 #: Luminance of a moonless, starless night; darker pictures are not brightened further. [cd m⁻²]
 _NIGHT: Final = 1e-4
+#: Displayed level of the key of a long exposure by night, and luminance below which it falls, as
+#: exposures are not longer. [1, cd m⁻²]
+_LONG_EXPOSURE: Final = 0.055
+_LONGEST: Final = 1e-3
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768
 #: Rows that are sampled before the memory of a large picture is released.
@@ -150,7 +154,7 @@ def weighted_index(weight, first, share):
 
 @kernel
 def adapted_key(bright):
-    """Displayed value of a picture's key, for the state of adaptation. [1]
+    """Displayed value of a picture's key, for the state of adaptation of the eye. [1]
 
     Parameters
     ----------
@@ -158,6 +162,32 @@ def adapted_key(bright):
         Luminance of the key. [cd m⁻²]
     """
     return _KEY / (1.0 + _PHOTOPIC / max(bright, _NIGHT)) ** _BRIGHTNESS
+
+
+@kernel
+def shown_key(bright):
+    """Displayed value of a picture's key: to the adapted eye, or by a long exposure at night. [1]
+
+    Parameters
+    ----------
+    bright : float
+        Luminance of the key. [cd m⁻²]
+    """
+    long = _LONG_EXPOSURE * min(max(bright, _NIGHT) / _LONGEST, 1.0)
+    return max(adapted_key(bright), long)
+
+
+@kernel
+def seen_share(exposure):
+    """Brightness to the adapted eye over that in a picture, at the key of an exposure. [1]
+
+    Parameters
+    ----------
+    exposure : float
+        Factor of the exposure, above 0. [1]
+    """
+    bright = max(_LONG_EXPOSURE * LUMINOUS_EFFICACY / exposure, _LONGEST)
+    return min(adapted_key(bright) / shown_key(bright), 1.0)
 
 
 @compiled_loop
@@ -189,10 +219,12 @@ def exposure_of(bright, weight, black):
         whole += weight[i]
         if i >= first:
             lit += weight[i]
-    shown = adapted_key(LUMINOUS_EFFICACY * key)
+    shown = shown_key(LUMINOUS_EFFICACY * key)
+    # lamps may be as bright in a long exposure as they are above the rest of it
+    longer = shown / adapted_key(LUMINOUS_EFFICACY * key)
     dimmed = max((lit / max(whole, 1e-300)) ** _LIT, _LOW_KEY)
     factor = dimmed * shown / max(key, _NIGHT / LUMINOUS_EFFICACY)
-    factor = min(factor, shown / _KEY * min(_BRIGHT / quarter, _HIGHLIGHT / high))
+    factor = min(factor, longer * shown / _KEY * min(_BRIGHT / quarter, _HIGHLIGHT / high))
     return min(max(log2(factor), -MOST_EXPOSURE), MOST_EXPOSURE)
 
 

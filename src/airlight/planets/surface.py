@@ -1,4 +1,4 @@
-"""Appearance of the ground in pictures: maps of colour, city lights and clouds."""
+"""Appearance of a planet in pictures: maps of colour, city lights and clouds, and airglow."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
-    """Maps of the ground for rendering, which do not affect solvers.
+    """Maps of the ground and airglow for rendering, which do not affect solvers.
 
     Parameters
     ----------
@@ -21,6 +21,8 @@ class Surface:
         Factor of the map of colour. [1]
     cloud_altitude : float
         Altitude of the clouds; 0 without a map. [m]
+    airglow : str
+        Name of the airglow, or ``none``.
     """
 
     map: str | None = None
@@ -28,16 +30,18 @@ class Surface:
     clouds: str | None = None
     brightness: float = 1.0
     cloud_altitude: float = 0.0
+    airglow: str = "none"
 
     @classmethod
-    def of(cls, ground: Ground) -> Surface:
-        """Surface of a planet's ground."""
+    def of(cls, ground: Ground, airglow: str) -> Surface:
+        """Surface of a planet's ground, under its airglow."""
         return cls(
             map=ground.map,
             lights=ground.lights,
             clouds=ground.clouds,
             brightness=ground.brightness,
             cloud_altitude=ground.cloud_altitude if ground.clouds else 0.0,
+            airglow=airglow,
         )
 
 

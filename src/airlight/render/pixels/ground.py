@@ -22,6 +22,7 @@ from airlight.physics.optics.water import water_reflectances
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
 from airlight.scene.ground_detail import ground_detail
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
+from airlight.scene.lamps import lamp_pattern
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import MIRRORED
 from airlight.solver.moments.source import transmittance_columns
@@ -55,12 +56,15 @@ def ground_color(ray, sine, angle, frame, color):
     reach = observer.optical_altitude * (observer.r + tables.bottom) / both
     end = Vec3(reach * ray.x, reach * ray.y, up)
     color[8] = 1.0
+    lamps = 1.0
     if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
         # z - bottom of a point of the sphere, which single precision has to half a metre only
         below = -(end.x * end.x + end.y * end.y) / max(tables.bottom + end.z, 1e-3 * tables.bottom)
         place = components(Vec3(end.x, end.y, below), view.ground_x, view.ground_y, view.ground_z)
         footprint = view.pixel_angle * reach / max(cosine, 0.01)
         color[8] = 1.0 + ground_detail(place, footprint, view.detail_cell, view.whole, view.part)
+        if view.overlaid:
+            lamps = lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
     end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
         components(end, view.ground_x, view.ground_y, view.ground_z)
@@ -80,6 +84,8 @@ def ground_color(ray, sine, angle, frame, color):
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, color, 4,
         )  # fmt: skip
+        for c in range(4, 7):
+            color[c] *= lamps
         if view.clouded:
             for c in range(4, 7):
                 color[c] *= 1.0 - color[9]
