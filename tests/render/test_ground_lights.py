@@ -49,7 +49,9 @@ def test_lights_are_as_bright_as_their_map_says(
     seen = LUMINOUS_EFFICACY * float(luminance(rgb))
     depth = solution.medium.vertical_optical_depth.sum(axis=0)
     clear = np.exp(-depth) if altitude > 1e5 else np.ones(len(NM))
-    assert TOWN_LUMINANCE * clear.min() * 0.98 <= seen <= TOWN_LUMINANCE * clear.max() * 1.02
+    # from space with what the air scatters of it: up to a fifth, as lamps shine most to the side
+    more = 1.2 if altitude > 1e5 else 1.02
+    assert TOWN_LUMINANCE * clear.min() * 0.98 <= seen <= TOWN_LUMINANCE * clear.max() * more
     if altitude < 1e5:
         assert_allclose(seen, TOWN_LUMINANCE, rtol=0.02)
         # CIE 15: the chromaticity of a black body of 2700 K.

@@ -70,7 +70,7 @@ def displayed(red, green, blue, px, py, display):
     """
     cones, rods = 1.0, 0.0
     if display.eye:
-        cones, rods = cones_and_rods(red, green, blue)
+        cones, rods = cones_and_rods(red, green, blue, display.exposure)
     # Cones adapt to the white of the scene; what rods see has no colour to adapt.
     red, green, blue = white_balanced(
         red, green, blue, display.gain_long, display.gain_medium, display.gain_short

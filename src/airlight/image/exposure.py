@@ -60,6 +60,10 @@ _LIT_POWER: Final = 1.0 / 3.0
 _BRIGHTNESS: Final = 1.0 / 3.0
 #: Luminance of a moonless, starless night; darker pictures are not brightened further. [cd m⁻²]
 _NIGHT: Final = 1e-4
+#: Displayed level of the key of a long exposure by night, and luminance below which it falls, as
+#: exposures are not longer. [1, cd m⁻²]
+_LONG_EXPOSURE: Final = 0.055
+_LONGEST: Final = 1e-3
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768
 #: Rows that are sampled before the memory of a large picture is released.
@@ -223,7 +227,7 @@ def lit_end(bright, weight, first):
 
 @kernel
 def adapted_key(bright):
-    """Displayed value of a picture's key, for the state of adaptation. [1]
+    """Displayed value of a picture's key, for the state of adaptation of the eye. [1]
 
     Parameters
     ----------
@@ -246,7 +250,33 @@ def unlit_exposure(white):
     """
     if white > 0.0:
         return log2(_LOW_KEY * _KEY / (_BODY * white))
-    return log2(adapted_key(_NIGHT) * LUMINOUS_EFFICACY / _NIGHT)
+    return log2(shown_key(_NIGHT) * LUMINOUS_EFFICACY / _NIGHT)
+
+
+@kernel
+def shown_key(bright):
+    """Displayed value of a picture's key: to the adapted eye, or by a long exposure at night. [1]
+
+    Parameters
+    ----------
+    bright : float
+        Luminance of the key. [cd m⁻²]
+    """
+    long = _LONG_EXPOSURE * min(max(bright, _NIGHT) / _LONGEST, 1.0)
+    return max(adapted_key(bright), long)
+
+
+@kernel
+def seen_share(exposure):
+    """Brightness to the adapted eye over that in a picture, at the key of an exposure. [1]
+
+    Parameters
+    ----------
+    exposure : float
+        Factor of the exposure, above 0. [1]
+    """
+    bright = max(_LONG_EXPOSURE * LUMINOUS_EFFICACY / exposure, _LONGEST)
+    return min(adapted_key(bright) / shown_key(bright), 1.0)
 
 
 @compiled_loop
@@ -287,14 +317,16 @@ def exposure_of(bright, weight, black, white):
         total += unseen * log2(_BODY * white)
         count += unseen
     key = 2.0 ** (total / max(count, 1e-300))
-    shown = adapted_key(LUMINOUS_EFFICACY * key)
+    shown = shown_key(LUMINOUS_EFFICACY * key)
+    # lamps may be as bright in a long exposure as they are above the rest of it
+    longer = shown / adapted_key(LUMINOUS_EFFICACY * key)
     dimmed = max((lit / max(whole, 1e-300)) ** _LIT_POWER, _LOW_KEY)
     exposure = log2(dimmed * shown / max(key, _NIGHT / LUMINOUS_EFFICACY))
-    limited = min(exposure, log2(shown / _KEY * _BRIGHT / quarter))
+    limited = min(exposure, log2(longer * shown / _KEY * _BRIGHT / quarter))
     if white > 0.0:
         exposure = max(exposure, -log2(white))
         limited = max(limited, -log2(white))
-    limited = min(limited, log2(shown / _KEY * HIGHLIGHT / high))
+    limited = min(limited, log2(longer * shown / _KEY * HIGHLIGHT / high))
     limited = max(limited, exposure - _PROTECTION)
     if white > 0.0:
         limited = max(limited, log2(_WHITE / white))

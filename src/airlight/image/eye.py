@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from airlight.image.exposure import seen_share
 from airlight.image.floating import each_pixel
 from airlight.image.xyz import RGB_TO_XYZ, XYZ_TO_RGB, luminance_of
 from airlight.kernel import compiled_loop, kernel
@@ -50,10 +51,20 @@ def rod_share(bright):
 
 
 @kernel
-def cones_and_rods(red, green, blue):
-    """Weight of cone vision [1], and scotopic luminance times that of rods [unit of the colour]."""
+def cones_and_rods(red, green, blue, exposure):
+    """Weight of cone vision [1], and scotopic luminance times that of rods [unit of the colour].
+
+    Parameters
+    ----------
+    red, green, blue : float
+        Linear sRGB. [W m⁻² sr⁻¹]
+    exposure : float
+        Factor of a picture's exposure, for ``seen_share``; 0 for the eye alone. [1]
+    """
     bright = luminance_of(red, green, blue)
     share = rod_share(LUMINOUS_EFFICACY * bright)
+    if share > 0.0 and exposure > 0.0:
+        share *= seen_share(exposure)
     if share <= 0.0 or not bright > 0.0:
         return 1.0, 0.0
     x = _XR * red + _XG * green + _XB * blue
@@ -75,7 +86,7 @@ def with_rods(red, green, blue, cones, rods):
 @kernel
 def seen_by_eye(red, green, blue):
     """Scalar form of ``mesopic``."""
-    cones, rods = cones_and_rods(red, green, blue)
+    cones, rods = cones_and_rods(red, green, blue, 0.0)
     return with_rods(red, green, blue, cones, rods)
 
 
@@ -84,7 +95,7 @@ def eye_pixels(colors, out):
     """``seen_by_eye`` of all colours."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = seen_by_eye(
-            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
+            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2]), 0.0
         )
 
 

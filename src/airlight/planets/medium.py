@@ -219,7 +219,7 @@ class Medium:
             star_angular_radius=light.angular_radius,
             refractivity=_refractivity(planet),
             constituents=constituents,
-            surface=Surface.of(planet.ground),
+            surface=Surface.of(planet.ground, planet.airglow),
             reflection=planet.ground.reflection,
         )
         medium._check()

@@ -14,6 +14,7 @@ import numpy.typing as npt
 from airlight.errors import Collector, ParameterError
 from airlight.geometry.ephemeris.world import WORLDS, World, world_named
 from airlight.kernel.cache import Cache
+from airlight.physics.optics.airglow import airglow_names
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.units import values_in
 from airlight.planets.constituent import Constituent
@@ -136,6 +137,8 @@ class Planet(TomlModel):
         ``"titan"``.
     refraction : str, optional
         ``"bouguer"`` for refraction by gases; ``"none"`` for straight rays.
+    airglow : str, optional
+        ``"earth"`` for the airglow of the Earth in pictures; ``"none"`` for a dark night.
 
     Examples
     --------
@@ -182,6 +185,16 @@ class Planet(TomlModel):
         note="Rejected where rays would be trapped by super-refraction, as on Venus.",
         choices=lambda: ("none", "bouguer"),
         offered=always,
+        default="none",
+    )
+    airglow: str = key(
+        help="Light of the upper atmosphere at night, in pictures.",
+        note="`earth`: lines of oxygen at 557.7, 630 and 636 nm and of sodium at 589 nm and a"
+        " continuum, in layers around 90 and 250 km; they shine on the ground, and may lie above"
+        " the top of the air.",
+        choices=lambda: ("none", *airglow_names()),
+        offered=always,
+        synonyms=("nightglow", "green line", "night sky"),
         default="none",
     )
     bottom_radius: Annotated[float, between(1e3, 1e12, "m")]

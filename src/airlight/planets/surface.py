@@ -1,4 +1,4 @@
-"""Appearance of the ground in pictures: maps of colour, city lights and clouds."""
+"""Appearance of a planet in pictures: maps of colour, city lights and clouds, and airglow."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
-    """Maps of the ground for rendering, which do not affect solvers.
+    """Maps of the ground and airglow for rendering, which do not affect solvers.
 
     Parameters
     ----------
@@ -23,6 +23,8 @@ class Surface:
         Altitude of the clouds; 0 without a map. [m]
     cloud_albedo : float
         Albedo of complete cover. [1]
+    airglow : str
+        Name of the airglow, or ``none``.
     """
 
     map: str | None = None
@@ -33,10 +35,11 @@ class Surface:
     brightness: float = 1.0
     cloud_altitude: float = 0.0
     cloud_albedo: float = 0.0
+    airglow: str = "none"
 
     @classmethod
-    def of(cls, ground: Ground) -> Surface:
-        """Surface of a planet's ground."""
+    def of(cls, ground: Ground, airglow: str) -> Surface:
+        """Surface of a planet's ground, under its airglow."""
         return cls(
             map=ground.map,
             lights=ground.lights,
@@ -48,6 +51,7 @@ class Surface:
             if ground.clouds or ground.clouds_from_space
             else 0.0,
             cloud_albedo=ground.cloud_albedo,
+            airglow=airglow,
         )
 
     @property

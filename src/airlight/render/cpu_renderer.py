@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.pixels.march_points import march_points
+from airlight.render.pixels.night_tables import night_tables
 from airlight.render.pixels.pixel import FrameTables, ViewUniforms
 from airlight.render.pixels.polarising_filter import NONE
 from airlight.render.pixels.render_cpu import march_pixels, render_pixels
@@ -83,6 +84,8 @@ class CpuRenderer:
             "samples": float(checked_samples(self.samples)),
             "edges": float(self.edges),
         }
+        if self.orders != "all":
+            uniforms |= {"airglow": 0.0, "skyglow": 0.0}
         self._uniforms, self._camera = uniforms, camera
         self._polarised = self.stokes or uniforms["filter"] != NONE
         self._observer = observer_from(uniforms)
@@ -103,8 +106,9 @@ class CpuRenderer:
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
         self._overlay = ground_overlay(*medium.surface.overlay)
+        self._night = night_tables(solution)
         self._view = cpu_view_uniforms(
-            uniforms, camera, self._ground, self._overlay, SkyViewLayers.none()
+            uniforms, camera, self._ground, self._overlay, SkyViewLayers.none(), self._night
         )
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius
@@ -125,7 +129,7 @@ class CpuRenderer:
             progress=progress,
         )
         self._view = cpu_view_uniforms(
-            self._uniforms, self._camera, self._ground, self._overlay, layers
+            self._uniforms, self._camera, self._ground, self._overlay, layers, self._night
         )
         self._is_filled = True
 

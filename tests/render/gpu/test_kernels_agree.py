@@ -228,7 +228,12 @@ COLORS = [
     Case(eye.rod_share, (np.geomspace(1e-4, 1e2, COUNT),), atol=POWER),
     Case(eye.seen_by_eye, tuple(1e-4 * one for one in LIGHTS), rtol=4 * POWER),
     # The scotopic luminance is a difference of ratios up to 10, times 1.33.
-    Case(eye.cones_and_rods, tuple(1e-4 * one for one in LIGHTS), rtol=4 * POWER, atol=EPS),
+    Case(
+        eye.cones_and_rods,
+        (*(1e-4 * one for one in LIGHTS), uniform(0.0, 1e4, 33)),
+        rtol=4 * POWER,
+        atol=EPS,
+    ),
     Case(eye.with_rods, (*LIGHTS, 0.3, 0.1), rtol=8 * EPS, atol=EPS),
     # Sums of three products each way, of cones' responses up to the largest channel.
     Case(

@@ -45,6 +45,7 @@ from airlight.scene.ground_place import (
     map_level,
     moved_on,
 )
+from airlight.scene.lamps import lamp_pattern
 from airlight.scene.sea_waves import COARSEST, peak_wavenumber
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import MIRRORED
@@ -135,12 +136,15 @@ def ground_color(ray, sine, angle, frame, color):
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
     noise = 0.0
+    lit = 1.0
     if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
         place, footprint = ground_spot(reach, end, cosine, view, tables)
         noise = ground_detail(
             place, footprint, view.detail_cell, view.whole, view.part, view.grain_fall
         )
         color[8] = 1.0 + view.grain.x * noise
+        if view.overlaid:
+            lit = lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
     end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
         components(end, view.ground_x, view.ground_y, view.ground_z)
@@ -171,7 +175,7 @@ def ground_color(ray, sine, angle, frame, color):
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, 0,
         )  # fmt: skip
-        color[4] = lamps * (1.0 - color[9])
+        color[4] = lamps * lit * (1.0 - color[9])
         color[5] = color[4]
         color[6] = color[4]
 

@@ -8,11 +8,17 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from airlight.geometry.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
-from airlight.geometry.vectors import Vec3
+from airlight.geometry.vectors import Vec3, plus
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
-from airlight.kernel.shader_fields import CHOICE, InTexture
+from airlight.kernel.shader_fields import CHOICE, InTexture, scalars
 from airlight.physics.optics.clouds import GroundFactors
+from airlight.render.pixels.airglow import (
+    airglow_color,
+    airglow_on_ground,
+    by_night,
+    night_light,
+)
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import (
@@ -24,6 +30,7 @@ from airlight.render.pixels.polarising_filter import filter_shares
 from airlight.render.pixels.sea_sky import mirror_place, mirrored_sky
 from airlight.render.pixels.sky_view_lut import Observer, SightLine, half_sine_between, look
 from airlight.render.pixels.sky_view_window import SkyViewWindow
+from airlight.render.pixels.skyglow import skyglow_color
 from airlight.render.pixels.star_disc import star_disc
 from airlight.solver.moments.march_tables import MIRRORED, MarchTables
 from airlight.solver.moments.source import transmittance_columns
@@ -88,6 +95,8 @@ class ViewUniforms(NamedTuple):
     over_columns: int
     over_levels: int
     lamp: LampColor
+    airglow: float
+    skyglow: float
     filter: Annotated[int, CHOICE]
     filter_axis: Vec3
     texels: Annotated[np.ndarray, InTexture("ground", packed=True)]
@@ -99,6 +108,9 @@ class ViewUniforms(NamedTuple):
     sky_q: Annotated[np.ndarray, InTexture("stokes_q", spectral=True, whole=True)]
     sky_u: Annotated[np.ndarray, InTexture("stokes_u", spectral=True, whole=True)]
     sky_mirrored: Annotated[np.ndarray, InTexture("mirrored", spectral=True, whole=True)]
+    airglow_layers: Annotated[np.ndarray, scalars(2)]
+    airglow_extinction: Annotated[np.ndarray, scalars(2)]
+    skyglow_layers: Annotated[np.ndarray, scalars(2)]
 
 
 class FrameTables(NamedTuple):
@@ -384,14 +396,21 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
     found = classify_ray(ray, observer, tables)
     through_air, to_ground = found.through_air and view.draws_air, found.to_ground
     factors = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
+    dark = by_night(observer, view)
+    glow, lit = Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0)
+    if dark and view.skyglow > 0.0 and through_air:
+        glow = skyglow_color(ray, found.sine, to_ground, frame, color)
     if through_air:
         refraction = sky_lookup(ray, found, exact, frame, work)
         if to_ground:
             factors = ground_reflectances(ray, found.sine, refraction, frame, work, color)
-            if view.overlaid:
+            if view.overlaid or dark:
                 columns_to_ground(
                     ray.z, found.sine, observer, tables, work.columns_total, work.columns_so_far
                 )
+    if dark:
+        glow = plus(glow, airglow_color(ray, found.sine, to_ground, frame, work.columns_total))
+        lit = airglow_on_ground(view)
     whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
     if view.filter > 0:
         whole, stokes_q, stokes_u = filter_shares(ray, view)
@@ -405,6 +424,10 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
             total = total + radiance[1] * factor
             if view.overlaid:
                 total = total + lamp_light(color, view, tables, work.columns_total, at)
+        if dark:
+            total = total + night_light(
+                glow, lit, to_ground, color, view, tables, work.columns_total, at
+            )
         if view.filter > 0:
             total = total * np.float32(whole)
             if through_air:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
@@ -20,7 +21,9 @@ from airlight.kernel.shader_fields import scalars_of
 from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.physics.spectra.blackbody import planck_radiance
 from airlight.planets.light_source import Occulter
+from airlight.render.pixels.airglow import basis_colors
 from airlight.render.pixels.disc_shading import OCCULTER, shading_uniforms
+from airlight.render.pixels.night_tables import NightTables
 from airlight.render.pixels.occulted_light import disc_factor
 from airlight.render.pixels.pixel import ViewUniforms
 from airlight.render.pixels.polarising_filter import CAMERA, NONE
@@ -172,6 +175,7 @@ def cpu_view_uniforms(
     ground: SurfaceMap | None,
     overlay: SurfaceMap | None,
     layers: SkyViewLayers,
+    night: NightTables,
 ) -> ViewUniforms:
     """``ViewUniforms`` of the CPU: camera, ground maps and sky-view LUT.
 
@@ -187,6 +191,8 @@ def cpu_view_uniforms(
         City lights and clouds; None without both.
     layers : SkyViewLayers
         Layers of a window of the sky-view LUT.
+    night : NightTables
+        Light of the night.
     """
     uniforms = uniforms | size_uniforms(ground, overlay)
     uniforms |= {"width": camera.width, "height": camera.height, "sky_columns": 0, "sky_rows": 0}
@@ -202,6 +208,7 @@ def cpu_view_uniforms(
         sky_q=layers.stokes_q,
         sky_u=layers.stokes_u,
         sky_mirrored=layers.mirrored,
+        **night._asdict(),
     )
 
 
@@ -221,18 +228,22 @@ def size_uniforms(ground: SurfaceMap | None, overlay: SurfaceMap | None) -> dict
     return uniforms
 
 
-def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of city lights, of the cloud layer, and of the detail of the ground.
+def overlay_uniforms(
+    solution: MomentsSolution, weights: npt.ArrayLike | None = None
+) -> dict[str, float]:
+    """Uniforms of the night's light, of the cloud layer, and of the detail of the ground.
 
     Parameters
     ----------
     solution : MomentsSolution
         Solution, lit by one of the lights.
+    weights : array, shape (nl, 3), optional
+        Argument of ``LightSource.colors``.
     """
     medium, altitude = solution.medium, solution.medium.surface.cloud_altitude
     radius = solution.geometry.optical_radius(np.array(medium.bottom_radius + altitude))
     return (
-        lamp_uniforms(solution)
+        night_uniforms(solution, weights)
         | land_uniforms(medium.surface.map)
         | {
             "clouded": float(medium.surface.overlay[1] is not None),
@@ -260,21 +271,30 @@ def land_uniforms(name: str | None) -> dict[str, float]:
     return uniforms | {"grain_fall": grain.fall}
 
 
-def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of the colour of city lights, 0 for a secondary star. [sr⁻¹]
+def night_uniforms(
+    solution: MomentsSolution, weights: npt.ArrayLike | None = None
+) -> dict[str, float]:
+    """Uniforms of the light of the night, 0 for a secondary star.
 
-    Radiance per irradiance of the star, for a map value of 1. The colour does not depend on the
-    star's.
+    The colour of city lights is radiance per irradiance of the star [sr⁻¹], for a map value of 1,
+    and does not depend on the star's; airglow and skyglow are factors of their tables [1].
+
+    Parameters
+    ----------
+    solution, weights :
+        Arguments of ``overlay_uniforms``.
     """
     names = ("lamp_red", "lamp_green", "lamp_blue")
-    star = solution.lights[0]
+    factors = ("airglow", "skyglow")
     if solution.secondary:
-        return dict.fromkeys(names, 0.0)
+        return dict.fromkeys((*names, *factors), 0.0)
     eye = np.arange(360.0, 831.0)
     color = np.maximum(sun_color(planck_radiance(eye, LAMP_TEMPERATURE)), 0.0)
     color *= TOWN_LUMINANCE / LUMINOUS_EFFICACY / luminance(color)
-    white = star.colors().sum(axis=0) * solution.medium.surface.brightness
-    return {name: float(x) for name, x in zip(names, color / np.maximum(white, 1e-30), strict=True)}
+    shown = basis_colors(solution, color, weights).tolist()
+    surface = solution.medium.surface
+    drawn = float(surface.airglow != "none"), float(surface.lights is not None)
+    return dict(zip((*names, *factors), (*shown, *drawn), strict=True))
 
 
 def display_uniforms(

@@ -248,12 +248,12 @@ def solution_package(
     tables : dict
         Format and values of each texture.
     """
-    made = SolutionTables.of(solution)
+    made = SolutionTables.of(solution, weights=weights)
     medium = solution.medium
     uniforms: dict[str, Any] = dict(made.uniforms)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
-    uniforms |= overlay_uniforms(solution)
+    uniforms |= overlay_uniforms(solution, weights)
     star, mapped = solution.lights[0], medium.surface.map
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: solution.wavelengths.size] = star.colors(weights)

@@ -33,7 +33,7 @@ from airlight.render.pixels.sky_view_window import COARSEST
 from airlight.render.pixels.view_uniforms import (
     checked_samples,
     display_uniforms,
-    lamp_uniforms,
+    night_uniforms,
     order_number,
     view_uniforms,
 )
@@ -123,7 +123,7 @@ class GpuRenderer:
         points = None if self.device.software else FEW.points
         tables = render_tables(solution, points=points)
         self._textures = SolutionTextures.of(
-            self.device, solution, tables, self._textures, maps=maps
+            self.device, solution, tables, self._textures, maps=maps, weights=weights
         )
         self._solution = solution
         self._sky_views.load(solution, tables, self._textures)
@@ -350,7 +350,10 @@ class GpuRenderer:
         assert self._textures is not None
         uniforms = view_uniforms(light.scene, solution) | self._textures.uniforms
         if solution is not self._solution:
-            uniforms |= lamp_uniforms(solution) | {"star_radius": solution.tables.star_radius}
+            uniforms |= night_uniforms(solution, self._given)
+            uniforms["star_radius"] = solution.tables.star_radius
+            own, lit = (one.lights[0].irradiance.sum() for one in (self._solution, solution))
+            uniforms["airglow"] *= float(own / lit)  # the layers are relative to the whole star
         peaks = 0.0 if exact else float(uniforms["separated_1"] >= 0)
         uniforms |= {
             "width": size[0],
@@ -362,6 +365,8 @@ class GpuRenderer:
             "separated_phases": peaks,
             "draws_air": float(light.air),
         }
+        if orders != "all":
+            uniforms |= {"airglow": 0.0, "skyglow": 0.0}
         if exact and self.device.software:  # limited to 65 535 loop iterations per pixel
             uniforms["edges"] = 0.0
         if exact:

@@ -18,6 +18,7 @@ from airlight.render.gpu.emit.uniform_struct import Place
 from airlight.render.gpu.picture.uniforms import FRAME
 from airlight.render.gpu.solver.solver import fields_on
 from airlight.render.pixels.capacity import check_capacity
+from airlight.render.pixels.night_tables import night_tables
 from airlight.render.pixels.render_tables import pack_texels, render_tables
 from airlight.render.pixels.view_uniforms import overlay_uniforms, size_uniforms
 from airlight.scene.ground_overlay import ground_overlay
@@ -45,7 +46,12 @@ class SolutionTables:
     places: dict[str, Place]
 
     @classmethod
-    def of(cls, solution: MomentsSolution, tables: MarchTables | None = None) -> SolutionTables:
+    def of(
+        cls,
+        solution: MomentsSolution,
+        tables: MarchTables | None = None,
+        weights: NDArray[np.float64] | None = None,
+    ) -> SolutionTables:
         """Tables of a solution.
 
         Parameters
@@ -54,12 +60,15 @@ class SolutionTables:
             Solution of at most four wavelengths.
         tables : MarchTables, optional
             Tables from ``render_tables``; computed by default.
+        weights : array, shape (nl, 3), optional
+            Linear sRGB per radiance; by default ``picture_weights``.
         """
         count = solution.wavelengths.size
         if tables is None:
             tables = render_tables(solution)
         check_capacity(count, tables.constituents)
         values = tables._asdict() | tables.ground._asdict()
+        values |= night_tables(solution, weights)._asdict()
         layout = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
         textures, places = FRAME.laid_out(
             {
@@ -97,6 +106,7 @@ class SolutionTextures:
         before: SolutionTextures | None = None,
         *,
         maps: bool = True,
+        weights: NDArray[np.float64] | None = None,
     ) -> SolutionTextures:
         """Upload a solution; unchanged ground maps are reused.
 
@@ -104,12 +114,12 @@ class SolutionTextures:
         ----------
         device : Device
             Device from ``open_device``.
-        solution, tables : MomentsSolution, MarchTables
+        solution, tables, weights :
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
             Previous textures, whose maps are reused.
         """
-        medium, made = solution.medium, SolutionTables.of(solution, tables)
+        medium, made = solution.medium, SolutionTables.of(solution, tables, weights)
         solved = fields_on(device, solution)
         textures: dict[str, Any] = {} if solved is None else {"fields": solved}
         for one, contents in made.textures.items():
@@ -135,7 +145,7 @@ class SolutionTextures:
         textures["overlay of"] = over
         sizes = size_uniforms(found, overlay)
         uniforms = made.uniforms | {key: float(n) for key, n in sizes.items()}
-        uniforms |= overlay_uniforms(solution)
+        uniforms |= overlay_uniforms(solution, weights)
         return cls(uniforms, made.places, textures)
 
 

@@ -20,7 +20,8 @@ const CHANNELS = ["red", "green", "blue"];
 /** Uniform disc: limb-darkening coefficients of six powers at four wavelengths. */
 export const EVEN = Float32Array.from({ length: 24 }, (_, i) => Number(i < 4));
 const STAR_DISC = { phased: 0, ...Object.fromEntries(SHADING.map((name) => [name, 0])) };
-const LAMPS = ["lamp_red", "lamp_green", "lamp_blue"];
+/** Light of the night, which belongs to the first light. */
+const NIGHT = ["lamp_red", "lamp_green", "lamp_blue", "airglow", "skyglow"];
 
 /**
  * Visible lights.
@@ -37,7 +38,7 @@ const LAMPS = ["lamp_red", "lamp_green", "lamp_blue"];
 export function lightsOf(values, planet, projections) {
   const camera = cameraOf(values, projections);
   const second = secondOf(values, planet, projections);
-  const own = [...Object.keys(colorsOf([], [])), "star_radius", ...LAMPS];
+  const own = [...Object.keys(colorsOf([], [])), "star_radius", ...NIGHT];
   const numbers = Object.fromEntries(own.map((name) => [name, planet.uniforms[name]]));
   const suns = [[camera.sun, planet.star]];
   if (values["view.second_light"] !== "none") {
@@ -104,7 +105,7 @@ function secondOf(values, planet, projections) {
     left: 1,
     numbers: {
       ...colorsOf(light.irradiance, light.weights),
-      ...Object.fromEntries([...LAMPS, ...OCCULTER].map((name) => [name, 0])),
+      ...Object.fromEntries([...NIGHT, ...OCCULTER].map((name) => [name, 0])),
       ...light.shading(Math.hypot(camera.sun[0], camera.sun[1]), camera.sun[2]),
       star_radius: radius * RADIAN,
       draws_air: Number(shown > 1),

@@ -1,0 +1,83 @@
+r"""Procedural lamps below the resolution of the map of city lights; they are not data.
+
+Three octaves of noise, each a quarter of the previous scale, from a quarter of a map texel down,
+divide the light of a texel between districts and streets, and the finest cells, 30 m on Earth, have
+a lamp each. Every factor has the mean 1, and they are independent, so that the map keeps its mean.
+Factors finer than two pixels are 1, with a fade between two and four.
+"""
+
+from __future__ import annotations
+
+from math import floor, pi
+from typing import Final
+
+from airlight.kernel import inlined, kernel
+from airlight.scene.ground_detail import (
+    OCTAVES,
+    PERIOD,
+    STEP,
+    in_period,
+    lattice_value,
+    shuffled,
+    smooth_noise,
+)
+
+#: Octaves of noise before that of the lamps.
+_DISTRICTS: Final = 3
+#: Radius of a lamp over its cell, and mean of (1 - d²/R²)² over the cell, 4π R³ 8/105. [1]
+_LAMP: Final = 0.4
+_LAMP_MEAN: Final = 32.0 * pi * _LAMP**3 / 105.0
+
+
+@kernel
+def lamp_bump(x, y, z):
+    """Light of the lamp of a cell at a place, of mean 1.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Coordinates, in cells. [1]
+    """
+    i, j, k = float(floor(x)), float(floor(y)), float(floor(z))
+    dx, dy, dz = x - i - 0.5, y - j - 0.5, z - k - 0.5
+    inside = 1.0 - (dx * dx + dy * dy + dz * dz) / (_LAMP * _LAMP)
+    if inside <= 0.0:
+        return 0.0
+    bright = 1.0 + lattice_value(shuffled(shuffled(in_period(i)) + in_period(j)), in_period(k))
+    return bright * inside * inside / _LAMP_MEAN
+
+
+@inlined
+def lamp_pattern(place, footprint, cell, whole, part):
+    """Light of lamps at a place over that of the map. [1]
+
+    Parameters
+    ----------
+    place, footprint, cell, whole, part :
+        Arguments of ``ground_detail``.
+
+    Returns
+    -------
+    float
+        Factor, of mean 1. [1]
+    """
+    factor, scale = 1.0, STEP ** (OCTAVES - 1)
+    for octave in range(_DISTRICTS + 1):
+        shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            period = float(PERIOD * scale)
+            # as in ground_detail: integers stay exact in single precision
+            x = (whole.x - period * floor(whole.x / period)) / scale
+            y = (whole.y - period * floor(whole.y / period)) / scale
+            z = (whole.z - period * floor(whole.z / period)) / scale
+            x += (part.x + place.x / cell) / scale
+            y += (part.y + place.y / cell) / scale
+            z += (part.z + place.z / cell) / scale
+            own = 0.0
+            if octave == _DISTRICTS:
+                own = lamp_bump(x, y, z)
+            else:
+                own = 1.0 + smooth_noise(x, y, z)
+            factor *= 1.0 + shown * (own - 1.0)
+        scale = scale // STEP
+    return factor
