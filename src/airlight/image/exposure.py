@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.image.adaptation import KEY, NIGHT, adapted_key, shown_key
 from airlight.image.xyz import luminance, luminance_of
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.large_arrays import release
@@ -19,10 +20,7 @@ from airlight.physics.constants import LUMINOUS_EFFICACY
 DEFAULT_EXPOSURE: Final = -4.0
 #: Largest magnitude of an exposure. [EV]
 MOST_EXPOSURE: Final = 100.0
-
-#: Displayed level of the key of a sunlit picture, largest level of its bright quarter at the
-#: quarter's lower end, and of its highlights. [1]
-_KEY: Final = 0.35
+#: Largest displayed level of the bright quarter at its lower end, and of the highlights. [1]
 _BRIGHT: Final = 0.55
 HIGHLIGHT: Final = 1.5
 #: Fractions of the lit part below the bright quarter and below the highlights, and between which it
@@ -49,21 +47,10 @@ _RED: Final = 0.55
 #: space is assumed to hold on this fraction of the picture: five pixels of a metered frame. [1]
 _BODY: Final = 0.12
 _UNSEEN: Final = 5e-4
-#: Luminance below which the exposure follows the eye's dark adaptation: that of a sky half an hour
-#: after sunset, which should look like dusk. [cd m⁻²]
-_PHOTOPIC: Final = 30.0
 #: Factor of the key where most of the picture is black space, and exponent of the fraction that is
 #: not: as photographers expose a planet, a mostly dark picture with bright parts. [1]
 _LOW_KEY: Final = 0.6
 _LIT_POWER: Final = 1.0 / 3.0
-#: Exponent of brightness as a function of luminance. [Stevens & Stevens 1963]
-_BRIGHTNESS: Final = 1.0 / 3.0
-#: Luminance of a moonless, starless night; darker pictures are not brightened further. [cd m⁻²]
-_NIGHT: Final = 1e-4
-#: Displayed level of the key of a long exposure by night, and luminance below which it falls, as
-#: exposures are not longer. [1, cd m⁻²]
-_LONG_EXPOSURE: Final = 0.055
-_LONGEST: Final = 1e-3
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768
 #: Rows that are sampled before the memory of a large picture is released.
@@ -226,18 +213,6 @@ def lit_end(bright, weight, first):
 
 
 @kernel
-def adapted_key(bright):
-    """Displayed value of a picture's key, for the state of adaptation of the eye. [1]
-
-    Parameters
-    ----------
-    bright : float
-        Luminance of the key. [cd m⁻²]
-    """
-    return _KEY / (1.0 + _PHOTOPIC / max(bright, _NIGHT)) ** _BRIGHTNESS
-
-
-@kernel
 def unlit_exposure(white):
     """Exposure of a picture without any light. [EV]
 
@@ -249,34 +224,8 @@ def unlit_exposure(white):
         Argument of ``exposure_of``. [W m⁻² sr⁻¹]
     """
     if white > 0.0:
-        return log2(_LOW_KEY * _KEY / (_BODY * white))
-    return log2(shown_key(_NIGHT) * LUMINOUS_EFFICACY / _NIGHT)
-
-
-@kernel
-def shown_key(bright):
-    """Displayed value of a picture's key: to the adapted eye, or by a long exposure at night. [1]
-
-    Parameters
-    ----------
-    bright : float
-        Luminance of the key. [cd m⁻²]
-    """
-    long = _LONG_EXPOSURE * min(max(bright, _NIGHT) / _LONGEST, 1.0)
-    return max(adapted_key(bright), long)
-
-
-@kernel
-def seen_share(exposure):
-    """Brightness to the adapted eye over that in a picture, at the key of an exposure. [1]
-
-    Parameters
-    ----------
-    exposure : float
-        Factor of the exposure, above 0. [1]
-    """
-    bright = max(_LONG_EXPOSURE * LUMINOUS_EFFICACY / exposure, _LONGEST)
-    return min(adapted_key(bright) / shown_key(bright), 1.0)
+        return log2(_LOW_KEY * KEY / (_BODY * white))
+    return log2(shown_key(NIGHT) * LUMINOUS_EFFICACY / NIGHT)
 
 
 @compiled_loop
@@ -321,12 +270,12 @@ def exposure_of(bright, weight, black, white):
     # lamps may be as bright in a long exposure as they are above the rest of it
     longer = shown / adapted_key(LUMINOUS_EFFICACY * key)
     dimmed = max((lit / max(whole, 1e-300)) ** _LIT_POWER, _LOW_KEY)
-    exposure = log2(dimmed * shown / max(key, _NIGHT / LUMINOUS_EFFICACY))
-    limited = min(exposure, log2(longer * shown / _KEY * _BRIGHT / quarter))
+    exposure = log2(dimmed * shown / max(key, NIGHT / LUMINOUS_EFFICACY))
+    limited = min(exposure, log2(longer * shown / KEY * _BRIGHT / quarter))
     if white > 0.0:
         exposure = max(exposure, -log2(white))
         limited = max(limited, -log2(white))
-    limited = min(limited, log2(longer * shown / _KEY * HIGHLIGHT / high))
+    limited = min(limited, log2(longer * shown / KEY * HIGHLIGHT / high))
     limited = max(limited, exposure - _PROTECTION)
     if white > 0.0:
         limited = max(limited, log2(_WHITE / white))

@@ -8,7 +8,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.image.exposure import seen_share
+from airlight.image.adaptation import seen_share
 from airlight.image.floating import each_pixel
 from airlight.image.xyz import RGB_TO_XYZ, XYZ_TO_RGB, luminance_of
 from airlight.kernel import compiled_loop, kernel
