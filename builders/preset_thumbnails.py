@@ -36,7 +36,9 @@ def rendered(preset: Preset, planet: Planet, quality: str) -> Image.Image:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "picture.png"
         frame = render_scene(planet, scene, quality=quality)
-        write_picture(file, frame.rgb, exposure=frame.exposure, eye=True, pixel_angle=frame.pixel_angle)
+        write_picture(
+            file, frame.rgb, exposure=frame.exposure, eye=True, pixel_angle=frame.pixel_angle
+        )
         with Image.open(file) as picture:
             return picture.convert("RGB").resize((WIDTH, HEIGHT), Image.Resampling.BOX)
 
