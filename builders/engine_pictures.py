@@ -9,7 +9,6 @@ look-ups of ``--layout takram`` and ``bruneton-demo``, and on its right the solu
 
 from __future__ import annotations
 
-import math
 import tempfile
 from pathlib import Path
 
@@ -28,7 +27,6 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import RED_GREEN_BLUE
 from airlight.render.render_scene import render_scene
 from airlight.scene.camera import Camera
-from airlight.scene.metering import scene_exposure
 from airlight.scene.scene import Scene
 from airlight.solver.tables.layout import Positions
 
@@ -87,8 +85,7 @@ def drawn(name: str) -> Image.Image:
         for column, planet in enumerate(planets.values()):
             frame = render_scene(planet, scene, wavelengths=np.array(RED_GREEN_BLUE))
             if exposure is None:
-                radius = math.radians(planet.star.angular_radius_degrees)
-                exposure = scene_exposure(frame.rgb, scene, radius)
+                exposure = frame.exposure
             with tempfile.TemporaryDirectory() as folder:
                 file = Path(folder) / "picture.png"
                 write_picture(file, frame.rgb, exposure=exposure)

@@ -9,7 +9,6 @@ solver, renderer and display, with automatic exposure. With ``--page`` only the 
 from __future__ import annotations
 
 import argparse
-import math
 import tempfile
 from pathlib import Path
 
@@ -18,7 +17,6 @@ from PIL import Image
 from airlight import load_planet, write_picture
 from airlight.planets import Planet
 from airlight.render.render_scene import render_scene
-from airlight.scene.metering import scene_exposure
 from airlight.viewer.gallery.presets import HEIGHT, PRESETS, WIDTH, Preset, families
 
 ROOT = Path(__file__).parents[1]
@@ -38,9 +36,9 @@ def rendered(preset: Preset, planet: Planet, quality: str) -> Image.Image:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "picture.png"
         frame = render_scene(planet, scene, quality=quality)
-        radius = math.radians(planet.star.angular_radius_degrees)
-        exposure = scene_exposure(frame.rgb, scene, radius)
-        write_picture(file, frame.rgb, exposure=exposure, eye=True, pixel_angle=frame.pixel_angle)
+        write_picture(
+            file, frame.rgb, exposure=frame.exposure, eye=True, pixel_angle=frame.pixel_angle
+        )
         with Image.open(file) as picture:
             return picture.convert("RGB").resize((WIDTH, HEIGHT), Image.Resampling.BOX)
 

@@ -23,7 +23,7 @@ FOLDER = Path(__file__).parents[1] / "docs" / "images" / "scenes"
 STRIPS: dict[str, dict[str, float | None]] = {
     "scenes-1": {"earth-moon": None, "lunar-eclipse": None, "iss": None},
     "scenes-2": {"binary-sunset": None, "moonlit-night": None, "mars-phobos": None},
-    "scenes-3": {"earth-eclipses-sun": -5.0, "orion": None},
+    "scenes-3": {"earth-eclipses-sun": None, "orion": None},
 }
 WIDTH, HEIGHT = 560, 420
 

@@ -213,7 +213,9 @@ def test_a_page_on_a_wide_screen_draws_for_its_primaries(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("view", ["earth, the sun", "mars, sunset", "earth, whole"])
+@pytest.mark.parametrize(
+    "view", ["earth, the sun", "mars, sunset", "earth, whole", "earth, a filter"]
+)
 def test_a_page_exposes_as_a_picture_is_exposed(
     view: str,
     solutions: Callable[[str], Any],

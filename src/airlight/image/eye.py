@@ -95,7 +95,7 @@ def eye_pixels(colors, out):
     """``seen_by_eye`` of all colours."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = seen_by_eye(
-            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2]), 0.0
+            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
         )
 
 
