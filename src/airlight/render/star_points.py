@@ -112,10 +112,10 @@ def add_milky_way(
     weights = weights * (1.0 if camera.polariser is None else 0.5)
     assert camera.field_of_view is not None
     angle = math.radians(camera.field_of_view)
-    x = np.arange(columns) + (camera.left + 0.5)
+    x = np.arange(columns, dtype=np.float64) + (camera.left + 0.5)
     step = max(1, _PIXELS // columns)
     for first in range(0, rows, step):
-        y = np.arange(first, min(first + step, rows)) + (camera.top + 0.5)
+        y = np.arange(first, min(first + step, rows), dtype=np.float64) + (camera.top + 0.5)
         rays = projected_rays(camera.projection, x, y, camera.width, camera.height, angle)
         rays = rays.reshape(-1, 3)
         shown = np.flatnonzero(np.any(rays != 0.0, axis=-1))
