@@ -50,6 +50,8 @@ class MoonLight(LightPosition):
         the bright limb, on the side of the zenith. [deg]
     near_latitude, near_longitude : float
         Selenographic coordinates of the centre of its disc, -90 to 90 and -180 to 180. [deg]
+    seas : bool
+        Whether its disc shows the map of its near side.
 
     Raises
     ------
@@ -71,6 +73,7 @@ class MoonLight(LightPosition):
     north: Measured[float | None] = measured(None)
     near_latitude: Measured[float] = measured(0.0)
     near_longitude: Measured[float] = measured(0.0)
+    seas: bool = True
 
     _word = "moon"
 
@@ -142,8 +145,12 @@ class MoonLight(LightPosition):
             spectrum=None if star.spectrum is None else _Reflected(star.spectrum),
             phase=self.phase,
             limb=self._limb,
-            face=moon_face(self._limb - self._north, self.near_latitude, self.near_longitude),
+            face=self._face() if self.seas else None,
         )
+
+    def _face(self) -> FloatArray:
+        """Reflectance of its disc. [1]"""
+        return moon_face(self._limb - self._north, self.near_latitude, self.near_longitude)
 
     @property
     def _limb(self) -> float:

@@ -262,8 +262,8 @@ def brdf_diffuse(ground, mu_r):
 
 def largest_albedo(ground: Any) -> float:
     """Largest albedo whose directional albedo is at most 1 everywhere. [1]"""
-    factors = [brdf_diffuse(ground, x)[0] for x in np.linspace(0.0, 1.0, 65).tolist()]
-    return 1.0 / float(max(factors))
+    most = max(brdf_diffuse(ground, x)[0] for x in np.linspace(0.0, 1.0, 65).tolist())
+    return float(1.0 / most)
 
 
 @lru_cache(maxsize=64)

@@ -103,6 +103,10 @@ def second_lights(view: Mapping[str, Value]) -> tuple[LightPosition, ...]:
     zenith, bearing, phase, radius = (float(view[path]) for path in PLACED)
     azimuth = math.remainder(bearing - float(view["view.sun_azimuth"]), 360.0)
     if view[LIGHT] == MOON:
-        return (MoonLight(zenith=zenith, azimuth=azimuth, phase=phase, angular_radius=radius),)
+        # A page has no map of the Moon.
+        moon = MoonLight(
+            zenith=zenith, azimuth=azimuth, phase=phase, angular_radius=radius, seas=False
+        )
+        return (moon,)
     star = StarLight.black_body(float(view[TEMPERATURE]), radius)
     return (StarLight(zenith=zenith, azimuth=azimuth, star=star),)

@@ -36,7 +36,7 @@ from airlight.solver.moments.solution import MomentsSolution
 
 
 @dataclass(frozen=True, eq=False)
-class Disc:
+class DiscTables:
     """Tables of a light's disc, in the layout of the shaders.
 
     Attributes
@@ -51,7 +51,7 @@ class Disc:
     places: dict[str, Place]
 
     @classmethod
-    def of(cls, lit: MomentsSolution) -> Disc:
+    def of(cls, lit: MomentsSolution) -> DiscTables:
         """Tables of the first light of a solution."""
         count = lit.wavelengths.size
         tables = {"darkening": lit.tables.darkening, "face": lit.tables.face}
@@ -67,14 +67,14 @@ class SkyView:
     ----------
     layers : dict
         Textures by name.
-    law : Disc or None
+    law : DiscTables or None
         Tables of the light's disc; None for those of the solution's star.
     seen : tuple or None
         Key of the current contents; None before they are computed.
     """
 
     layers: dict[str, Any]
-    law: Disc | None = None
+    law: DiscTables | None = None
     seen: tuple[Observer, float, float, bool] | None = None
 
 
@@ -117,7 +117,7 @@ class SkyViews:
         for number in range(max(len(self._by_light), 1)):
             self._read(number, None)
 
-    def _read(self, number: int, law: Disc | None) -> None:
+    def _read(self, number: int, law: DiscTables | None) -> None:
         """Bind the tables of the solution, and those of a light's disc, to its passes."""
         if number == len(self._by_light):
             count = 3 * self.size[0] * self.size[1]
@@ -137,7 +137,7 @@ class SkyViews:
             self._read(len(self._by_light), None)
         sky, law = self._by_light[number], None
         if lit is not self._solution:
-            law = Disc.of(lit)
+            law = DiscTables.of(lit)
         same = law is sky.law or (
             law is not None and sky.law is not None and np.array_equal(law.texels, sky.law.texels)
         )
