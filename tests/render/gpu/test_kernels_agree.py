@@ -18,7 +18,19 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight.geometry import path, refraction, shell, sun_disc, vectors
 from airlight.geometry.mappings import sky_view, transmittance
 from airlight.geometry.vectors import Vec3
-from airlight.image import aces, agx, dither, encoding, eye, gamut, natural, oklab, tone_maps, xyz
+from airlight.image import (
+    aces,
+    agx,
+    dither,
+    encoding,
+    exposure,
+    eye,
+    gamut,
+    natural,
+    oklab,
+    tone_maps,
+    xyz,
+)
 from airlight.image.encoding import ENCODINGS
 from airlight.image.floating import physical_light
 from airlight.image.gamut import in_gamut
@@ -214,6 +226,9 @@ COLORS = [
     Case(oklab.lightness_of, UNITS, atol=4 * EPS),
     # From a luminance of 0.002 to 4 cd/m², as from 0.0001 to 1000 W/m²/sr.
     Case(eye.rod_share, (np.geomspace(1e-4, 1e2, COUNT),), atol=POWER),
+    Case(exposure.adapted_key, (np.geomspace(1e-6, 1e4, COUNT),), rtol=4 * POWER),
+    Case(exposure.shown_key, (np.geomspace(1e-6, 1e4, COUNT),), rtol=4 * POWER),
+    Case(exposure.seen_share, (np.geomspace(1e-3, 1e6, COUNT),), rtol=4 * POWER),
     Case(eye.seen_by_eye, (*(1e-4 * one for one in LIGHTS), uniform(0.0, 1e4, 33)), rtol=4 * POWER),
     Case(gamut.signed_light, (LIGHTS[0] - 1.0,), rtol=EPS),
     # Differences of channels up to 1, with weights up to 4.

@@ -349,6 +349,7 @@ class GpuRenderer:
         """Uniforms of a frame of one light, without those of the display."""
         solution = light.solution
         assert self._textures is not None
+        assert self._solution is not None
         uniforms = view_uniforms(light.scene, solution) | self._textures.uniforms
         if solution is not self._solution:
             uniforms |= night_uniforms(solution, self._given)
