@@ -72,7 +72,7 @@ class Ground(TomlModel):
         Name of a picture of the ground, for rendering and ``airlight.local_ground``; otherwise
         solvers use ``albedo``.
     lights : str, optional
-        Name of a picture of city lights, which do not illuminate the atmosphere.
+        Name of a picture of city lights, which light the air in pictures alone.
     clouds : str, optional
         Name or path of a picture of cloud cover, a thin layer above the ground.
     clouds_from_space : str, optional
@@ -127,7 +127,7 @@ class Ground(TomlModel):
     lights: str | None = key(
         help="Name of a map of city lights, or path of a picture of them.",
         note="`earth`, or a picture as for the map, white for the brightest towns,"
-        " 0.2 cd/m²; seen through the air by night; they light no air.",
+        " 0.2 cd/m²; seen through the air by night; they light it in pictures, not in radiances.",
         range=(1.0, 100.0),
         example="the name of a map of lights",
         default=None,

@@ -20,6 +20,7 @@ from airlight.geometry.mappings import sky_view, transmittance
 from airlight.geometry.vectors import Vec3
 from airlight.image import (
     aces,
+    adaptation,
     agx,
     dither,
     encoding,
@@ -226,6 +227,9 @@ COLORS = [
     Case(oklab.lightness_of, UNITS, atol=4 * EPS),
     # From a luminance of 0.002 to 4 cd/m², as from 0.0001 to 1000 W/m²/sr.
     Case(eye.rod_share, (np.geomspace(1e-4, 1e2, COUNT),), atol=POWER),
+    Case(adaptation.adapted_key, (np.geomspace(1e-6, 1e4, COUNT),), rtol=4 * POWER),
+    Case(adaptation.shown_key, (np.geomspace(1e-6, 1e4, COUNT),), rtol=4 * POWER),
+    Case(adaptation.seen_share, (np.geomspace(1e-3, 1e6, COUNT),), rtol=4 * POWER),
     Case(eye.seen_by_eye, tuple(1e-4 * one for one in LIGHTS), rtol=4 * POWER),
     # The scotopic luminance is a difference of ratios up to 10, times 1.33.
     Case(
