@@ -213,44 +213,45 @@ def pixel_width(level):
 
 
 @kernel
-def displacement(level, noise, rows):
+def displacement(width, noise, rows):
     """Angle by which a map is read beside a place between texels. [rad]
 
     Parameters
     ----------
+    width : float
+        Result of ``pixel_width``. [texel]
     noise : float
         Result of ``ground_detail``. [1]
     rows : float
         Number of rows of the map.
     """
-    return DISPLACED * (1.0 - pixel_width(level)) * min(max(noise, -3.0), 3.0) * pi / rows
+    return DISPLACED * (1.0 - width) * min(max(noise, -3.0), 3.0) * pi / rows
 
 
 @kernel
-def sharper_share(share, level):
+def sharper_share(share, width):
     """Share of water in a pixel smaller than the texels. [1]
 
     The coast is where the share interpolated between texels is a half; it is as wide as the pixel.
 
     Examples
     --------
-    >>> sharper_share(0.4, 1.0), sharper_share(0.4, -3.0), sharper_share(0.5, -3.0)
+    >>> sharper_share(0.4, 1.0), sharper_share(0.4, 0.125), sharper_share(0.5, 0.125)
     (0.4, 0.0, 0.5)
     """
-    width = pixel_width(level)
     return min(max(0.5 + (share - 0.5) / width, 0.0), 1.0) if width < 1.0 else share
 
 
 @kernel
-def grained_cover(cover, level, noise):
+def grained_cover(cover, width, noise):
     """Cover of a cloud layer with noise between texels; none and full cover are kept. [1]
 
     Examples
     --------
-    >>> grained_cover(0.5, 1.0, 1.0), grained_cover(1.0, -9.0, 1.0)
+    >>> grained_cover(0.5, 1.0, 1.0), grained_cover(1.0, 0.1, 1.0)
     (0.5, 1.0)
     """
-    grain = 4.0 * CLOUD_GRAIN * (1.0 - pixel_width(level)) * noise
+    grain = 4.0 * CLOUD_GRAIN * (1.0 - width) * noise
     return min(max(cover + grain * cover * (1.0 - cover), 0.0), 1.0)
 
 

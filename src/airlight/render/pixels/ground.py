@@ -35,6 +35,7 @@ from airlight.scene.ground_detail import (
     displacement,
     grained_cover,
     ground_detail,
+    pixel_width,
     sharper_share,
     unmixed,
 )
@@ -135,8 +136,7 @@ def ground_color(ray, sine, angle, frame, color):
     cosine = ground_cosine(ray.z, sine, observer, tables)
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
-    noise = 0.0
-    lit = 1.0
+    noise, width, lit = 0.0, 1.0, 1.0
     if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
         place, footprint = ground_spot(reach, end, cosine, view, tables)
         noise = ground_detail(
@@ -151,23 +151,25 @@ def ground_color(ray, sine, angle, frame, color):
     )
     if view.mapped:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
-        beside = displacement(level, noise, view.map_rows)
+        if view.detailed:
+            width = pixel_width(level)
+        beside = displacement(width, noise, view.map_rows)
         map_color(
             view.texels, view.map_rows, view.map_columns, view.map_levels, latitude + beside,
             longitude + beside, level, color, 0,
         )  # fmt: skip
         color[8] = 1.0
         if view.detailed:
-            detailed_land(level, noise, view, color)
+            detailed_land(width, noise, view, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         shown = 0.0
         if view.clouded:
             shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
         if shown > 0.0:
-            beside = displacement(level, noise, view.over_rows)
+            beside = displacement(width, noise, view.over_rows)
             cloud_cover(end, ray, cosine, level, beside, frame, color)
-            color[9] = shown * grained_cover(color[9], level, noise)
+            color[9] = shown * grained_cover(color[9], width, noise)
             color[10] *= shown
         if view.relieved and view.detailed:
             color[11] = relief_light(end, latitude, longitude, level, frame)
@@ -181,13 +183,13 @@ def ground_color(ray, sine, angle, frame, color):
 
 
 @inlined
-def detailed_land(level, noise, view, color):
+def detailed_land(width, noise, view, color):
     """Decorate map values below the map's resolution: coast between texels, and land with noise.
 
     Parameters
     ----------
-    level : float
-        Level of the map. [1]
+    width : float
+        Width of the pixel. [texel]
     noise : float
         Result of ``ground_detail``. [1]
     view : ViewUniforms
@@ -197,7 +199,7 @@ def detailed_land(level, noise, view, color):
     """
     share = color[3]
     if share < NEARLY_WATER:
-        sharp = sharper_share(share, level)
+        sharp = sharper_share(share, width)
         red = unmixed(color[0], view.water.x, share) * max(1.0 + view.grain.x * noise, 0.0)
         green = unmixed(color[1], view.water.y, share) * max(1.0 + view.grain.y * noise, 0.0)
         blue = unmixed(color[2], view.water.z, share) * max(1.0 + view.grain.z * noise, 0.0)
