@@ -158,7 +158,7 @@ def test_a_facet_mirrors_by_the_law_of_reflection(cosine):
         for across in (-0.3, 0.0, 0.2):
             normal = np.array([-along, -across, 1.0]) / np.sqrt(1.0 + along**2 + across**2)
             eye = np.array([-sine, 0.0, cosine])
-            share, rest, *ray = mirrored_by(along, across, cosine, 5.0)
+            share, rest, *ray = mirrored_by(along, across, cosine, 5.0, 0.0)
             facing = eye @ normal
             smooth = np.mean(fresnel_reflectances(SEA_WATER, facing))
             assert_allclose(share + rest, smooth, rtol=1e-12)
@@ -169,5 +169,5 @@ def test_a_facet_mirrors_by_the_law_of_reflection(cosine):
 def test_the_steepest_mirror_shows_the_horizon():
     for cosine in (0.1, 0.5, 0.9):
         edge = steepest_mirror(cosine)
-        assert mirrored_by(edge - 1e-3, 0.0, cosine, 5.0)[0] == 0.0
-        assert 0.0 < mirrored_by(edge + 1e-3, 0.0, cosine, 5.0)[4] < 4e-3
+        assert mirrored_by(edge - 1e-3, 0.0, cosine, 5.0, 0.0)[0] == 0.0
+        assert 0.0 < mirrored_by(edge + 1e-3, 0.0, cosine, 5.0, 0.0)[4] < 4e-3

@@ -343,8 +343,8 @@ WATER = [
     Case(cox_munk.facing_slope, (uniform(-3.0, 3.0, 57), uniform(0.0, 8.0, 58)), atol=32 * EPS),
     Case(cox_munk.facing_normal, (uniform(0.0, 3.0, 59), uniform(0.1, 8.0, 60)), atol=64 * EPS),
     # A mirrored line near the horizon is a difference of numbers up to 2.
-    Case(cox_munk.mirrored_by, (uniform(0.0, 0.5, 61), uniform(-0.5, 0.5, 62), WET[0], WIND),
-         atol=1e-4),
+    Case(cox_munk.mirrored_by, (uniform(0.0, 0.5, 61), uniform(-0.5, 0.5, 62), WET[0], WIND,
+         uniform(0.0, 0.2, 63)), atol=1e-4),
     Case(water.water_reflectances, (WIND, *WET[:2], WET_NU, UNIT), rtol=5e-3, atol=1e-4),
     Case(water.foam_fraction, (WIND,), rtol=2 * POWER),
 ]  # fmt: skip

@@ -246,7 +246,7 @@ def facing_normal(slope, limit):
 
 
 @kernel
-def mirrored_by(along, across, cosine, wind):
+def mirrored_by(along, across, cosine, wind, blur):
     """Direction that a facet mirrors to the observer, and its share of that light. [1]
 
     The share is the Fresnel reflectance times the visibility of that direction from facets that
@@ -261,6 +261,8 @@ def mirrored_by(along, across, cosine, wind):
         Cosine of the zenith angle towards the observer. [1]
     wind : float
         Wind speed. [m s⁻¹]
+    blur : float
+        Width of the horizon's edge for a facet that stands for several; 0 for one. [1]
 
     Returns
     -------
@@ -270,7 +272,7 @@ def mirrored_by(along, across, cosine, wind):
 
     Examples
     --------
-    >>> share, rest, ahead, _, up = mirrored_by(0.0, 0.0, 0.6, 5.0)
+    >>> share, rest, ahead, _, up = mirrored_by(0.0, 0.0, 0.6, 5.0, 0.0)
     >>> round(ahead, 12), round(up, 12)  # a level mirror
     (0.8, 0.6)
     """
@@ -278,7 +280,8 @@ def mirrored_by(along, across, cosine, wind):
     tilt = 1.0 / sqrt(1.0 + along * along + across * across)
     facing = min(max((cosine + sine * along) * tilt, 0.0), 1.0)
     turn = 2.0 * facing * tilt
-    up = min(turn - cosine, 1.0)
+    up = turn - cosine
+    up = min(0.5 * (up + sqrt(up * up + blur * blur)), 1.0)
     r_s, r_p = fresnel_reflectances(SEA_WATER, facing)
     mirrored = 0.5 * (r_s + r_p)
     if up <= 0.0:

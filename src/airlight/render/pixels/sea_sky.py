@@ -247,7 +247,7 @@ def mirror_facet(number, cosine, wind):
     step = (row + 0.5) / ALONG
     along = low + (STEEPEST * deviation - low) * step * step
     relative, normal = along / deviation, SPACING * (number - ACROSS * row - 0.5 * (ACROSS - 1))
-    share, _rest, ahead, aside, up = mirrored_by(along, normal * deviation, cosine, wind)
+    share, _rest, ahead, aside, up = mirrored_by(along, normal * deviation, cosine, wind, 0.0)
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
     weight = step * max(cosine + sine * along, 0.0)
     weight *= exp(-0.5 * (relative * relative + normal * normal))

@@ -153,8 +153,9 @@ def mirror_waves(waves, place, sky, tables, work):
     wind = tables.ground.wind
     deviation, weight = sqrt(0.5 * mean_square_slope(wind)), sqrt(waves.share)
     along = facing_slope(waves.along / weight, facing_limit(place.cosine, deviation))
+    blur = 2.0 * deviation * sqrt(max(1.0 - waves.share, 0.0))
     share, rest, ahead, aside, up = mirrored_by(
-        deviation * along, deviation * waves.across / weight, place.cosine, wind
+        deviation * along, deviation * waves.across / weight, place.cosine, wind, blur
     )
     others = np.float32(1.0 - weight + weight * rest)
     for at in range(0, tables.lanes, LANES):
