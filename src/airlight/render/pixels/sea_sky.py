@@ -51,13 +51,13 @@ class SunSlices(NamedTuple):
     ----------
     first, step : float
         Star's zenith cosine of the first, and step. [1]
-    count : int
+    number : int
         Number of slices.
     """
 
     first: float
     step: float
-    count: int
+    number: int
 
 
 class MirrorPlace(NamedTuple):
@@ -106,7 +106,7 @@ def sun_slices(observer, window):
 @kernel
 def sea_sky_size(observer, window):
     """Number of texels of the table; arguments of ``sun_slices``."""
-    return SLICE * sun_slices(observer, window).count
+    return SLICE * sun_slices(observer, window).number
 
 
 @inlined
@@ -124,7 +124,7 @@ def sea_sky_texel(number, shown, window, air, peaks, observer, tables, work):
     """
     slices = sun_slices(observer, window)
     which = number // SLICE
-    if shown and which < slices.count:
+    if shown and which < slices.number:
         row = (number - which * SLICE) // AZIMUTHS
         column = number - which * SLICE - row * AZIMUTHS
         level, half = row / (ELEVATIONS - 1), column / (AZIMUTHS - 1)
@@ -140,7 +140,7 @@ def sea_sky_texel(number, shown, window, air, peaks, observer, tables, work):
     for at in range(0, tables.lanes, LANES):
         found = lane_view(work.radiance, at)
         root = splat(0.0)
-        if shown and which < slices.count:
+        if shown and which < slices.number:
             root = fourth_root(found[0])
         for layer in range(4):
             found[layer] = splat(0.0)
@@ -165,8 +165,8 @@ def mirror_place(mu_s, mu_r, nu, side, observer, window):
     across = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
     ahead = min(max((nu + mu_r * mu_s) / level, -across), across)
     aside = side * sqrt(max((across - ahead) * (across + ahead), 0.0))
-    at = min(max((mu_s - slices.first) / slices.step, 0.0), slices.count - 1.0)
-    lower = min(int(at), slices.count - 2)
+    at = min(max((mu_s - slices.first) / slices.step, 0.0), slices.number - 1.0)
+    lower = min(int(at), slices.number - 2)
     first = (window.sky_count + window.ground_count) * window.column_count
     return MirrorPlace(mu_r, mu_s, ahead, aside, first + lower * SLICE, at - lower)
 
