@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.pixels.march_points import march_points
-from airlight.render.pixels.night_tables import night_tables
+from airlight.render.pixels.night_tables import night_tables, no_night
 from airlight.render.pixels.pixel import FrameTables, ViewUniforms
 from airlight.render.pixels.polarising_filter import NONE
 from airlight.render.pixels.render_cpu import march_pixels, render_pixels
@@ -106,7 +106,8 @@ class CpuRenderer:
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
         self._overlay = ground_overlay(*medium.surface.overlay)
-        self._night = night_tables(solution)
+        night = self._observer.sun_z < -self._observer.horizon_mu
+        self._night = night_tables(solution) if night else no_night(tables.constituents)
         self._view = cpu_view_uniforms(
             uniforms, camera, self._ground, self._overlay, SkyViewLayers.none(), self._night
         )
