@@ -175,8 +175,8 @@ def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
         for entry, text in one["glsl"].items()
         if entry != CORNERS
     ]
-    # sky, its peaks and polarisation, pixels, glare down and up, sum of lights, display
-    assert len(pairs) == 8 + len(PASSES)
+    # sky, its peaks and polarisation, that over the sea, pixels, glare down and up, sum of lights, display
+    assert len(pairs) == 9 + len(PASSES)
     page = modules({"devices/device": ("openDevice",)})
     shaders = [
         {"entry": name, "uniforms": {}, "glsl": {"vertex": GLSL.triangle, "fragment": text}}
