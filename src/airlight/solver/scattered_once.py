@@ -26,7 +26,7 @@ from airlight.solver.tables.column_ratios import column_rows, columns_to_top, ra
 from airlight.solver.tables.columns import (
     TABLE_SHAPE,
     ColumnTable,
-    density_table,
+    density_nodes,
     new_path,
     split_at_profile_edges,
     trace_resolved,
@@ -42,7 +42,7 @@ _BLOCK: Final = 2048
 
 
 @compiled_loop
-def _scattered(lines, panels, rule, ends, shell, star_radius, optics, tables, workspace, out):
+def _scattered(lines, rule, ends, shell, star_radius, optics, tables, workspace, out):
     r, mu, mu_s, nu, length = lines
     bottom, top = shell
     scattering, extinction, strongest = optics
@@ -55,18 +55,16 @@ def _scattered(lines, panels, rule, ends, shell, star_radius, optics, tables, wo
         if length[p] <= 0.0:
             continue
         first, second = shadow_edges(r[p], mu[p], mu_s[p], nu[p], bottom)
-        count = place_edges(r[p], mu[p], length[p], panels, first, second, edges)
+        count = place_edges(r[p], mu[p], length[p], _PANELS, first, second, edges)
         count = split_at_profile_edges(r[p], mu[p], bottom, ends, edges, count)
-        points = trace_resolved(
-            r[p], mu[p], edges, count, rule, bottom, top - bottom, nodes, strongest, path
-        )
+        points = trace_resolved(r[p], mu[p], edges, count, rule, nodes, strongest, path)
         for k in range(points):
             q = min(max(radius[k], bottom), top)
             mu_q = min(max((r[p] * mu_s[p] + distance[k] * nu[p]) / q, -1.0), 1.0)
             seen = visible_fraction(sun_elevation(q, mu_q, bottom), star_radius)
             if seen <= 0.0:
                 continue
-            columns_to_top(q, mu_q, bottom, top, nodes[0], rows, sun_table, sun_columns)
+            columns_to_top(q, mu_q, bottom, top, nodes.first_nodes, rows, sun_table, sun_columns)
             for w in range(wavelengths):
                 tau = 0.0
                 for c in range(constituents):
@@ -98,11 +96,11 @@ def scattered_once(
     ends = layer_ends(medium)
     if ends.size:
         ends = np.union1d(ends, medium.density.breakpoints)
-    nodes = medium.density.first_nodes, density_table(medium.density)
+    nodes = density_nodes(medium.density, (bottom, top))
     tables = (nodes, column_rows(columns, medium.density), rational_mean_density(columns))
     rule = gauss_legendre(_NODES).as_tuple()
     optics = (medium.scattering, medium.extinction, medium.extinction.max(axis=1))
-    constituents = len(medium.names)
+    constituents, shell, size = len(medium.names), (bottom, top), medium.lights[0].angular_radius
     n = lines.r.size
     out = np.empty((n, constituents, medium.wavelengths.size))
 
@@ -116,10 +114,7 @@ def scattered_once(
         block_lines = tuple(
             x[rows] for x in (lines.r, lines.mu, lines.mu_s, lines.nu, lines.length)
         )
-        _scattered(
-            block_lines, _PANELS, rule, ends, (bottom, top), medium.lights[0].angular_radius,
-            optics, tables, workspace, out[rows],
-        )  # fmt: skip
+        _scattered(block_lines, rule, ends, shell, size, optics, tables, workspace, out[rows])
 
     run_blocks(block, -(-n // _BLOCK), cancel=cancel)
     return out

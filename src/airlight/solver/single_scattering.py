@@ -40,6 +40,7 @@ from airlight.solver.star_light import (
     PANELS,
     direct_irradiance,
     new_workspace,
+    shell_optics,
     star_light,
     star_rules,
 )
@@ -59,14 +60,13 @@ _BLOCK: Final = 8
 
 
 @compiled_loop
-def _panel(
-    start, end, before, ray, star_radius, shell, density, extinction, rules, workspace, scratch,
-    column, out,
-):  # fmt: skip
+def _panel(ends, before, ray, rule, optics, workspace, scratch, column, out):
     """Contribution of a panel to ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, (nc,)."""
     r, mu, mu_s, nu = ray
+    start, end = ends
     points, along, light = scratch
-    nodes, weights, running = rules[2]
+    nodes, weights, running = rule
+    shell, _, density, extinction, _ = optics
     density_edges, coefficients, _ = density
     width = end - start
     n, constituents = nodes.size, column.size
@@ -83,10 +83,7 @@ def _panel(
         s = start + width * nodes[k]
         q = radius_along(r, mu, s)
         mu_s_point = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
-        if not star_light(
-            q, mu_s_point, star_radius, False, shell, density, extinction, (rules[0], rules[1]),
-            workspace, light,
-        ):  # fmt: skip
+        if not star_light(q, mu_s_point, False, optics, workspace, light):
             continue
         for i in range(constituents):
             so_far = 0.0
@@ -140,10 +137,11 @@ def _cut_at_shadow(r, mu, mu_s, nu, bottom, star_radius, edges, count):
 
 
 @compiled_loop
-def _scattered(lines, star_radius, shell, density, extinction, rules, workspace, out):
+def _scattered(lines, rule, optics, workspace, out):
+    shell, star_radius, density, extinction, _ = optics
     all_r, all_mu, all_mu_s, all_nu, lengths = lines
     constituents, wavelengths = extinction.shape
-    n = rules[2][0].size
+    n = rule[0].size
     scratch = (np.empty((constituents, n)), np.empty(constituents), np.empty(wavelengths))
     edges = np.empty(MAX_EDGES)
     stack = np.empty((_DEEPEST + 2, 2))
@@ -167,10 +165,8 @@ def _scattered(lines, star_radius, shell, density, extinction, rules, workspace,
         count = split_at_profile_edges(r, mu, shell[0], density[2], edges, count)
         before[:] = 0.0
         for panel in range(count - 1):
-            _panel(
-                edges[panel], edges[panel + 1], before, ray, star_radius, shell, density,
-                extinction, rules, workspace, scratch, left_column, base[panel],
-            )  # fmt: skip
+            ends = edges[panel], edges[panel + 1]
+            _panel(ends, before, ray, rule, optics, workspace, scratch, left_column, base[panel])
             before += left_column
             whole += base[panel]
         allowed = _TOLERANCE * whole
@@ -184,15 +180,13 @@ def _scattered(lines, star_radius, shell, density, extinction, rules, workspace,
             while top >= 0:
                 start, end, level = stack[top, 0], stack[top, 1], levels[top]
                 middle = 0.5 * (start + end)
-                _panel(
-                    start, middle, before, ray, star_radius, shell, density, extinction, rules,
-                    workspace, scratch, left_column, left,
-                )  # fmt: skip
+                half = start, middle
+                _panel(half, before, ray, rule, optics, workspace, scratch, left_column, left)
                 middle_before[:] = before + left_column
+                half = middle, end
                 _panel(
-                    middle, end, middle_before, ray, star_radius, shell, density, extinction,
-                    rules, workspace, scratch, right_column, right,
-                )  # fmt: skip
+                    half, middle_before, ray, rule, optics, workspace, scratch, right_column, right
+                )
                 good = True
                 for i in range(constituents):
                     for w in range(wavelengths):
@@ -231,17 +225,14 @@ def single_scattering(
     constituents, wavelengths = medium.scattering.shape
     out = np.zeros((lines.r.size, constituents, wavelengths))
     arrays = (lines.r, lines.mu, lines.mu_s, lines.nu, lines.length)
-    rules = (*star_rules(), gauss_legendre(_NODES).as_tuple())
+    rule, optics = gauss_legendre(_NODES).as_tuple(), shell_optics(medium)
 
     def run(index: int) -> None:
         rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
         _scattered(
             tuple(np.ascontiguousarray(one[rows]) for one in arrays),
-            medium.lights[0].angular_radius,
-            (medium.bottom_radius, medium.top_radius),
-            medium.density.arrays,
-            medium.extinction,
-            rules,
+            rule,
+            optics,
             new_workspace(),
             out[rows],
         )

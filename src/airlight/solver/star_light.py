@@ -8,7 +8,7 @@ below 1e-5 for the sun.
 from __future__ import annotations
 
 from math import acos, asin, cos, exp, pi, sin
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,41 @@ _STRIPS: Final = 7
 #: Elevation above the horizon from which a star is treated as a point: in clear air the mean over
 #: strips differs by less than 1e-5. [rad]
 _HIGH: Final = 0.7
+
+
+class ShellOptics(NamedTuple):
+    """Shell and its optics, for integrals along rays to the star.
+
+    Attributes
+    ----------
+    shell : tuple of float
+        Radii of the ground and of the top. [m]
+    star_radius : float
+        Angular radius of the star; 0 for a point. [rad]
+    density : tuple of arrays
+        Arrays of ``DensitySegments.arrays``.
+    extinction : array, shape (nc, nl)
+        Extinction coefficients. [m⁻¹]
+    rules : tuple
+        Rules for the ray to the star and for the strips of its disc.
+    """
+
+    shell: tuple[float, float]
+    star_radius: float
+    density: tuple[FloatArray, FloatArray, FloatArray]
+    extinction: FloatArray
+    rules: tuple[Rule, Rule]
+
+
+def shell_optics(medium: Medium) -> ShellOptics:
+    """Shell of a medium and its optics."""
+    return ShellOptics(
+        (medium.bottom_radius, medium.top_radius),
+        medium.lights[0].angular_radius,
+        medium.density.arrays,
+        medium.extinction,
+        star_rules(),
+    )
 
 
 @compiled_loop
@@ -77,23 +112,19 @@ def new_workspace() -> tuple[FloatArray, ...]:
 
 
 @compiled_loop
-def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, workspace, light):
+def star_light(r, mu_s, level, optics, workspace, light):
     """Direct irradiance at a point, averaged over the star's disc, per irradiance at the top.
 
     Parameters
     ----------
     r, mu_s : float
         Radius of the point, and zenith cosine of the star's centre there. [m], [1]
-    star_radius : float
-        Angular radius of the star; 0 for a point. [rad]
     level : bool
         Whether the irradiance is horizontal rather than normal to the beam.
-    shell, density, workspace :
-        Arguments of ``columns_to_space``.
-    extinction : array, shape (nc, nl)
-        Extinction coefficients. [m⁻¹]
-    rules : tuple
-        Rules for the ray to the star and for the strips of its disc.
+    optics : ShellOptics
+        Shell and its optics.
+    workspace : tuple of arrays
+        Argument of ``columns_to_space``.
     light : array, shape (nl,)
         Receives the light. [1]
 
@@ -102,6 +133,7 @@ def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, w
     bool
         Whether there is any light.
     """
+    shell, star_radius, density, extinction, rules = optics
     bottom = shell[0]
     light[:] = 0.0
     elevation = star_elevation(r, mu_s, bottom)
@@ -152,19 +184,7 @@ def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatA
         Irradiance. [1]
     """
     out = np.empty((r.size, medium.wavelengths.size))
-    rules = star_rules()
-    workspace = new_workspace()
+    optics, workspace = shell_optics(medium), new_workspace()
     for k in range(r.size):
-        star_light(
-            float(r[k]),
-            float(mu_s[k]),
-            medium.lights[0].angular_radius,
-            True,
-            (medium.bottom_radius, medium.top_radius),
-            medium.density.arrays,
-            medium.extinction,
-            rules,
-            workspace,
-            out[k],
-        )
+        star_light(float(r[k]), float(mu_s[k]), True, optics, workspace, out[k])
     return out

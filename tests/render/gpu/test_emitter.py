@@ -273,10 +273,28 @@ def vectors_and_records(x, y, n):
     return dot(place, segment.end), a, b, place.z, segment.count, segment.closed
 
 
+class Terms(NamedTuple):
+    first: bool
+    second: bool
+
+
+@kernel
+def some_terms(x, y, terms):
+    if terms.second:
+        return math.erf(y)  # no shader has it: the condition is known
+    return x + 1.0 if terms.first else y
+
+
+@kernel
+def known_terms(x, y, n):
+    terms = Terms(True, not _SWITCH)
+    return some_terms(x, y, terms)
+
+
 CONSTRUCTS = [
     arithmetic, powers, comparisons, logic, choices, extremes, conversions, mathematics, inverses,
     branches, known_branches, counted, while_larger, widened, parameter_changed, swapped,
-    one_of_two, shadowing, with_a_room, answer_not_wanted, vectors_and_records,
+    one_of_two, shadowing, with_a_room, answer_not_wanted, vectors_and_records, known_terms,
 ]  # fmt: skip
 
 

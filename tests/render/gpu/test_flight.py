@@ -28,7 +28,7 @@ from airlight.render.gpu.picture.uniforms import FRAME
 from airlight.render.pixels.sky_view_lut import phases_towards
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.moments.march import march
-from airlight.solver.moments.march_tables import MarchTables
+from airlight.solver.moments.march_tables import MarchTables, MarchTerms, Segment
 from airlight.solver.moments.solution import MomentsSolution
 
 NM = (440.0, 500.0, 560.0, 620.0)
@@ -105,10 +105,8 @@ def test_the_top_of_the_air_is_crossed_without_a_jump(
 def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
     """Light of the air between an observer and an object, as the shaders march it."""
     phases_towards(half_sine, True, light.phase, light, work.phase)
-    march(
-        r, mu, mu_s, nu, half_sine, length, 2, True, False, False, work.phase, work.phase_f12,
-        light, work, result,
-    )  # fmt: skip
+    segment = Segment(r, mu, mu_s, nu, half_sine, length)
+    march(segment, 2, MarchTerms(True, False, False), light, work, result)
 
 
 @pytest.fixture(scope="module")

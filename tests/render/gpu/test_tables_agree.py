@@ -118,18 +118,16 @@ def multiple_scattering_of_four(
     here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
     out = np.empty(TERMS, np.float32)
     harmonics.legendre_functions(mu, (DEGREE, start, ahead, back), out)
-    g, h = np.float32(1.0 - f), np.float32(1.0 - e)
-    f, e = np.float32(f), np.float32(e)
+    node = source.field_node(0, 0, np.float32(f), np.float32(e))
     return source.multiple_scattering_source(
-        here, lane_view(moments), lane_view(polarised_moments), lane_view(field), out, 0, 0, g * h,
-        g * e, f * h, f * e, DEGREE, THREE,
+        here, lane_view(moments), lane_view(polarised_moments), lane_view(field), out, node,
+        DEGREE, THREE,
     )  # fmt: skip
 
 
 def between_four(a, b, c, d, field):
-    return source.between(
-        lane_view(field), 0, 0, 1, np.float32(a), np.float32(b), np.float32(c), np.float32(d)
-    )
+    node = source.FieldNode(0, 0, np.float32(a), np.float32(b), np.float32(c), np.float32(d))
+    return source.between(lane_view(field), node, 1)
 
 
 def row_in_grid(q, nodes, row):
@@ -287,7 +285,7 @@ CASES = [
     Case(between_four, (source.between,), (UNIT, UNIT, *AMOUNTS[:2]), {},
          {"field": lanes(2, 2, 2)}),
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
-    Case(multiple_scattering_of_four, (source.multiple_scattering_source,),
+    Case(multiple_scattering_of_four, (source.multiple_scattering_source, source.field_node),
          (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
          {"moments": lanes(THREE, DEGREE + 1), "polarised_moments": lanes(THREE, 4),
           "field": FIELD},

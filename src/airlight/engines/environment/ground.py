@@ -53,10 +53,8 @@ def grey_ground(planet: Planet) -> Planet:
     albedo = float(weight @ planet.ground.albedos(nm) / weight.sum())
     ground = planet.ground
     law = "lambert" if ground.law == "water" else ground.law
-    even = replace(
-        ground, albedo=albedo, map=None, lights=None, clouds=None, local=None, wind=None, law=law,
-        brightness=1.0,
-    )  # fmt: skip
+    even = replace(ground, albedo=albedo, map=None, lights=None, clouds=None, local=None)
+    even = replace(even, wind=None, law=law, brightness=1.0)
     return replace(planet, ground=even)
 
 

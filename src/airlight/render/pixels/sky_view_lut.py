@@ -20,6 +20,7 @@ from airlight.physics.optics.cox_munk import mean_square_slope
 from airlight.render.pixels.ground_angles import mirrored_line, refraction_to_ground, star_from
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march import march
+from airlight.solver.moments.march_tables import MarchTerms, Segment
 from airlight.solver.moments.source import read_phase
 
 #: Offset of the last sky row from the top of the shell, from outside. [rows]
@@ -173,8 +174,10 @@ def look(line, mirrored, air, peaks, polarised, observer, tables, work):
     mirrored : bool
         Whether to march the ray mirrored by water at that end instead. The phase functions are
         blurred by the slope distribution of the facets.
-    air, peaks, polarised, work : bool, bool, bool, MarchWorkspace
-        Arguments of ``march``.
+    air, peaks, polarised : bool
+        ``MarchTerms``.
+    work : MarchWorkspace
+        Argument of ``march``.
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
 
@@ -199,15 +202,12 @@ def look(line, mirrored, air, peaks, polarised, observer, tables, work):
     phases_towards(half_sine, mirrored, tables.phase, tables, work.phase)
     if polarised:
         phases_towards(half_sine, False, tables.phase_f12, tables, work.phase_f12)
-    march(
-        r, start_mu, start_mu_s, nu, half_sine, length, orders, air, peaks, polarised, work.phase,
-        work.phase_f12, tables, work, work.radiance,
-    )  # fmt: skip
+    segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length)
+    terms = MarchTerms(air, peaks, polarised)
+    march(segment, orders, terms, tables, work, work.radiance)
     if air and to_ground and not mirrored:
-        mu_s, angle = star_on_ground(
-            line, r, start_mu, nu, length, work.columns_total[tables.constituents - 1],
-            observer, tables,
-        )  # fmt: skip
+        column = work.columns_total[tables.constituents - 1]
+        mu_s, angle = star_on_ground(line, r, start_mu, nu, length, column, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
         for at in range(0, tables.lanes, LANES):
             received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -20,7 +20,7 @@ from airlight.physics.optics.moon_phase import (
 )
 from airlight.physics.units import values_in
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.spectral import Spectral, spectral_at
 from airlight.scene.system.vectors import POSITION, frame_of, unit
@@ -71,124 +71,84 @@ class Body(TomlModel):
 
     has_wavelengths = True
 
-    name: Annotated[
-        str,
-        Field(
-            label="name",
-            help="Name in references of the scene.",
-            kind="text",
-            range=(1, 60),
-            example="moon",
-        ),
-    ]
-    planet: (
-        Annotated[
-            str,
-            Field(
-                label="planet",
-                help="Preset or planet file; none if airless.",
-                kind="text",
-                range=(1, 4000),
-                example="earth",
-            ),
-        ]
-        | None
-    ) = None
-    radius: (
-        Annotated[
-            float,
-            Field(
-                label="radius",
-                help="Radius of an airless body.",
-                unit="m",
-                range=(1.0, 1e10),
-                example="1737.4 km",
-            ),
-        ]
-        | None
-    ) = None
-    albedo: (
-        Annotated[
-            Spectral,
-            Field(
-                label="albedo",
-                help="Albedo of an airless body; geometric except for Lambert's law.",
-                range=(0.0, 1.0),
-                spectral=True,
-                example="0.12",
-            ),
-        ]
-        | None
-    ) = None
-    reflection: Annotated[
-        str,
-        Field(
-            label="reflection",
-            help="Reflectance law of an airless body.",
-            kind="choice",
-            choices=lambda: tuple(LAWS),
-        ),
-    ] = "lommel-seeliger"
-    map: (
-        Annotated[
-            str,
-            Field(
-                label="map",
-                help="Picture of the surface of an airless body.",
-                kind="text",
-                range=(1, 4000),
-                example="moon.jpg",
-            ),
-        ]
-        | None
-    ) = None
-    position: Annotated[tuple[float, ...], POSITION] = (0.0, 0.0, 0.0)
-    pole: Annotated[
-        tuple[float, ...],
-        Field(
-            label="pole",
-            help="Direction of the north pole.",
-            range=(-1e6, 1e6),
-            listed=True,
-            example="[0, 0, 1]",
-        ),
-    ] = (0.0, 0.0, 1.0)
-    prime_meridian: Annotated[
-        float,
-        Field(
-            label="prime meridian",
-            help="Angle from the equator's ascending node, eastward.",
-            unit="deg",
-            range=(-360.0, 360.0),
-            example="30 deg",
-        ),
-    ] = 0.0
-    ephemeris: (
-        Annotated[
-            str,
-            Field(
-                label="ephemeris",
-                help="Body of the solar system with this position and rotation at the scene's"
-                " time.",
-                kind="choice",
-                choices=lambda: tuple(name for name in BODIES if name != "sun"),
-            ),
-        ]
-        | None
-    ) = None
-    faces: (
-        Annotated[
-            str,
-            Field(
-                label="faces",
-                help="Body above the prime meridian.",
-                kind="text",
-                range=(1, 60),
-                example="earth",
-            ),
-        ]
-        | None
-    ) = None
+    name: str = key(
+        label="name",
+        help="Name in references of the scene.",
+        kind="text",
+        range=(1, 60),
+        example="moon",
+    )
+    planet: str | None = key(
+        label="planet",
+        help="Preset or planet file; none if airless.",
+        kind="text",
+        range=(1, 4000),
+        example="earth",
+        default=None,
+    )
+    radius: float | None = key(
+        label="radius",
+        help="Radius of an airless body.",
+        unit="m",
+        range=(1.0, 1e10),
+        example="1737.4 km",
+        default=None,
+    )
+    albedo: Spectral | None = key(
+        label="albedo",
+        help="Albedo of an airless body; geometric except for Lambert's law.",
+        range=(0.0, 1.0),
+        spectral=True,
+        example="0.12",
+        default=None,
+    )
+    reflection: str = key(
+        label="reflection",
+        help="Reflectance law of an airless body.",
+        kind="choice",
+        choices=lambda: tuple(LAWS),
+        default="lommel-seeliger",
+    )
+    map: str | None = key(
+        label="map",
+        help="Picture of the surface of an airless body.",
+        kind="text",
+        range=(1, 4000),
+        example="moon.jpg",
+        default=None,
+    )
+    position: tuple[float, ...] = key(POSITION, default=(0.0, 0.0, 0.0))
+    pole: tuple[float, ...] = key(
+        label="pole",
+        help="Direction of the north pole.",
+        range=(-1e6, 1e6),
+        listed=True,
+        example="[0, 0, 1]",
+        default=(0.0, 0.0, 1.0),
+    )
+    prime_meridian: float = key(
+        label="prime meridian",
+        help="Angle from the equator's ascending node, eastward.",
+        unit="deg",
+        range=(-360.0, 360.0),
+        example="30 deg",
+        default=0.0,
+    )
+    ephemeris: str | None = key(
+        label="ephemeris",
+        help="Body of the solar system with this position and rotation at the scene's time.",
+        kind="choice",
+        choices=lambda: tuple(name for name in BODIES if name != "sun"),
+        default=None,
+    )
+    faces: str | None = key(
+        label="faces",
+        help="Body above the prime meridian.",
+        kind="text",
+        range=(1, 60),
+        example="earth",
+        default=None,
+    )
 
     def __post_init__(self) -> None:
         unit(self.pole, "pole")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
 import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters, replace
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.star import Star
 from airlight.scene.system.vectors import POSITION, unit
@@ -43,75 +41,54 @@ class Light(TomlModel):
         ``baumbach``: the solar corona around the star's disc.
     """
 
-    name: Annotated[
-        str,
-        Field(label="name", help="Name of a star.", kind="text", range=(1, 60), example="sun"),
-    ] = "sun"
-    star: (
-        Annotated[
-            Star,
-            Field(
-                label="star",
-                help="Spectrum and size of a star, as in a planet file.",
-                kind="table",
-                table=Star,
-                example="a table such as { spectrum = 'astm-g173' }",
-            ),
-        ]
-        | None
-    ) = None
-    direction: (
-        Annotated[
-            tuple[float, ...],
-            Field(
-                label="direction",
-                help="Direction towards a star.",
-                range=(-1e12, 1e12),
-                listed=True,
-                example="[1, 0, 0]",
-            ),
-        ]
-        | None
-    ) = None
-    position: Annotated[tuple[float, ...], POSITION] | None = None
-    ephemeris: (
-        Annotated[
-            str,
-            Field(
-                label="ephemeris",
-                help="The sun, at its position at the scene's time.",
-                kind="choice",
-                choices=lambda: ("sun",),
-            ),
-        ]
-        | None
-    ) = None
-    body: (
-        Annotated[
-            str,
-            Field(
-                label="body",
-                help="Body that shines by reflected light.",
-                kind="text",
-                range=(1, 60),
-                example="moon",
-            ),
-        ]
-        | None
-    ) = None
+    name: str = key(
+        label="name",
+        help="Name of a star.",
+        kind="text",
+        range=(1, 60),
+        example="sun",
+        default="sun",
+    )
+    star: Star | None = key(
+        label="star",
+        help="Spectrum and size of a star, as in a planet file.",
+        kind="table",
+        table=Star,
+        example="a table such as { spectrum = 'astm-g173' }",
+        default=None,
+    )
+    direction: tuple[float, ...] | None = key(
+        label="direction",
+        help="Direction towards a star.",
+        range=(-1e12, 1e12),
+        listed=True,
+        example="[1, 0, 0]",
+        default=None,
+    )
+    position: tuple[float, ...] | None = key(POSITION, default=None)
+    ephemeris: str | None = key(
+        label="ephemeris",
+        help="The sun, at its position at the scene's time.",
+        kind="choice",
+        choices=lambda: ("sun",),
+        default=None,
+    )
+    body: str | None = key(
+        label="body",
+        help="Body that shines by reflected light.",
+        kind="text",
+        range=(1, 60),
+        example="moon",
+        default=None,
+    )
 
-    corona: (
-        Annotated[
-            str,
-            Field(
-                label="corona",
-                help="Corona around the star: the mean solar corona.",
-                kind="choice",
-                choices=lambda: ("baumbach",),
-            ),
-        ]
-        | None
-    ) = None
+    corona: str | None = key(
+        label="corona",
+        help="Corona around the star: the mean solar corona.",
+        kind="choice",
+        choices=lambda: ("baumbach",),
+        default=None,
+    )
 
     def __post_init__(self) -> None:
         if (self.star is None) == (self.body is None):

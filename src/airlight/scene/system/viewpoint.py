@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from typing import Final
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import Field, key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.scene.camera import Camera
 from airlight.scene.compass import read_bearing
@@ -66,50 +66,39 @@ class SceneObserver(TomlModel):
         Coordinates in the frame of the scene, instead of a body. [m]
     """
 
-    body: (
-        Annotated[
-            str,
-            Field(
-                label="body",
-                help="Body above which the observer is.",
-                kind="text",
-                range=(1, 60),
-                example="earth",
-            ),
-        ]
-        | None
-    ) = None
-    latitude: Annotated[
-        float,
-        Field(
-            label="latitude",
-            help="Planetocentric latitude, north positive.",
-            unit="deg",
-            range=(-90.0, 90.0),
-            example="37 deg",
-        ),
-    ] = 0.0
-    longitude: Annotated[
-        float,
-        Field(
-            label="longitude",
-            help="Planetocentric longitude, east positive.",
-            unit="deg",
-            range=(-360.0, 360.0),
-            example="-87.7 deg",
-        ),
-    ] = 0.0
-    altitude: Annotated[
-        float,
-        Field(
-            label="altitude",
-            help="Altitude above the ground.",
-            unit="m",
-            range=(0.0, 1e12),
-            example="400 km",
-        ),
-    ] = 2.0
-    position: Annotated[tuple[float, ...], POSITION] | None = None
+    body: str | None = key(
+        label="body",
+        help="Body above which the observer is.",
+        kind="text",
+        range=(1, 60),
+        example="earth",
+        default=None,
+    )
+    latitude: float = key(
+        label="latitude",
+        help="Planetocentric latitude, north positive.",
+        unit="deg",
+        range=(-90.0, 90.0),
+        example="37 deg",
+        default=0.0,
+    )
+    longitude: float = key(
+        label="longitude",
+        help="Planetocentric longitude, east positive.",
+        unit="deg",
+        range=(-360.0, 360.0),
+        example="-87.7 deg",
+        default=0.0,
+    )
+    altitude: float = key(
+        label="altitude",
+        help="Altitude above the ground.",
+        unit="m",
+        range=(0.0, 1e12),
+        example="400 km",
+        default=2.0,
+    )
+    position: tuple[float, ...] | None = key(POSITION, default=None)
 
     def __post_init__(self) -> None:
         if (self.body is None) == (self.position is None):
@@ -142,58 +131,44 @@ class View(TomlModel):
         Angle as for ``Camera``. [deg]
     """
 
-    look_at: (
-        Annotated[
-            str,
-            Field(
-                label="look at",
-                help="Body or star at the centre of the picture.",
-                kind="text",
-                range=(1, 60),
-                example="moon",
-            ),
-        ]
-        | None
-    ) = None
-    look_zenith: Annotated[float, LOOK_ZENITH] | None = None
-    look_bearing: (
-        Annotated[
-            float,
-            Field(label="bearing", help="Compass bearing of the line of sight, 90 east.",
-                unit="deg", range=(-360.0, 360.0), example="225 deg or SW", read=read_bearing),
-        ]
-        | None
-    ) = None  # fmt: skip
-    direction: (
-        Annotated[
-            tuple[float, ...],
-            Field(
-                label="direction",
-                help="Direction of the line of sight.",
-                range=(-1e12, 1e12),
-                listed=True,
-                example="[1, 0, 0]",
-            ),
-        ]
-        | None
-    ) = None
-    up: (
-        Annotated[
-            tuple[float, ...],
-            Field(
-                label="up",
-                help="Direction that is up in the picture.",
-                range=(-1e12, 1e12),
-                listed=True,
-                example="[0, 0, 1]",
-            ),
-        ]
-        | None
-    ) = None
-    roll: Annotated[float, ROLL] = 0.0
-    polariser: Annotated[float, POLARISER] | None = None
-    projection: Annotated[str, PROJECTION] = "perspective"
-    field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
+    look_at: str | None = key(
+        label="look at",
+        help="Body or star at the centre of the picture.",
+        kind="text",
+        range=(1, 60),
+        example="moon",
+        default=None,
+    )
+    look_zenith: float | None = key(LOOK_ZENITH, default=None)
+    look_bearing: float | None = key(
+        label="bearing",
+        help="Compass bearing of the line of sight, 90 east.",
+        unit="deg",
+        range=(-360.0, 360.0),
+        example="225 deg or SW",
+        read=read_bearing,
+        default=None,
+    )
+    direction: tuple[float, ...] | None = key(
+        label="direction",
+        help="Direction of the line of sight.",
+        range=(-1e12, 1e12),
+        listed=True,
+        example="[1, 0, 0]",
+        default=None,
+    )
+    up: tuple[float, ...] | None = key(
+        label="up",
+        help="Direction that is up in the picture.",
+        range=(-1e12, 1e12),
+        listed=True,
+        example="[0, 0, 1]",
+        default=None,
+    )
+    roll: float = key(ROLL, default=0.0)
+    polariser: float | None = key(POLARISER, default=None)
+    projection: str = key(PROJECTION, default="perspective")
+    field_of_view: float | None = key(FIELD_OF_VIEW, default=None)
 
     def __post_init__(self) -> None:
         ways = {

@@ -87,9 +87,7 @@ def phase_nodes(
 
 
 @compiled_loop
-def gather(
-    i, axes, directions, phase, which, incoming, cos_psi, sin_psi, normalise, logarithmic, out
-):
+def gather(i, axes, directions, phases, incoming, psi, normalise, logarithmic, out):
     """Gathered radiance at one radius, for all sun angles and view directions.
 
     G(V) = ∫ p(V·ω) H(ω) dω for each constituent; if ``normalise``, each phase function is divided
@@ -99,15 +97,17 @@ def gather(
     ----------
     axes, directions : Layout, GatherDirections
         Axes of the table, and directions of the gather.
-    phase, which : array
-        Arrays from ``phase_nodes``. [sr⁻¹]
+    phases : tuple of arrays
+        Result of ``phase_nodes``.
     incoming : array, shape (sun_angles, nl, nz, na)
         Radiance H of one order at this radius, per irradiance of the star. [sr⁻¹]
-    cos_psi, sin_psi : float
+    psi : tuple of float
         Cosine and sine of the azimuth of a table without angles. [1]
     out : array, shape (views, sun_angles, angles, ns·nl)
         Receives G or its logarithm. [sr⁻¹]
     """
+    phase, which = phases
+    cos_psi, sin_psi = psi
     zenith, azimuth = directions.zenith[i], directions.azimuth
     nz, na = zenith.size, azimuth.size
     count = nz * na

@@ -22,8 +22,9 @@ from airlight.solver.tables.column_ratios import column_rows, columns_to_top, ra
 from airlight.solver.tables.columns import (
     TABLE_SHAPE,
     ColumnTable,
+    DensityNodes,
     accumulate_columns,
-    density_table,
+    density_nodes,
     new_path,
     split_at_profile_edges,
     trace_resolved,
@@ -48,8 +49,8 @@ class LineOptics(NamedTuple):
         Indices of the scattering constituents among all.
     strongest : array, shape (nc,)
         Largest extinction at any wavelength. [m⁻¹]
-    nodes : tuple of arrays
-        First altitude node of each cell, and densities (n, nc) from ``density_table``. [1]
+    nodes : DensityNodes
+        Densities.
     breakpoints : array, shape (n,)
         Altitudes of breakpoints of the profiles, ground and top included. [m]
     rows : array, shape (n,)
@@ -71,7 +72,7 @@ class LineOptics(NamedTuple):
     extinction: FloatArray
     scatterers: IntArray
     strongest: FloatArray
-    nodes: tuple[FloatArray, FloatArray]
+    nodes: DensityNodes
     breakpoints: FloatArray
     rows: FloatArray
     ratios: FloatArray
@@ -95,7 +96,7 @@ def line_optics(medium: Medium, settings: DirectSettings, steps: int) -> LineOpt
         medium.extinction,
         scatterers,
         medium.extinction.max(axis=1),
-        (medium.density.first_nodes, density_table(medium.density)),
+        density_nodes(medium.density, shell),
         medium.density.breakpoints,
         column_rows(table, medium.density),
         rational_mean_density(table),
@@ -103,6 +104,24 @@ def line_optics(medium: Medium, settings: DirectSettings, steps: int) -> LineOpt
         medium.ground,
         settings.graded,
     )
+
+
+class GatheredTable(NamedTuple):
+    """Table of gathered radiance.
+
+    Attributes
+    ----------
+    axes : Layout
+        Its axes.
+    values : array, shape (radii·views, sun_angles, angles, ns·nl)
+        Gathered radiance G, or its logarithm. [sr⁻¹]
+    logarithmic : bool
+        Whether it is the logarithm.
+    """
+
+    axes: Layout
+    values: FloatArray
+    logarithmic: bool
 
 
 class Line(NamedTuple):
@@ -170,19 +189,16 @@ def trace_segment(r, mu, length, first_cut, second_cut, air, edges, path):
     int
         Number of points.
     """
-    thickness = air.top - air.bottom
     if air.graded:
         count = place_edges(r, mu, length, 1, first_cut, second_cut, edges)
         count = split_at_profile_edges(r, mu, air.bottom, air.breakpoints, edges, count)
-        return trace_resolved(
-            r, mu, edges, count, air.rule, air.bottom, thickness, air.nodes, air.strongest, path
-        )
+        return trace_resolved(r, mu, edges, count, air.rule, air.nodes, air.strongest, path)
     nodes, weights, _ = air.rule
     for k in range(nodes.size):
         path[0][k] = length * nodes[k]
         path[1][k] = radius_along(r, mu, path[0][k])
         path[2][k] = length * weights[k]
-    accumulate_columns(nodes.size, air.rule, air.bottom, thickness, air.nodes, path)
+    accumulate_columns(nodes.size, air.rule, air.nodes, path)
     return nodes.size
 
 
@@ -230,7 +246,7 @@ def place_rows(r, mu, count, axes, line):
 
 
 @compiled_loop
-def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
+def add_gathered(r, mu_s, nu, count, table, line, out):
     """Add multiple scattering along a prepared line, from the gathered radiance.
 
     Parameters
@@ -239,21 +255,18 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
         Coordinates of the start. [m], [1]
     count : int
         Number of points of the line.
-    axes : Layout
-        Axes of the table.
-    table : array, shape (radii·views, sun_angles, angles, ns·nl)
-        Gathered radiance, or its logarithm. [sr⁻¹]
-    logarithmic : bool
-        Whether it is the logarithm.
+    table : GatheredTable
+        Gathered radiance.
     line : Line
         Line after ``prepare`` and ``place_rows``.
     out : array, shape (nl,)
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
+    axes, values, logarithmic = table
     distance, radius = line.path[0], line.path[1]
     stencil, shares, source = line.stencil, line.shares, line.source
     wavelengths = out.size
-    channels = table.shape[3]
+    channels = values.shape[3]
     m0, m1, d = angle_cell(nu, axes)
     for k in range(count):
         s0, s1, e = sun_cell((r * mu_s + distance[k] * nu) / radius[k], axes)
@@ -266,10 +279,10 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
                 for corner in range(4):
                     row = stencil[k, corner]
                     value += shares[k, corner] * (
-                        w00 * table[row, s0, m0, q]
-                        + w01 * table[row, s0, m1, q]
-                        + w10 * table[row, s1, m0, q]
-                        + w11 * table[row, s1, m1, q]
+                        w00 * values[row, s0, m0, q]
+                        + w01 * values[row, s0, m1, q]
+                        + w10 * values[row, s1, m0, q]
+                        + w11 * values[row, s1, m1, q]
                     )
                 if logarithmic:
                     value = exp(value)
@@ -314,7 +327,8 @@ def star_columns(r, mu_s, nested, air, edges, path, out):
     """Columns from a point to the star, or along the horizon if its centre has set. [m]"""
     mu = max(mu_s, horizon_cosine(r, air.bottom))
     if not nested:
-        columns_to_top(r, mu, air.bottom, air.top, air.nodes[0], air.rows, air.ratios, out)
+        first_nodes = air.nodes.first_nodes
+        columns_to_top(r, mu, air.bottom, air.top, first_nodes, air.rows, air.ratios, out)
         return
     length = -r * mu + ((air.top - r) * (air.top + r) + r * r * mu * mu) ** 0.5
     trace_segment(r, mu, max(length, 0.0), 0.0, 0.0, air, edges, path)

@@ -19,7 +19,13 @@ from airlight.solver.direct.gather import (
     phase_nodes,
 )
 from airlight.solver.direct.layout import Layout, layout_for
-from airlight.solver.direct.line import LineOptics, axes_shape, line_optics, new_line
+from airlight.solver.direct.line import (
+    GatheredTable,
+    LineOptics,
+    axes_shape,
+    line_optics,
+    new_line,
+)
 from airlight.solver.direct.passes import direct_light, first_pass, next_pass, sky_light
 from airlight.solver.direct.settings import DirectSettings
 
@@ -135,7 +141,7 @@ class _Passes:
         self.axes: Layout = layout_for(medium, settings)
         self.air: LineOptics = line_optics(medium, settings, settings.pass_steps)
         self.directions: GatherDirections = directions_for(self.axes, settings)
-        self.phase, self.which = phase_nodes(medium, self.air.scatterers)
+        self.phases = phase_nodes(medium, self.air.scatterers)
         self.progress, self.cancel = progress, cancel
         sun_angles = node_suns(self.axes)
         line, lit = new_line(self.air), np.empty((sun_angles.size, medium.wavelengths.size))
@@ -169,10 +175,10 @@ class _Passes:
         lit = np.zeros_like(self.lit_by_star) if late else self.lit_by_star
 
         def one(i: int) -> None:
+            line = new_line(self.air)
             first_pass(
-                i, self.axes, self.directions, self.phase, self.which, self.air, new_line(self.air),
-                lit, self.incoming[i],
-            )  # fmt: skip
+                i, self.axes, self.directions, self.phases, self.air, line, lit, self.incoming[i]
+            )
 
         self._all_radii("order 1", one)
         self._sky(self.incoming)
@@ -181,16 +187,24 @@ class _Passes:
     def gather(self, incoming: FloatArray, order: int) -> FloatArray:
         """G⁽ᵏ⁾ from H⁽ᵏ⁾."""
         axes, settings = self.axes, self.settings
-        shape = axes_shape(axes, self.which.size)
+        shape = axes_shape(axes, self.phases[1].size)
         out = np.empty(shape)
         rows = out.reshape(axes.radii, axes.views, *shape[1:])
         azimuth = np.radians(settings.azimuth)
+        psi = float(np.cos(azimuth)), float(np.sin(azimuth))
 
         def one(i: int) -> None:
             gather(
-                i, axes, self.directions, self.phase, self.which, incoming[i], np.cos(azimuth),
-                np.sin(azimuth), settings.graded, settings.logarithmic, rows[i],
-            )  # fmt: skip
+                i,
+                axes,
+                self.directions,
+                self.phases,
+                incoming[i],
+                psi,
+                settings.graded,
+                settings.logarithmic,
+                rows[i],
+            )
 
         self._all_radii(f"gather {order}", one)
         return out
@@ -199,12 +213,11 @@ class _Passes:
         """S⁽ᵏ⁾ + A⁽ᵏ⁾·T from G⁽ᵏ⁻¹⁾; in the literal second notes D replaces A⁽²⁾."""
         late = self.settings.literal == "atmosphere-plus-2" and order == 2
         lit = self.lit_by_star if late else self.from_sky
+        table = GatheredTable(self.axes, gathered, self.settings.logarithmic)
 
         def one(i: int) -> None:
-            next_pass(
-                i, self.axes, self.directions, gathered, self.settings.logarithmic, self.air,
-                new_line(self.air), lit, late, self.incoming[i],
-            )  # fmt: skip
+            line = new_line(self.air)
+            next_pass(i, self.directions, table, self.air, line, lit, late, self.incoming[i])
 
         self._all_radii(f"order {order}", one)
         self._sky(self.incoming)

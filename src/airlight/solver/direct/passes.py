@@ -32,18 +32,19 @@ _DARK = 1e-280
 
 
 @compiled_loop
-def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
+def first_pass(i, axes, directions, phases_at, air, line, lit_ground, out):
     """First-order radiance arriving at one radius: S⁽¹⁾ + D·T.
 
     Parameters
     ----------
-    phase, which : array
-        Arrays from ``phase_nodes``. [sr⁻¹]
+    phases_at : tuple of arrays
+        Result of ``phase_nodes``.
     lit_ground : array, shape (sun_angles, nl)
         D, the radiance of the ground by direct irradiance. [sr⁻¹]
     out : array, shape (sun_angles, nl, nz, na)
         Receives the radiance, per irradiance of the star. [sr⁻¹]
     """
+    phase, which = phases_at
     zenith, azimuth = directions.zenith[i], directions.azimuth
     r = radius_of(i, axes)
     last = phase.shape[1] - 1
@@ -69,29 +70,28 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
                 else:
                     line.transmittance[:] = 1.0
                 if meets_ground(r, mu, axes.bottom):
+                    ray = r, mu, mu_s, nu, length
                     add_ground(
-                        r, mu, mu_s, nu, length, axes, lit_ground, True, False, air.ground,
-                        line.transmittance, light,
-                    )  # fmt: skip
+                        ray, axes, lit_ground, True, False, air.ground, line.transmittance, light
+                    )
                 for l in range(light.size):
                     out[k, l, z, a] = light[l]
 
 
 @compiled_loop
-def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by_star, out):
+def next_pass(i, directions, table, air, line, lit_ground, by_star, out):
     """Radiance of the next order arriving at one radius: S⁽ᵏ⁾ + A⁽ᵏ⁾·T.
 
     Parameters
     ----------
-    table : array, shape (radii·views, sun_angles, angles, ns·nl)
-        Gathered radiance G⁽ᵏ⁻¹⁾, or its logarithm. [sr⁻¹]
-    logarithmic : bool
-        Whether it is the logarithm.
+    table : GatheredTable
+        Gathered radiance G⁽ᵏ⁻¹⁾.
     lit_ground : array, shape (sun_angles, nl)
         Diffuse irradiance of the ground, with the reflection A⁽ᵏ⁾. [1]
     by_star : bool
         Whether ``lit_ground`` is direct irradiance.
     """
+    axes = table.axes
     zenith, azimuth = directions.zenith[i], directions.azimuth
     r = radius_of(i, axes)
     light = np.empty(out.shape[1])
@@ -110,26 +110,31 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
             for a in range(azimuth.size):
                 nu = min(max(mu * mu_s + sine * sun_sine * cos(azimuth[a]), -1.0), 1.0)
                 light[:] = 0.0
-                add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, light)
+                add_gathered(r, mu_s, nu, count, table, line, light)
                 if to_ground:
+                    ray = r, mu, mu_s, nu, length
                     add_ground(
-                        r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic,
-                        air.ground, line.transmittance, light,
-                    )  # fmt: skip
+                        ray,
+                        axes,
+                        lit_ground,
+                        by_star,
+                        table.logarithmic,
+                        air.ground,
+                        line.transmittance,
+                        light,
+                    )
                 for l in range(light.size):
                     out[k, l, z, a] = light[l]
 
 
 @compiled_loop
-def add_ground(
-    r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic, ground, transmittance, out
-):
+def add_ground(ray, axes, lit_ground, by_star, logarithmic, ground, transmittance, out):
     """Add the attenuated radiance of the ground at the end of a line of sight.
 
     Parameters
     ----------
-    r, mu, mu_s, nu, length : float
-        Coordinates of the start, and length. [m], [1], [1], [1], [m]
+    ray : tuple of float
+        Coordinates r, mu, mu_s and nu of the start, and length. [m], [1], [1], [1], [m]
     axes : Layout
         Axes of the table.
     lit_ground : array, shape (sun_angles, nl)
@@ -145,6 +150,7 @@ def add_ground(
     out : array, shape (nl,)
         Receives the radiance, per irradiance of the star. [sr⁻¹]
     """
+    r, mu, mu_s, nu, length = ray
     mu_s_ground = min(max((r * mu_s + length * nu) / axes.bottom, -1.0), 1.0)
     s0, s1, e = sun_cell(mu_s_ground, axes)
     mu_r = cos_reflected(r, mu, axes.bottom)

@@ -21,6 +21,7 @@ from airlight.physics.optics.reflection import cos_reflected
 from airlight.planets.medium import Medium
 from airlight.solver.direct.layout import layout_for
 from airlight.solver.direct.line import (
+    GatheredTable,
     LineOptics,
     add_gathered,
     add_once,
@@ -144,24 +145,18 @@ def _radiance(
         table, ground = orders.each[order - 2], orders.each_ground[order - 2]
     gathered = order is None or order > 1
     scatterers = air.scatterers
+    sights = lines.r, lines.mu, lines.mu_s, lines.nu, lines.length
 
     def block(index: int) -> None:
         rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
         phase = medium.phase_function(lines.nu[rows])[:, scatterers]
         _lines(
-            lines.r[rows],
-            lines.mu[rows],
-            lines.mu_s[rows],
-            lines.nu[rows],
-            lines.length[rows],
+            tuple(one[rows] for one in sights),
             lines.to_ground[rows],
             np.ascontiguousarray(phase.reshape(phase.shape[0], -1)),
-            once,
-            gathered,
-            orders.axes,
-            table,
+            (once, gathered),
+            GatheredTable(orders.axes, table, settings.logarithmic),
             ground,
-            settings.logarithmic,
             air,
             new_line(air),
             out[rows],
@@ -172,10 +167,10 @@ def _radiance(
 
 
 @compiled_loop
-def _lines(
-    r, mu, mu_s, nu, length, to_ground, phase, once, gathered, axes, table, ground,
-    logarithmic, air, line, out,
-):  # fmt: skip
+def _lines(sights, to_ground, phase, orders, table, ground, air, line, out):
+    r, mu, mu_s, nu, length = sights
+    once, gathered = orders
+    axes, _, logarithmic = table
     received = np.empty(out.shape[1])
     for k in range(r.size):
         line.transmittance[:] = 1.0
@@ -184,15 +179,15 @@ def _lines(
             count = prepare(r[k], mu[k], length[k], dark, dawn, air, line)
             if gathered:
                 place_rows(r[k], mu[k], count, axes, line)
-                add_gathered(r[k], mu_s[k], nu[k], count, axes, table, logarithmic, line, out[k])
+                add_gathered(r[k], mu_s[k], nu[k], count, table, line, out[k])
             if once:
                 add_once(r[k], mu_s[k], nu[k], count, phase[k], True, air, line, out[k])
         if to_ground[k]:
             if gathered:
+                ray = r[k], mu[k], mu_s[k], nu[k], length[k]
                 add_ground(
-                    r[k], mu[k], mu_s[k], nu[k], length[k], axes, ground, False, logarithmic,
-                    air.ground, line.transmittance, out[k],
-                )  # fmt: skip
+                    ray, axes, ground, False, logarithmic, air.ground, line.transmittance, out[k]
+                )
             if once:
                 mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / air.bottom
                 mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)

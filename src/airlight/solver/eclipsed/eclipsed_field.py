@@ -47,7 +47,7 @@ from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march import field_place
 from airlight.solver.moments.march_tables import MarchTables, quadratures
 from airlight.solver.moments.solution import MomentsSolution
-from airlight.solver.moments.source import between, read_phase
+from airlight.solver.moments.source import between, field_node, read_phase
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -136,8 +136,8 @@ def _key(solution: MomentsSolution, star: OccultedStar) -> str:
     digest = hashlib.sha256(f"eclipsed {fingerprint(Path(__file__))}".encode())
     digest.update(solution.settings.as_text().encode())
     digest.update(solution.medium.fingerprint().encode())
-    digest.update(np.array([star.x, star.y, star.z, star.radius, star.star_x, star.star_y,
-                            star.star_z, star.nearness, star.scale]).tobytes())  # fmt: skip
+    moon, light = (star.x, star.y, star.z, star.radius), (star.star_x, star.star_y, star.star_z)
+    digest.update(np.array([*moon, *light, star.nearness, star.scale]).tobytes())
     digest.update(star.roots.tobytes())
     return digest.hexdigest()[:40]
 
@@ -338,12 +338,10 @@ def _gather(row, column, count, kind, eclipse, directions, field, sky):
         d, e, f = (c / flat, 0.0, -a / flat) if flat > 1e-3 else (1.0, 0.0, 0.0)
         g, h, i = b * f - c * e, c * d - a * f, a * e - b * d
         level, sun, first, second = field_place(q, 1.0, mu_s, mu_s, tables, work)
-        p, s = np.float32(first), np.float32(second)
-        p0, s0 = np.float32(1.0) - p, np.float32(1.0) - s
+        node = field_node(level, sun, np.float32(first), np.float32(second))
         for at in range(0, lanes, LANES):
             before = lane_view(tables.field, at)
-            low = between(before, level, sun, 0, p0 * s0, p0 * s, p * s0, p * s)
-            mean = between(before, level, sun, 1, p0 * s0, p0 * s, p * s0, p * s)
+            low, mean = between(before, node, 0), between(before, node, 1)
             store(scale, at, mean / low * work.functions[0])
         horizon = horizon_cosine(q, tables.bottom)
         for side in range(2):

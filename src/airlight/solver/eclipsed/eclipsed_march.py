@@ -42,8 +42,18 @@ from airlight.solver.moments.march_panels import (
     place_panel,
     place_panels,
 )
-from airlight.solver.moments.march_tables import MarchTables, MarchWorkspace, new_workspace
-from airlight.solver.moments.source import between, direct_beam, transmittance_columns
+from airlight.solver.moments.march_tables import (
+    MarchTables,
+    MarchTerms,
+    MarchWorkspace,
+    new_workspace,
+)
+from airlight.solver.moments.source import (
+    between,
+    direct_beam,
+    field_node,
+    transmittance_columns,
+)
 
 #: Component of the radiance: with the local shadow, correction of multiple scattering, or both.
 LOCAL_SHADOW: Final = 0
@@ -225,8 +235,8 @@ def march_eclipsed(line, kind, phase, eclipse, result):
         place_panel(r, mu, panel, count, rule, tables, work)
         panel_columns(rule, tables, work)
         for k in range(n):
-            place = panel_place(k, n, r, mu, tables, work)
-            _add_point(line, (r, mu_s, nu), place, work.weight[k], kind, phase, eclipse, result)
+            point = panel_place(k, n, r, mu, tables, work)
+            _add_point(line, (r, mu_s, nu), point, kind, phase, eclipse, result)
     for c in range(tables.constituents):
         work.columns_total[c] = work.columns_so_far[c]
     for at in range(0, tables.lanes, LANES):
@@ -239,7 +249,7 @@ def march_eclipsed(line, kind, phase, eclipse, result):
 
 
 @inlined
-def _add_point(line, start, place, weight, kind, phase, eclipse, result):
+def _add_point(line, start, point, kind, phase, eclipse, result):
     """Add the source of one point of a panel.
 
     Parameters
@@ -248,13 +258,13 @@ def _add_point(line, start, place, weight, kind, phase, eclipse, result):
         Arguments of ``march_eclipsed``.
     start : tuple of float
         Radius of the start, and cosines of the star's zenith angle there and to the line.
-    place, weight : tuple, float
-        Result of ``panel_place``, and weight of the point. [m]
+    point : PanelPoint
+        Point of the panel.
     """
     tables, work, shadow, scratch = eclipse
     star = shadow.star
     r, mu_s, nu = start
-    q, t, mu_q, angle, _ = place
+    q, t, mu_q, angle = point.q, point.t, point.mu, point.angle
     px, py, pz = refracted_point(line, t, q, mu_q, angle)
     mu_sq = min(max((px * star.star_x + py * star.star_y + pz * star.star_z) / q, -1.0), 1.0)
     # The line is rotated with its point: cosine to the star as in ``refraction.turned``.
@@ -274,17 +284,17 @@ def _add_point(line, start, place, weight, kind, phase, eclipse, result):
     if kind == SCATTERING_CORRECTION and not inside:
         return
     row, sun, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
-    f, e = np.float32(f), np.float32(e)
-    g, h = np.float32(1.0) - f, np.float32(1.0) - e
+    node = field_node(row, sun, np.float32(f), np.float32(e))
+    terms = MarchTerms(True, False, False)
     for at in range(0, tables.lanes, LANES):
         found, extinction = lane_view(result, at), lane_view(tables.scaled_extinction, at)
         transmittance = transmittance_columns(
             work.depths, extinction, tables.constituents
-        ) * np.float32(weight)
+        ) * np.float32(point.weight)
         source = splat(0.0)
         if kind != SCATTERING_CORRECTION:
             part = load(scratch.seen, at)
-            source = multiple_scattering_at(row, sun, f, e, tables, work, at) * part
+            source = multiple_scattering_at(node, tables, work, at) * part
             if seen > 0.0:
                 arriving = transmittance * direct_beam(
                     seen,
@@ -295,13 +305,12 @@ def _add_point(line, start, place, weight, kind, phase, eclipse, result):
                     tables.constituents,
                 )
                 phases = lane_view(phase, at)
-                add_star(part * arriving, True, False, phases, tables, work, at, found)
+                add_star(part * arriving, terms, phases, tables, work, at, found)
                 if tables.broadened:
                     add_peaks(arriving, part, spread, phases, tables, work, at)
         if inside:
             field = lane_view(tables.field, at)
-            scale = between(field, row, sun, 0, g * h, g * e, f * h, f * e)
-            mean = between(field, row, sun, 1, g * h, g * e, f * h, f * e)
+            scale, mean = between(field, node, 0), between(field, node, 1)
             mean = maximum(mean / scale * work.functions[0], splat(0.0))
             source = source + mean * deviation(
                 work.point_density,

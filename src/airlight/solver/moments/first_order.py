@@ -40,6 +40,8 @@ from airlight.solver.moments.ray_optics import (
 )
 from airlight.solver.moments.star_places import (
     DISC_NODES,
+    RayPoints,
+    StarPoints,
     fill_disc,
     fill_refraction_row,
     place_star_points,
@@ -78,7 +80,7 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, refr
 
 
 @inlined
-def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, narrow):
+def fill_depths(ratios, x, q, shell, extinction, workspace, first, out, narrow):
     """Optical depths from a radius to the top of the shell, in the tabulated directions. [1]
 
     Parameters
@@ -87,8 +89,10 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, na
         ``Setup.star_ratios``.
     x : float
         Fractional row of the point's radius. [1]
-    q, bottom, top : float
-        Radii of the point, of the ground and of the top. [m]
+    q : float
+        Radius of the point. [m]
+    shell : tuple of float
+        Radii of the ground and of the top. [m]
     extinction : lanes, shape (nc,)
         Extinction coefficients. [m⁻¹]
     first : int
@@ -98,6 +102,7 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, na
     narrow : bool
         Whether both halves of ``extinction`` are equal; a constant.
     """
+    bottom, top = shell
     constituents, directions = ratios.shape[1], ratios.shape[3]
     row = min(int(x), ratios.shape[0] - 2)
     f = np.float32(x - row)
@@ -184,12 +189,10 @@ def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
 
 
 @inlined
-def _first_order(
-    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out,
-    narrow,
-):  # fmt: skip
+def _first_order(i, tables, rows, ratios, refraction_table, out, sky_out, narrow):
     """First-order moments at one radius; ``narrow``, a constant: at most four wavelengths."""
     # Unpacked once: in the loop each access of a tuple would count references.
+    grid, rays, norm, azimuths, air, expansion = tables
     bottom, top, _, sun_cosines, first_nodes, _, _ = grid
     (
         all_mu,
@@ -232,9 +235,8 @@ def _first_order(
     workspace = np.empty((constituents + 1, LANES), np.float32)
     sun_depths = np.empty(most * directions * width, np.float32)
     ground = np.empty((1, directions, LANES), np.float32)
-    fill_depths(
-        ratios, 0.0, bottom, bottom, top, extinction, workspace, 0, ground.reshape(-1), False
-    )
+    shell = bottom, top
+    fill_depths(ratios, 0.0, bottom, shell, extinction, workspace, 0, ground.reshape(-1), False)
     ground_depths = lane_view(ground)
     strength = lane_view(np.empty((most, max(count, 1), LANES), np.float32))
     phase_f12 = lane_view(np.empty((most, LANES), np.float32))
@@ -257,7 +259,9 @@ def _first_order(
     low_at = np.empty((most, LANES), np.float32)
     high_at = np.empty((most, LANES), np.float32)
     kinds = np.empty(most, np.int64)
+    along, stars = RayPoints(turned, places, lifts), StarPoints(seen, low_at, high_at, kinds)
     size = np.float32(max(star_radius, 1e-9))
+    star_tables = bottom, top, star_radius, ground_depths, directions, refraction_table
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -269,10 +273,8 @@ def _first_order(
         for k in range(points):
             q = ray_radii[first + k]
             x = node_value(q, bottom, top, first_nodes, rows)
-            fill_depths(
-                ratios, x, q, bottom, top, extinction, workspace, k * directions * width,
-                sun_depths, narrow,
-            )  # fmt: skip
+            at = k * directions * width
+            fill_depths(ratios, x, q, shell, extinction, workspace, at, sun_depths, narrow)
             transmittance = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
@@ -317,10 +319,18 @@ def _first_order(
             for b in range(0, turns, step):
                 lane = b % LANES
                 if lane == 0:
+                    ahead = load(around, b) * sine_s
                     lit = place_star_points(
-                        turned, places, points, load(around, b) * sine_s, np.float32(mu_s), size,
-                        lifts, columns, disc, directions, seen, low_at, high_at, kinds,
-                    )  # fmt: skip
+                        along,
+                        points,
+                        ahead,
+                        np.float32(mu_s),
+                        size,
+                        columns,
+                        disc,
+                        directions,
+                        stars,
+                    )
                 second = min(b + step - 1, turns - 1)
                 nu = star_from_ray(mu, mu_s, cosines[b])
                 nu_2 = star_from_ray(mu, mu_s, cosines[second])
@@ -359,15 +369,11 @@ def _first_order(
                     part_2 = np.float32(SECOND * (1.0 - nu_2) * (1.0 + nu_2))
                     scattering_q = exact * scattering_q * pair(part, part_2)
                 if below:
-                    reflected = reflected_star(
-                        surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius,
-                        ground_depths, directions, refraction_table,
-                    )  # fmt: skip
+                    mu_sg = star_at_end(ends, i, a, mu_s, nu)
+                    reflected = reflected_star(surface, mu_sg, mu_r, nu, star_tables)
                     if narrow:
-                        reflected_2 = reflected_star(
-                            surface, ends, i, a, mu_s, nu_2, mu_r, bottom, top, star_radius,
-                            ground_depths, directions, refraction_table,
-                        )  # fmt: skip
+                        mu_sg = star_at_end(ends, i, a, mu_s, nu_2)
+                        reflected_2 = reflected_star(surface, mu_sg, mu_r, nu_2, star_tables)
                         reflected = pair(reflected, reflected_2)
                     radiance = radiance + whole * reflected
                 if not (lit or below):
@@ -403,46 +409,39 @@ def _first_order(
 
 
 @inlined
-def reflected_star(
-    surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius, depths, directions,
-    refraction_table,
-):  # fmt: skip
-    """Direct irradiance of the ground at the end of a ray, times ``direct_reflectance``. [1]"""
-    mu_sg = star_at_end(ends, i, a, mu_s, nu)
-    light = direct_light(mu_sg, bottom, top, star_radius, depths, 0, directions, refraction_table)
-    return direct_reflectance(surface, 0, mu_sg, mu_r, nu) * light
+def reflected_star(surface, mu_s, mu_r, nu, star_tables):
+    """Direct irradiance of the ground times ``direct_reflectance``. [1]
+
+    Parameters
+    ----------
+    star_tables : tuple
+        Arguments of ``direct_light`` apart from ``mu_s`` and ``local``.
+    """
+    bottom, top, star_radius, depths, directions, refraction_table = star_tables
+    light = direct_light(mu_s, bottom, top, star_radius, depths, 0, directions, refraction_table)
+    return direct_reflectance(surface, 0, mu_s, mu_r, nu) * light
 
 
 @compiled_loop
-def first_order_radius(
-    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
-):
+def first_order_radius(i, tables, rows, ratios, refraction_table, out, sky_out):
     """Moments of first-order radiance at one radius, for all sun angles.
 
     Parameters
     ----------
-    i, grid, rays, norm, azimuths, air, expansion, out, sky_out :
+    i, tables, out, sky_out :
         As in ``sweep_radius``.
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes, from ``column_rows``. [1]
     refraction_table : array, shape (rows, columns, 2)
         Table from ``refraction_table``. [1]
     """
-    _first_order(
-        i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out,
-        sky_out, False,
-    )  # fmt: skip
+    _first_order(i, tables, rows, ratios, refraction_table, out, sky_out, False)
 
 
 @compiled_loop
-def first_order_radius_narrow(
-    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
-):
+def first_order_radius_narrow(i, tables, rows, ratios, refraction_table, out, sky_out):
     """``first_order_radius`` for at most four wavelengths, two azimuths in a register.
 
-    Both halves of ``norm`` and of ``air`` have the same wavelengths.
+    Both halves of ``tables.norm`` and of ``tables.air`` have the same wavelengths.
     """
-    _first_order(
-        i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out,
-        sky_out, True,
-    )  # fmt: skip
+    _first_order(i, tables, rows, ratios, refraction_table, out, sky_out, True)

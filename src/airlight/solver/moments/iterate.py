@@ -193,15 +193,12 @@ def gather(
     -------
     moments, sky : array, shapes (r, s, k, 8), (r, s, 8)
     """
-    setup = batch.setup
+    tables = batch.sweep_tables
     radii = batch.rays.mu.shape[0]
     moments, sky = _arrays(batch) if out is None else out
 
     def radius(i: int) -> None:
-        kernel(
-            i, setup.grid, batch.rays, batch.norm, setup.azimuths, batch.air, setup.expansion,
-            *light, moments[i], sky[i],
-        )  # fmt: skip
+        kernel(i, tables, *light, moments[i], sky[i])
 
     run_blocks(radius, radii, cancel=cancel)
     return moments, sky

@@ -11,6 +11,7 @@ emitter translates it to shaders, whose single group is a texel.
 from __future__ import annotations
 
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -37,6 +38,7 @@ from airlight.solver.moments.march_panels import (
 from airlight.solver.moments.ray_optics import sun_index
 from airlight.solver.moments.source import (
     direct_beam,
+    field_node,
     multiple_scattering_source,
     polarised_ratio_columns,
     polarised_scattering_source,
@@ -46,47 +48,52 @@ from airlight.solver.moments.source import (
 from airlight.solver.stokes_frame import VERTICAL, star_plane
 
 
+class StarPlane(NamedTuple):
+    """Turn from the plane of line and star to the frame of ``stokes_frame``.
+
+    Attributes
+    ----------
+    cosine, sine : float
+        Results of ``star_plane``. [1]
+    """
+
+    cosine: float
+    sine: float
+
+
 @inlined
-def march(
-    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, phase_f12, tables,
-    work, result,
-):  # fmt: skip
+def march(segment, orders, terms, tables, work, result):
     """Path radiance and transmittance of a segment, per irradiance of the star.
 
     Parameters
     ----------
-    r, mu : float
-        Radius of the start, inside the shell, and zenith cosine. [m], [1]
-    mu_s, nu : float
-        Cosines of the star's zenith angle at the start, and between line and star. [1]
-    half_sine : float
-        sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
-    length : float
-        Length, to the ground or to the top. [m]
+    segment : Segment
+        Segment of a line of sight.
     orders : int
         1: single scattering; 0: multiple scattering and reflected diffuse light; 2: both.
-    air, peaks, polarised : bool
-        Whether to compute the path radiance, the single scattering of separated constituents, and Q
-        and U. Constants in a shader.
-    phase, phase_f12 : array, shape (nc, w)
-        Phase functions, and elements F₁₂ of the phase matrices; 0 for constituents kept separate.
-        [sr⁻¹]
-    tables, work : MarchTables, MarchWorkspace
-        Tables of the solution; workspace, whose totals receive the columns of the segment [m].
+    terms : MarchTerms
+        Terms to compute.
+    tables : MarchTables
+        Tables of the solution.
+    work : MarchWorkspace
+        Workspace with the phase functions; elements F₁₂ of the phase matrices if ``polarised``; 0
+        for constituents kept separate. Its totals receive the columns of the segment. [m]
     result : array, shape (4, w), or (6, w) if ``polarised``
         Receives path radiance [sr⁻¹], delta-M scaled transmittance [1], single scattering by the
         two separated constituents without their phase functions [1], and Q and U in the frame of
         ``stokes_frame`` [sr⁻¹].
     """
+    r, mu, mu_s, nu = segment.r, segment.mu, segment.mu_s, segment.nu
     turn_cosine, turn_sine = 1.0, 0.0
-    if polarised:
+    if terms.polarised:
         turn_cosine, turn_sine = star_plane(mu, mu_s, nu)
-    count, rule, faint = place_panels(r, mu, mu_s, nu, length, tables, work)
+    plane = StarPlane(turn_cosine, turn_sine)
+    count, rule, faint = place_panels(r, mu, mu_s, nu, segment.length, tables, work)
     n = int(tables.rules[rule])
     for at in range(0, tables.lanes, LANES):
         found = lane_view(result, at)
         found[0], found[2], found[3] = splat(0.0), splat(0.0), splat(0.0)
-        if polarised:
+        if terms.polarised:
             found[4], found[5] = splat(0.0), splat(0.0)
     reset_peaks(tables, work)
     for panel in range(count - 1):
@@ -96,10 +103,8 @@ def march(
         place_panel(r, mu, panel, count, rule, tables, work)
         panel_columns(rule, tables, work)
         for k in range(points):
-            add_point(
-                r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine,
-                turn_sine, phase, phase_f12, tables, work, result,
-            )  # fmt: skip
+            point = panel_place(k, n, r, mu, tables, work)
+            add_point(point, segment, orders, terms, faint, plane, tables, work, result)
     for c in range(tables.constituents):
         work.columns_total[c] = work.columns_so_far[c]
     for at in range(0, tables.lanes, LANES):
@@ -108,55 +113,51 @@ def march(
             work.columns_total, lane_view(tables.scaled_extinction, at), tables.constituents
         )
     if tables.broadened and orders != 0:
-        broaden_peaks(half_sine, air, peaks, tables, work, result)
+        broaden_peaks(segment.half_sine, terms, tables, work, result)
 
 
 @inlined
-def broaden_peaks(half_sine, air, peaks, tables, work, result):
+def broaden_peaks(half_sine, terms, tables, work, result):
     """Broaden the forward peaks of single scattering on a line; arguments as in ``march``."""
     for at in range(0, tables.lanes, LANES):
         found, sums = lane_view(result, at), lane_view(work.peaks, at)
         more = peak_gain(half_sine, tables, work, at)
-        if air:
+        if terms.air:
             found[0] += more * sums[0]
-        if peaks and tables.separated_1 >= 0:
+        if terms.peaks and tables.separated_1 >= 0:
             found[2] *= np.float32(1.0) + more * peak_fraction(tables.separated_1, tables, at)
-        if peaks and tables.separated_2 >= 0:
+        if terms.peaks and tables.separated_2 >= 0:
             found[3] *= np.float32(1.0) + more * peak_fraction(tables.separated_2, tables, at)
 
 
 @inlined
-def add_point(
-    r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine, turn_sine, phase,
-    phase_f12, tables, work, result,
-):  # fmt: skip
+def add_point(point, segment, orders, terms, faint, plane, tables, work, result):
     """Add the source of one point of a panel to the result; further arguments as in ``march``.
 
     Parameters
     ----------
-    turn_cosine, turn_sine : float
-        Results of ``star_plane``. [1]
-    k, n : int
-        Index of the point, and number of points of the panel.
+    point : PanelPoint
+        Point of the panel.
     faint : float
         Multiple scattering is neglected if the point scatters less. [1]
+    plane : StarPlane
+        Plane of line and star.
     """
-    q, t, mu_q, angle, scatters = panel_place(k, n, r, mu, tables, work)
-    mu_sq, nu_q = star_place(q, t, mu_q, angle, r, mu_s, nu, tables)
+    mu_sq, nu_q = star_place(point, segment.r, segment.mu_s, segment.nu, tables)
     seen, spread = 0.0, False
     if orders != 0:
-        seen, spread = star_columns(q, mu_sq, tables, work)
-    gathers = air and orders != 1 and scatters >= faint
+        seen, spread = star_columns(point.q, mu_sq, tables, work)
+    gathers = terms.air and orders != 1 and point.scatters >= faint
     row, sun, f, e = 0, 0, 0.0, 0.0
-    if air and gathers:
-        row, sun, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
+    if terms.air and gathers:
+        row, sun, f, e = field_place(point.q, point.mu, mu_sq, nu_q, tables, work)
     for at in range(0, tables.lanes, LANES):
         found, extinction = lane_view(result, at), lane_view(tables.scaled_extinction, at)
         transmittance = transmittance_columns(
             work.depths, extinction, tables.constituents
-        ) * np.float32(work.weight[k])
+        ) * np.float32(point.weight)
         polarised_ratio = splat(1.0)
-        if polarised and orders != 1:
+        if terms.polarised and orders != 1:
             polarised_ratio = polarised_ratio_columns(
                 work.depths, lane_view(tables.polarised_moments, at), tables.constituents
             )
@@ -169,23 +170,20 @@ def add_point(
                 extinction,
                 tables.constituents,
             )
-            add_star(star, air, peaks, lane_view(phase, at), tables, work, at, found)
+            add_star(star, terms, lane_view(work.phase, at), tables, work, at, found)
             if tables.broadened:
-                add_peaks(star, np.float32(1.0), spread, lane_view(phase, at), tables, work, at)
-            if polarised:
-                add_polarised_star(
-                    polarised_ratio * star, turn_cosine, turn_sine, lane_view(phase_f12, at),
-                    tables, work, at, found,
-                )  # fmt: skip
-        if air and gathers:
-            found[0] += transmittance * multiple_scattering_at(
-                row, sun, np.float32(f), np.float32(e), tables, work, at
-            )
-            if polarised:
+                add_peaks(
+                    star, np.float32(1.0), spread, lane_view(work.phase, at), tables, work, at
+                )
+            if terms.polarised:
+                add_polarised_star(polarised_ratio * star, plane, tables, work, at, found)
+        if terms.air and gathers:
+            node = field_node(row, sun, np.float32(f), np.float32(e))
+            found[0] += transmittance * multiple_scattering_at(node, tables, work, at)
+            if terms.polarised:
                 add_polarised_light(
-                    polarised_ratio * transmittance, mu_q, row, sun, np.float32(f),
-                    np.float32(e), tables, work, at, found,
-                )  # fmt: skip
+                    polarised_ratio * transmittance, point.mu, node, tables, work, at, found
+                )
 
 
 @inlined
@@ -217,7 +215,7 @@ def star_columns(q, mu_s, tables, work):
 
 
 @inlined
-def add_star(star, air, peaks, phase, tables, work, at, result):
+def add_star(star, terms, phase, tables, work, at, result):
     """Add single scattering at a point to the path radiance and to the peaks.
 
     Parameters
@@ -225,36 +223,41 @@ def add_star(star, air, peaks, phase, tables, work, at, result):
     star : lanes
         Direct irradiance at the point, times its weight and the transmittance to the start of the
         line. [m]
-    air, peaks, phase, tables, work, result :
-        Arguments of ``march``; phase and result as lanes.
+    phase : lanes, shape (nc,)
+        Phase functions. [sr⁻¹]
+    terms, tables, work, result :
+        Arguments of ``march``; the result as lanes.
     at : int
         Index of the first lane.
     """
     scattering = lane_view(tables.scattering, at)
-    if air:
+    if terms.air:
         result[0] += star * single_scattering_source(
             work.point_density, scattering, phase, tables.constituents
         )
-    if peaks and tables.separated_1 >= 0:
+    if terms.peaks and tables.separated_1 >= 0:
         c = tables.separated_1
         result[2] += star * scattering[c] * work.point_density[c]
-    if peaks and tables.separated_2 >= 0:
+    if terms.peaks and tables.separated_2 >= 0:
         c = tables.separated_2
         result[3] += star * scattering[c] * work.point_density[c]
 
 
 @inlined
-def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, tables, work, at, result):
-    """Add Q and U of single scattering at a point; arguments as in ``add_point``."""
+def add_polarised_star(star, plane, tables, work, at, result):
+    """Add Q and U of single scattering at a point; arguments as in ``add_star``, ``add_point``."""
     once = star * single_scattering_source(
-        work.point_density, lane_view(tables.scattering, at), phase_f12, tables.constituents
+        work.point_density,
+        lane_view(tables.scattering, at),
+        lane_view(work.phase_f12, at),
+        tables.constituents,
     )
-    result[4] += once * np.float32(turn_cosine)
-    result[5] += once * np.float32(turn_sine)
+    result[4] += once * np.float32(plane.cosine)
+    result[5] += once * np.float32(plane.sine)
 
 
 @inlined
-def add_polarised_light(transmittance, mu, row, sun, f, e, tables, work, at, result):
+def add_polarised_light(transmittance, mu, node, tables, work, at, result):
     """Add Q and U of multiple scattering at a point.
 
     Parameters
@@ -263,17 +266,21 @@ def add_polarised_light(transmittance, mu, row, sun, f, e, tables, work, at, res
         Transmittance from the point times its weight. [m]
     mu : float
         Cosine of the line's zenith angle at the point. [1]
-    row, sun, f, e, tables, work, at :
+    node, tables, work, at :
         Arguments of ``multiple_scattering_at``.
     result : lanes, shape (6,)
         Result of a march.
     """
-    g, h = np.float32(1.0) - f, np.float32(1.0) - e
     stokes_q, stokes_u = polarised_scattering_source(
-        work.point_density, lane_view(tables.polarised_moments, at), lane_view(tables.field, at),
-        mu, work.azimuth[0], row, sun, g * h, g * e, f * h, f * e, tables.degree,
+        work.point_density,
+        lane_view(tables.polarised_moments, at),
+        lane_view(tables.field, at),
+        mu,
+        work.azimuth[0],
+        node,
+        tables.degree,
         tables.constituents,
-    )  # fmt: skip
+    )
     result[4] += transmittance * stokes_q
     result[5] += transmittance * stokes_u
 
@@ -333,19 +340,23 @@ def field_place(q, mu, mu_s, nu, tables, work):
 
 
 @inlined
-def multiple_scattering_at(row, sun, f, e, tables, work, at):
+def multiple_scattering_at(node, tables, work, at):
     """Multiple-scattering source at a point, from lane ``at`` on. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
-    row, sun, f, e : int, int, float, float
-        Results of ``field_place``; the fractions in single precision.
+    node : FieldNode
+        Place in the field, from the results of ``field_place`` in single precision.
     tables, work : MarchTables, MarchWorkspace
         Arguments of ``march``, after ``field_place``.
     """
-    g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return multiple_scattering_source(
-        work.point_density, lane_view(tables.moments, at), lane_view(tables.polarised_moments, at),
-        lane_view(tables.field, at), work.functions, row, sun, g * h, g * e, f * h, f * e,
-        tables.degree, tables.constituents,
-    )  # fmt: skip
+        work.point_density,
+        lane_view(tables.moments, at),
+        lane_view(tables.polarised_moments, at),
+        lane_view(tables.field, at),
+        work.functions,
+        node,
+        tables.degree,
+        tables.constituents,
+    )

@@ -6,6 +6,8 @@ one line, needs little memory.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from airlight.geometry.path import (
@@ -39,6 +41,29 @@ MANY_EDGES = 10
 #: their line's, over the number of points; in total less than this fraction, and some 2 % of it for
 #: an exponential profile.
 FAINT = 5e-3
+
+
+class PanelPoint(NamedTuple):
+    """Point of a panel.
+
+    Attributes
+    ----------
+    q, t, mu : float
+        Radius, distance from the start [m], and cosine of the line's zenith angle. [1]
+    angle : float
+        Refraction angle from the start. [rad]
+    scatters : float
+        Largest scattering of any wavelength, times the weight. [1]
+    weight : float
+        Weight of the point in its line. [m]
+    """
+
+    q: float
+    t: float
+    mu: float
+    angle: float
+    scatters: float
+    weight: float
 
 
 @inlined
@@ -216,7 +241,7 @@ def place_panels(r, mu, mu_s, nu, length, tables, work):
     Parameters
     ----------
     r, mu, mu_s, nu, length, tables, work :
-        Arguments of ``march``; the workspace receives edges, totals and columns so far.
+        As in ``Segment`` and ``march``; the workspace receives edges, totals and columns so far.
 
     Returns
     -------
@@ -252,23 +277,14 @@ def place_panels(r, mu, mu_s, nu, length, tables, work):
 
 @inlined
 def panel_place(k, n, r, mu, tables, work):
-    """Place of point k of a panel of n points, with its densities and columns in the workspace.
+    """``PanelPoint`` k of n of a panel, with its densities and columns in the workspace.
 
     Parameters
     ----------
     k, n : int
         Index of the point, and number of points of the panel.
     r, mu, tables, work :
-        Arguments of ``march``; the workspace receives density and depths of the point.
-
-    Returns
-    -------
-    q, t, mu_q : float
-        Radius, distance from the start [m], and cosine of the line's zenith angle. [1]
-    angle : float
-        Refraction angle from the start. [rad]
-    scatters : float
-        Largest scattering of any wavelength, times the weight. [1]
+        As in ``Segment`` and ``march``; the workspace receives density and depths of the point.
     """
     q = min(max(work.radius[k], tables.bottom), tables.top)
     t = work.distance[k]
@@ -282,22 +298,23 @@ def panel_place(k, n, r, mu, tables, work):
         angle = refraction_angle(
             r, mu, tables.refraction_strength, work.columns[(tables.constituents - 1) * n + k]
         )
-    return q, t, mu_q, angle, scatters * work.weight[k]
+    weight = work.weight[k]
+    return PanelPoint(q, t, mu_q, angle, scatters * weight, weight)
 
 
 @inlined
-def star_place(q, t, mu_q, angle, r, mu_s, nu, tables):
+def star_place(point, r, mu_s, nu, tables):
     """Cosines of the star's zenith angle at a point, and between star and ray there. [1]
 
     Parameters
     ----------
-    q, t, mu_q, angle : float
-        Results of ``panel_place``.
+    point : PanelPoint
+        Point of the line.
     r, mu_s, nu, tables :
-        Arguments of ``march``.
+        As in ``Segment`` and ``march``.
     """
-    mu_sq, nu_q = min(max((r * mu_s + t * nu) / q, -1.0), 1.0), nu
+    mu_sq, nu_q = min(max((r * mu_s + point.t * nu) / point.q, -1.0), 1.0), nu
     if tables.refraction_strength > 0.0:
-        mu_sq, nu_q = turned(mu_q, mu_sq, nu, angle)
+        mu_sq, nu_q = turned(point.mu, mu_sq, nu, point.angle)
         mu_sq = min(max(mu_sq, -1.0), 1.0)
     return mu_sq, nu_q

@@ -165,9 +165,8 @@ def _march_line(first, last, angles, light, phase, tables, work, stars, out):
         panel_columns(rule, tables, work)
         n = int(tables.rules[rule])
         for k in range(n):
-            place = panel_place(k, n, r, mu, tables, work)
-            weight = work.weight[k]
-            _add_point(members, first, place, weight, angles, light, phase, tables, work, stars)
+            point = panel_place(k, n, r, mu, tables, work)
+            _add_point(members, first, point, angles, light, phase, tables, work, stars)
         for member in range(members):
             index = stars.together[member]
             stars.next[index] += 1
@@ -234,12 +233,12 @@ def _next_panel(count, tables, stars):
 
 
 @inlined
-def _add_point(members, first, place, weight, angles, light, phase, tables, work, stars):
-    """Add the source of a point, from ``panel_place``, to the sums of each sun angle."""
+def _add_point(members, first, point, angles, light, phase, tables, work, stars):
+    """Add the source of a ``PanelPoint`` to the sums of each sun angle."""
     constituents, r = tables.constituents, angles.r[first]
-    q, t, mu_q, angle, scatters = place
+    q = point.q
     orders, has_unscaled, _ = light
-    weight = np.float32(weight)
+    weight = np.float32(point.weight)
     for at in range(0, tables.lanes, LANES):
         extinction = lane_view(tables.scaled_extinction, at)
         transmittance = transmittance_columns(work.depths, extinction, constituents)
@@ -259,21 +258,21 @@ def _add_point(members, first, place, weight, angles, light, phase, tables, work
         index = stars.together[member]
         star = first + index
         mu_s, nu = angles.mu_s[star], angles.nu[star]
-        mu_sq, nu_q = star_place(q, t, mu_q, angle, r, mu_s, nu, tables)
+        mu_sq, nu_q = star_place(point, r, mu_s, nu, tables)
         seen, spread = star_columns(q, mu_sq, tables, work)
         if seen > 0.0:
             _add_star(seen, spread, index, light, phase[star], tables, work, stars)
-        gathers = orders != 1 and scatters >= stars.faint[index]
+        gathers = orders != 1 and point.scatters >= stars.faint[index]
         if gathers:
             if not ready:
-                _place_direction(mu_q, tables, work, stars)
+                _place_direction(point.mu, tables, work, stars)
                 ready = True
             y = sun_index(mu_sq, tables.place)
             sun = min(int(y), tables.sun_angles - 2)
             if not (stars.made[sun] and stars.made[sun + 1]):
                 _add_degrees(row, sun, f, tables, stars)
             _add_multiple_scattering(
-                sun, np.float32(y - sun), line_azimuth(mu_q, mu_sq, nu_q), index, tables, stars
+                sun, np.float32(y - sun), line_azimuth(point.mu, mu_sq, nu_q), index, tables, stars
             )
 
 

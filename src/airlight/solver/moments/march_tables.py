@@ -24,6 +24,47 @@ Float32Array = NDArray[np.float32]
 MIRRORED: Final = 6
 
 
+class Segment(NamedTuple):
+    """Segment of a line of sight inside the shell.
+
+    Attributes
+    ----------
+    r, mu : float
+        Radius of the start, and zenith cosine. [m], [1]
+    mu_s, nu : float
+        Cosines of the star's zenith angle at the start, and between line and star. [1]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
+    length : float
+        Length, to the ground or to the top. [m]
+    """
+
+    r: float
+    mu: float
+    mu_s: float
+    nu: float
+    half_sine: float
+    length: float
+
+
+class MarchTerms(NamedTuple):
+    """Terms of the radiance that a march computes; constants in a shader.
+
+    Attributes
+    ----------
+    air : bool
+        Path radiance.
+    peaks : bool
+        Single scattering of separated constituents, without their phase functions.
+    polarised : bool
+        Q and U.
+    """
+
+    air: bool
+    peaks: bool
+    polarised: bool
+
+
 class MarchTables(NamedTuple):
     """Solution in the form read by the ray march; w is the number of lanes.
 

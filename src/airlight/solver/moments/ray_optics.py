@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 from airlight.kernel import inlined
 from airlight.kernel.lanes import exponential, splat
 from airlight.physics.optics.reflection import Reflection
-from airlight.solver.moments.harmonics import polarised_functions
+from airlight.solver.moments.grid import MomentsGrid
+from airlight.solver.moments.harmonics import Harmonics, polarised_functions
+from airlight.solver.moments.rays import Rays
 from airlight.solver.moments.source import diffuse_horizontal
 
 Float32Array = NDArray[np.float32]
@@ -40,6 +42,33 @@ class ScaledOptics(NamedTuple):
     ground: Reflection
     star_radius: float
     polarised_moments: Float32Array
+
+
+class SweepTables(NamedTuple):
+    """Constants of the sweeps of eight wavelengths.
+
+    Attributes
+    ----------
+    grid : MomentsGrid
+        Nodes in radius and sun elevation.
+    rays : Rays
+        Rays from the radii of the sweep.
+    norm : array, shape (r, a, 8)
+        Normalisation factors from ``cull_opaque``. [1]
+    azimuths : Azimuths
+        Azimuths between ray and star.
+    air : ScaledOptics
+        Optics of these wavelengths.
+    expansion : Harmonics
+        Harmonics of the moments.
+    """
+
+    grid: MomentsGrid
+    rays: Rays
+    norm: Float32Array
+    azimuths: Azimuths
+    air: ScaledOptics
+    expansion: Harmonics
 
 
 class Azimuths(NamedTuple):

@@ -7,6 +7,8 @@ contracted with the moments for four sun elevations at a time, to minimise loads
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from airlight.kernel import inlined
@@ -26,6 +28,28 @@ from airlight.solver.moments.source_function import coupled_moments, first_regis
 
 #: Coupling coefficients of a point per order, in registers.
 _COUPLINGS = 7
+
+
+class LevelPoint(NamedTuple):
+    """Point of a ray between two radii.
+
+    Attributes
+    ----------
+    k : int
+        Index of the point among those in work.
+    row, f : int, float
+        Index of the radius below, and fraction of the step above it.
+    wide : int
+        Number of registers of orders m to be computed.
+    highest : int
+        Highest active degree.
+    """
+
+    k: int
+    row: int
+    f: float
+    wide: int
+    highest: int
 
 
 @inlined
@@ -58,7 +82,7 @@ def factor_count(degree, narrow):
 
 
 @inlined
-def fill_factors(point, rays, air, expansion, degree, highest, functions, k, factors, narrow):
+def fill_factors(point, rays, air, expansion, highest, functions, k, factors, narrow):
     """Factors of the moments in the source function at a point of a ray.
 
     Parameters
@@ -67,8 +91,8 @@ def fill_factors(point, rays, air, expansion, degree, highest, functions, k, fac
         Index of the point among all.
     rays, air, expansion :
         Arrays of ``sweep_radius``, without reference counts.
-    degree, highest : int
-        Highest degree, and highest active degree at this point.
+    highest : int
+        Highest active degree at this point.
     functions : array
         Workspace for the Legendre functions.
     k : int
@@ -81,6 +105,7 @@ def fill_factors(point, rays, air, expansion, degree, highest, functions, k, fac
     """
     extinction, moments, polarised_moments = air
     mu_along, amounts, depths = rays
+    degree = expansion.degree
     constituents = amounts.shape[1]
     legendre_functions(mu_along[point], expansion, functions)
     transmittance = exponential(0.0 - optical_depth(depths[point], 0, extinction, constituents))
@@ -137,30 +162,25 @@ def fill_factors(point, rays, air, expansion, degree, highest, functions, k, fac
 
 
 @inlined
-def source_four_suns(
-    k, row, f, factors, sun_angles, field, start, wide, highest, degree, rows, narrow
-):
+def source_four_suns(point, factors, sun_angles, field, start, degree, rows, narrow):
     """Source function at a point of a ray, for four sun angles.
 
     Parameters
     ----------
-    k : int
-        Index of the point among those of ``rows``.
-    row, f : int, float32
-        Index of the radius below the point, and the point's fraction of the step above it.
+    point : LevelPoint
+        Point of the ray.
     factors : lanes, shape (points, n)
         Factors from ``fill_factors``.
     field : lanes, shape (r, s, 1 + k)
         As in ``sweep_radius``.
     start : int
         Index of the first sun angle; indices beyond the last are clamped.
-    wide : int
-        Number of registers of orders m to be computed.
-    highest, degree : int
-        Highest active degree at this point, and highest degree of the moments.
+    degree : int
+        Highest degree of the moments.
     rows : lanes, shape (points, s, n)
         Receives a node of ``source_at_point`` for each sun angle.
     """
+    k, row, f, wide, highest = point
     all_wide, orders, _ = order_registers(degree, narrow)
     registers = first_register(degree + 1, narrow)
     g = np.float32(1.0) - f

@@ -16,7 +16,7 @@ from airlight.physics.optics.density_profile import DensitySegments
 from airlight.solver.moments.directions import directions
 from airlight.solver.moments.grid import MomentsGrid
 from airlight.solver.tables.columns import (
-    density_table,
+    density_nodes,
     new_path,
     split_at_profile_edges,
     trace_resolved,
@@ -82,13 +82,11 @@ def _turn(r, mu, distance, radius, angle, out):
 
 
 @compiled_loop
-def trace_into(
-    grid, mu, panels, rule, nodes, strongest, refraction_strength, ends, edges, path, rays
-):
+def trace_into(grid, panels, rule, nodes, strongest, refraction_strength, ends, path, rays):
     """Rays of ``trace_rays`` written to ``rays``; returns the number of points."""
     count = 0
-    end = np.empty(4)
-    constituents = nodes[1].shape[1]
+    end, edges = np.empty(4), np.empty(MAX_EDGES)
+    mu, constituents = rays.mu, nodes.values.shape[1]
     last = constituents - 1
     for i in range(mu.shape[0]):
         r = grid.radii[i]
@@ -104,18 +102,7 @@ def trace_into(
             edge_count = split_at_profile_edges(
                 r, mu[i, a], grid.bottom_radius, ends, edges, edge_count
             )
-            points = trace_resolved(
-                r,
-                mu[i, a],
-                edges,
-                edge_count,
-                rule,
-                grid.bottom_radius,
-                grid.top_radius - grid.bottom_radius,
-                nodes,
-                strongest,
-                path,
-            )
+            points = trace_resolved(r, mu[i, a], edges, edge_count, rule, nodes, strongest, path)
             for c in range(constituents):
                 rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
             if below:
@@ -185,14 +172,12 @@ def trace_rays(
     )
     count = trace_into(
         grid,
-        mu,
         panels,
         gauss_legendre(nodes).as_tuple(),
-        (density.first_nodes, density_table(density)),
+        density_nodes(density, (grid.bottom_radius, grid.top_radius)),
         strongest,
         refraction_strength,
         ends,
-        np.empty(MAX_EDGES),
         new_path(per_ray, constituents),
         rays,
     )

@@ -30,7 +30,7 @@ from airlight.solver.moments.packing import (
     level_weights,
     optically_thick_weights,
 )
-from airlight.solver.moments.ray_optics import Azimuths, ScaledOptics
+from airlight.solver.moments.ray_optics import Azimuths, ScaledOptics, SweepTables
 from airlight.solver.moments.rays import Rays, trace_rays
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.refracted_geometry import RefractedGeometry
@@ -343,6 +343,14 @@ class WavelengthBatch:
     def all_degrees(self) -> NDArray[np.int64]:
         """Untruncated degree at each radius of the grid."""
         return np.full(self.setup.grid.radii.size, self.setup.degree)
+
+    @property
+    def sweep_tables(self) -> SweepTables:
+        """Constants of the sweeps of these wavelengths."""
+        setup = self.setup
+        return SweepTables(
+            setup.grid, self.rays, self.norm, setup.azimuths, self.air, setup.expansion
+        )
 
     @property
     def narrow(self) -> bool:

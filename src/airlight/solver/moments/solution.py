@@ -29,7 +29,13 @@ from airlight.solver.moments.irradiance import (
 )
 from airlight.solver.moments.iterate import FALLBACK_SCHEMES, Moments
 from airlight.solver.moments.march import march
-from airlight.solver.moments.march_tables import MarchTables, new_workspace, quadratures
+from airlight.solver.moments.march_tables import (
+    MarchTables,
+    MarchTerms,
+    Segment,
+    new_workspace,
+    quadratures,
+)
 from airlight.solver.moments.packing import filled, pack, pack_light
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.moments.setup import Setup
@@ -287,6 +293,7 @@ class MomentsSolution(Solution):
         polarised = np.zeros((n, 3, count))
         ends = lines.to_ground if ground else np.zeros_like(lines.to_ground)
         block = min(max(-(-n // _SHARES), _FEWEST), _MOST)
+        sights = lines.r, lines.mu, lines.mu_s, lines.nu, lines.length
 
         def run(index: int) -> None:
             rows = slice(index * block, min((index + 1) * block, n))
@@ -300,22 +307,9 @@ class MomentsSolution(Solution):
             if stokes:
                 phase_f12 = pack(self.geometry.medium.phase_f12(seen[rows]))
             result = np.empty((len(phase), 6 if stokes else 3, chosen.lanes), np.float32)
-            _march_all(
-                lines.r[rows],
-                lines.mu[rows],
-                lines.mu_s[rows],
-                lines.nu[rows],
-                half_sine,
-                lines.length[rows],
-                ends[rows],
-                orders,
-                stokes,
-                phase,
-                phase_f12,
-                chosen,
-                new_workspace(chosen),
-                result,
-            )
+            some = (*(one[rows] for one in sights), half_sine)
+            work = new_workspace(chosen)
+            _march_all(some, ends[rows], orders, stokes, phase, phase_f12, chosen, work, result)
             out[rows], transmittance[rows], air[rows] = result[:, :3, :count].swapaxes(0, 1)
             if stokes:
                 polarised[rows] = result[:, [0, 4, 5], :count]
@@ -358,17 +352,16 @@ class MomentsSolution(Solution):
 
 
 @compiled_loop
-def _march_all(
-    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, tables, work,
-    out,
-):  # fmt: skip
+def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work, out):
     tables, work = without_refcount((tables, work))
+    r, mu, mu_s, nu, length, half_sine = sights
     bottom, ground = tables.bottom, np.empty(tables.lanes, np.float32)
+    terms = MarchTerms(True, False, stokes)
     for k in range(r.size):
-        march(
-            r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,
-            phase[k], phase_f12[k], tables, work, work.radiance,
-        )  # fmt: skip
+        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k])
+        work.phase[:] = phase[k]
+        work.phase_f12[:] = phase_f12[k]
+        march(segment, orders, terms, tables, work, work.radiance)
         for at in range(0, tables.lanes, LANES):  # instead of the peaks
             found = lane_view(work.radiance, at)
             found[2] = found[0]

@@ -3,12 +3,39 @@
 from __future__ import annotations
 
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, exponential, lane_view, maximum, splat
 from airlight.solver.moments.harmonics import EVEN, polarised_function
+
+
+class FieldNode(NamedTuple):
+    """Place between four nodes of the field.
+
+    Attributes
+    ----------
+    row, sun : int
+        Indices of the radius and of the sun elevation before the point.
+    w00, w01, w10, w11 : float
+        Weights of the four nodes. [1]
+    """
+
+    row: int
+    sun: int
+    w00: float
+    w01: float
+    w10: float
+    w11: float
+
+
+@inlined
+def field_node(row, sun, f, e):
+    """``FieldNode`` of the fractions of the steps to the next radius and to the next sun angle."""
+    g, h = np.float32(1.0) - f, np.float32(1.0) - e
+    return FieldNode(row, sun, g * h, g * e, f * h, f * e)
 
 
 @inlined
@@ -76,21 +103,21 @@ def single_scattering_source(density, scattering, phase, constituents):
 
 
 @inlined
-def between(field, row, sun, term, w00, w01, w10, w11):
-    """Weighted sum of a term of the field (r, s, 1 + k) at four nodes."""
+def between(field, node, term):
+    """Weighted sum of a term of the field (r, s, 1 + k) at the four nodes of a ``FieldNode``."""
+    row, sun = node.row, node.sun
     return (
-        w00 * field[row, sun, term]
-        + w01 * field[row, sun + 1, term]
-        + w10 * field[row + 1, sun, term]
-        + w11 * field[row + 1, sun + 1, term]
+        node.w00 * field[row, sun, term]
+        + node.w01 * field[row, sun + 1, term]
+        + node.w10 * field[row + 1, sun, term]
+        + node.w11 * field[row + 1, sun + 1, term]
     )
 
 
 @inlined
 def multiple_scattering_source(
-    density, moments, polarised_moments, field, functions, row, sun, w00, w01, w10, w11, degree,
-    constituents,
-):  # fmt: skip
+    density, moments, polarised_moments, field, functions, node, degree, constituents
+):
     """Multiple-scattering source, from the moments of the radiance. [m⁻¹ sr⁻¹]
 
     Parameters
@@ -103,10 +130,8 @@ def multiple_scattering_source(
         Field of ``MarchTables``.
     functions : array, shape (k,)
         Harmonics of the line of sight: K_lm P_lm cos mφ. [1]
-    row, sun : int
-        Indices of the radius and of the sun elevation before the point.
-    w00, w01, w10, w11 : float
-        Weights of the four nodes. [1]
+    node : FieldNode
+        Place in the field.
     degree, constituents :
         As in ``transmittance_columns``.
     """
@@ -117,7 +142,7 @@ def multiple_scattering_source(
             strength = strength + moments[c, l] * density[c]
         part = splat(0.0)
         for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
-            part = part + functions[index] * between(field, row, sun, 1 + index, w00, w01, w10, w11)
+            part = part + functions[index] * between(field, node, 1 + index)
         source = source + strength * part
     beta_1 = splat(0.0)
     for c in range(constituents):
@@ -125,25 +150,24 @@ def multiple_scattering_source(
     part = splat(0.0)
     for m in range(EVEN):
         term = 1 + (degree + 1) * (degree + 2) // 2 + m
-        part = part + functions[3 + m] * between(field, row, sun, term, w00, w01, w10, w11)
+        part = part + functions[3 + m] * between(field, node, term)
     source = source + beta_1 * part
-    scale = between(field, row, sun, 0, w00, w01, w10, w11)
+    scale = between(field, node, 0)
     # The truncated expansion may be negative where radiance nearly vanishes.
     return maximum(source / scale, 0.0)
 
 
 @inlined
 def polarised_scattering_source(
-    density, polarised_moments, field, mu, cosine, row, sun, w00, w01, w10, w11, degree,
-    constituents,
-):  # fmt: skip
+    density, polarised_moments, field, mu, cosine, node, degree, constituents
+):
     """Q and U of the multiple-scattering source.
 
     Parameters
     ----------
     mu, cosine : float
         Cosines of the line's zenith angle and of its azimuth. [1]
-    density, polarised_moments, field, row, sun, w00, w01, w10, w11, degree, constituents :
+    density, polarised_moments, field, node, degree, constituents :
         As in ``multiple_scattering_source``.
 
     Returns
@@ -161,20 +185,20 @@ def polarised_scattering_source(
     stokes_q, stokes_u = splat(0.0), splat(0.0)
     cos_m, sin_m = 1.0, 0.0  # cos mφ and sin mφ
     for m in range(EVEN):
-        bright = between(field, row, sun, 4 + m, w00, w01, w10, w11)
-        turned = between(field, row, sun, first + m, w00, w01, w10, w11)
+        bright = between(field, node, 4 + m)
+        turned = between(field, node, first + m)
         part = beta_1 * bright + alpha_2 * turned
         even, odd = polarised_function(mu, m)
         stokes_q = stokes_q + part * np.float32(even * cos_m)
         stokes_u = stokes_u + part * np.float32(odd * sin_m)
         if m > 0:
-            part = alpha_3 * between(field, row, sun, first + EVEN - 1 + m, w00, w01, w10, w11)
+            part = alpha_3 * between(field, node, first + EVEN - 1 + m)
             stokes_q = stokes_q + part * np.float32(odd * cos_m)
             stokes_u = stokes_u + part * np.float32(even * sin_m)
         following = cos_m * cosine - sin_m * sine
         sin_m = sin_m * cosine + cos_m * sine
         cos_m = following
-    scale = between(field, row, sun, 0, w00, w01, w10, w11)
+    scale = between(field, node, 0)
     return stokes_q / scale, stokes_u / scale
 
 

@@ -2,11 +2,30 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import pair, splat
 from airlight.solver.moments.harmonics import EVEN
+
+
+class StarNode(NamedTuple):
+    """Star at a point of a ray, between two sun elevations of the grid.
+
+    Attributes
+    ----------
+    sun, f : int, float
+        Index of the lower elevation, and weight of the higher. [1]
+    step, sine : float
+        Cosine and sine of the azimuth between ray and star. [1]
+    """
+
+    sun: int
+    f: float
+    step: float
+    sine: float
 
 
 @inlined
@@ -81,7 +100,7 @@ def odd_moment(field, level, sun, f, m, degree, narrow):
 
 
 @inlined
-def source_at_point(rows, point, sun, f, step, sine, wide, degree, bright, polarised, narrow):
+def source_at_point(rows, point, star, wide, degree, bright, polarised, narrow):
     """Contribution of multiple scattering at a point to I, Q and U of its ray. [1]
 
     Parameters
@@ -90,12 +109,10 @@ def source_at_point(rows, point, sun, f, step, sine, wide, degree, bright, polar
         For each node the factor s; then A_m s from ``contracted``, in the order of
         ``first_register``; then the azimuthal components Q_0 s, Q_1 s, Q_2 s, U_1 s and U_2 s; if
         ``narrow`` in three registers: Q_0 and Q_1, Q_2, U_2 and U_1.
-    point, sun : int
-        Indices of the point and of the lower sun.
-    f : float32
-        Weight of the higher sun angle. [1]
-    step, sine : float32
-        Cosine and sine of the azimuth between ray and star. [1]
+    point : int
+        Index of the point.
+    star : StarNode
+        Star at the point, in single precision.
     wide : int
         Number of registers of A_m to be summed; for a steep ray the others vanish.
     degree : int
@@ -106,6 +123,7 @@ def source_at_point(rows, point, sun, f, step, sine, wide, degree, bright, polar
         See ``first_register``; a constant. The halves of the results are then to be added, see
         ``folded``.
     """
+    sun, f, step, sine = star
     g = np.float32(1.0) - f
     one, two = np.float32(1.0), np.float32(2.0)
     high = sun + 1

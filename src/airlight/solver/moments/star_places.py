@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from airlight.geometry.mappings.transmittance import altitude_coordinate
 from airlight.geometry.refraction import HIGH
@@ -15,7 +16,6 @@ from airlight.kernel.lanes import (
     floored,
     lane_view,
     largest,
-    load,
     looked_up,
     maximum,
     minimum,
@@ -27,12 +27,67 @@ from airlight.kernel.lanes import (
 #: Nodes of the table of the visible part of the star's disc.
 DISC_NODES: Final = 256
 
+Float32Array = NDArray[np.float32]
+
+
+class StarNodes(NamedTuple):
+    """Stars at the points of a ray, for eight azimuths in the lanes.
+
+    Attributes
+    ----------
+    columns, shares : array, shape (points, 8)
+        Index of the lower sun angle, and weight of the higher. [1]
+    steps, sines : array, shape (points, 8)
+        Cosine and sine of the azimuth between ray and star. [1]
+    """
+
+    columns: Float32Array
+    shares: Float32Array
+    steps: Float32Array
+    sines: Float32Array
+
+
+class RayPoints(NamedTuple):
+    """Points of a ray, as the star is seen from them.
+
+    Attributes
+    ----------
+    turned : array, shape (points·2,)
+        Cosine and sine of the angle by which the star's direction turns. [1]
+    places : array, shape (points·7,)
+        Radius [m], (top - radius)(top + radius) [m²], shortest distance to the top [m], steps of
+        the tabulated directions per distance [m⁻¹]; cosines of the horizon's true and geometric
+        zenith angles, and sine of the latter [1].
+    lifts : array, shape (points·2·columns,)
+        Rows from ``fill_refraction_row``.
+    """
+
+    turned: Float32Array
+    places: Float32Array
+    lifts: Float32Array
+
+
+class StarPoints(NamedTuple):
+    """``star_points`` of the points of a ray, for eight azimuths in the lanes.
+
+    Attributes
+    ----------
+    seen : array, shape (points, 8)
+        Visible part of the star. [1]
+    low_at, high_at : array, shape (points, 8)
+        Fractional indices of the two directions that represent it. [1]
+    kinds : array, shape (points,)
+        Number of directions: 0 where the star is hidden, 1 where one suffices, or 2.
+    """
+
+    seen: Float32Array
+    low_at: Float32Array
+    high_at: Float32Array
+    kinds: NDArray[np.int64]
+
 
 @inlined
-def place_stars(
-    turned, first_point, points, azimuths, first, sine_s, mu_s, places, sun_angles, columns, shares,
-    steps, sines,
-):  # fmt: skip
+def place_stars(turned, first_point, points, ahead, aside, mu_s, places, sun_angles, stars):
     """Directions of the star at the points of a ray, for eight azimuths in the lanes.
 
     The component of the star's direction normal to the plane of the ray is constant; the others
@@ -44,23 +99,21 @@ def place_stars(
         Cosine and sine of that angle at the points. [1]
     first_point, points : int
         Index of the ray's first point in ``turned``, and number of its points.
-    azimuths : array, shape (2·c,)
-        Cosines, then sines of the azimuths in groups of eight. [1]
-    sine_s, mu_s : float32
-        Sine and cosine of the star's zenith angle at the start of the ray. [1]
+    ahead, aside : lanes
+        Horizontal components of the star at the start of the ray: along its plane and normal to
+        it. [1]
+    mu_s : float32
+        Cosine of the star's zenith angle there. [1]
     places : array
         ``MomentsGrid.place`` in single precision.
     sun_angles : int
         Number of sun elevations.
-    columns, shares, steps, sines : array, shape (points, 8)
-        Receive the index of the lower sun angle, the weight of the higher, and cosine and sine of
-        the azimuth between ray and star. [1]
+    stars : StarNodes
+        Receives the stars.
     """
-    ahead = load(azimuths, first) * sine_s
-    aside = load(azimuths, azimuths.size // 2 + first) * sine_s
     half = np.float32(0.5 * (places.size - 1))
-    nodes, weights = lane_view(columns), lane_view(shares)
-    star_cosines, star_sines = lane_view(steps), lane_view(sines)
+    nodes, weights = lane_view(stars.columns), lane_view(stars.shares)
+    star_cosines, star_sines = lane_view(stars.steps), lane_view(stars.sines)
     for k in range(points):
         keep, turn = turned[2 * (first_point + k)], turned[2 * (first_point + k) + 1]
         cos_star = ahead * turn + keep * mu_s
@@ -117,44 +170,35 @@ def fill_refraction_row(refraction_table, q, bottom, top, first, out):
 
 
 @inlined
-def place_star_points(
-    turned, places, points, ahead, mu_s, star_radius, lifts, columns, disc, directions, seen,
-    low_at, high_at, kinds,
-):  # fmt: skip
+def place_star_points(along, points, ahead, mu_s, star_radius, columns, disc, directions, stars):
     """``star_points`` at the points of a ray, for eight azimuths in the lanes.
 
     Parameters
     ----------
-    turned : array, shape (points·2,)
-        As in ``place_stars``.
-    places : array, shape (points·7,)
-        Radius [m], (top - radius)(top + radius) [m²], shortest distance to the top [m], steps of
-        the tabulated directions per distance [m⁻¹]; cosines of the horizon's true and geometric
-        zenith angles, and sine of the latter [1].
+    along : RayPoints
+        Points of the ray.
     ahead : lanes
         Component of the star along the ray's plane, at its start. [1]
     mu_s : float32
         Cosine of the star's zenith angle there. [1]
     star_radius : float32
         Angular radius of the star; not 0. [rad]
-    lifts : array, shape (points·2·columns,)
-        Rows from ``fill_refraction_row``.
+    columns : int
+        Columns of the refraction table.
     disc : array
         Table from ``fill_disc``.
     directions : int
         Number of tabulated directions.
-    seen : array, shape (points, 8)
-        Receives the visible part of the star. [1]
-    low_at, high_at : array, shape (points, 8)
-        Receive the fractional indices of the two directions that represent it. [1]
-    kinds : array, shape (points,)
-        Receives the number of directions: 0 where the star is hidden, 1 where one suffices, or 2.
+    stars : StarPoints
+        Receives the star.
 
     Returns
     -------
     bool
         Whether the star is visible from any point.
     """
+    turned, places, lifts = along
+    seen, low_at, high_at, kinds = stars
     one = np.float32(1.0)
     nodes = disc.size // 3
     half = np.float32(0.5 * (nodes - 1))

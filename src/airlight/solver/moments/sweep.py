@@ -18,7 +18,7 @@ from math import sqrt
 import numpy as np
 
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, folded, lane_view, splat
+from airlight.kernel.lanes import INVERSE_PI, LANES, folded, lane_view, load, splat
 from airlight.physics.optics.altitude_nodes import node_value
 from airlight.physics.optics.reflection import diffuse_reflectance
 from airlight.solver.moments.harmonics import legendre_functions
@@ -33,6 +33,7 @@ from airlight.solver.moments.ray_optics import (
     transmittance_ray,
 )
 from airlight.solver.moments.ray_source import (
+    LevelPoint,
     by_level,
     factor_count,
     fill_factors,
@@ -40,8 +41,8 @@ from airlight.solver.moments.ray_source import (
     registers_of,
     source_four_suns,
 )
-from airlight.solver.moments.source_function import source_at_point
-from airlight.solver.moments.star_places import place_stars
+from airlight.solver.moments.source_function import StarNode, source_at_point
+from airlight.solver.moments.star_places import StarNodes, place_stars
 
 #: Legendre functions below this along a whole ray are neglected: high orders on steep rays. [1]
 _STEEP = 1e-4
@@ -51,11 +52,10 @@ _CACHED = 1_000_000
 
 
 @inlined
-def _sweep(
-    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, narrow
-):
+def _sweep(i, tables, field, ground, degrees, out, sky_out, narrow):
     """``sweep_radius``, or ``sweep_radius_narrow`` if ``narrow``, a constant."""
     # Unpacked once: in the loop each access of a tuple would count references.
+    grid, rays, norm, azimuths, air, expansion = tables
     bottom, top, radii, sun_cosines, first_nodes, rows_at, places = grid
     (
         all_mu,
@@ -117,6 +117,7 @@ def _sweep(
     shares = np.empty((longest, LANES), np.float32)
     star_cosines = np.empty((longest, LANES), np.float32)
     star_sines = np.empty((longest, LANES), np.float32)
+    stars = StarNodes(columns, shares, star_cosines, star_sines)
     along_rays = (mu_along, amounts, depths)
     extinction = lane_view(extinction)
     optics = (extinction, lane_view(moments), lane_view(polarised_moments))
@@ -139,9 +140,16 @@ def _sweep(
                     levels[k], fractions[k] = row, np.float32(x - row)
                     degrees_at[k] = max(degrees[row], degrees[row + 1])
                     fill_factors(
-                        point, along_rays, optics, expansion, degree, degrees_at[k], functions,
-                        k, factors, narrow,
-                    )  # fmt: skip
+                        point,
+                        along_rays,
+                        optics,
+                        expansion,
+                        degrees_at[k],
+                        functions,
+                        k,
+                        factors,
+                        narrow,
+                    )
                     for l in range(degree + 1):
                         for m in range(l + 1):
                             reach[m] = max(reach[m], abs(functions[l * (l + 1) // 2 + m]))
@@ -157,10 +165,10 @@ def _sweep(
             for start in range(0, sun_angles, 4):
                 for index in range(count):
                     k = order[index]
+                    between = LevelPoint(k, levels[k], fractions[k], wide_at[k], degrees_at[k])
                     source_four_suns(
-                        k, levels[k], fractions[k], factors, sun_angles, field, start, wide_at[k],
-                        degrees_at[k], degree, rows, narrow,
-                    )  # fmt: skip
+                        between, factors, sun_angles, field, start, degree, rows, narrow
+                    )
         first = starts[i, a] - head
         points = starts[i, a + 1] - starts[i, a]
         orders = orders_of[a]
@@ -183,17 +191,30 @@ def _sweep(
             for b in range(turns):
                 lane = b % LANES
                 if lane == 0:
+                    ahead = load(around, b) * sine_s
+                    aside = load(around, groups + b) * sine_s
                     place_stars(
-                        turned, first, points, around, b, sine_s, np.float32(mu_s), table,
-                        sun_angles, columns, shares, star_cosines, star_sines,
-                    )  # fmt: skip
+                        turned,
+                        first,
+                        points,
+                        ahead,
+                        aside,
+                        np.float32(mu_s),
+                        table,
+                        sun_angles,
+                        stars,
+                    )
                 radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
                 for k in range(points):
+                    star = StarNode(
+                        int(columns[k, lane]),
+                        shares[k, lane],
+                        star_cosines[k, lane],
+                        star_sines[k, lane],
+                    )
                     light, point_q, point_u = source_at_point(
-                        rows, first + k, int(columns[k, lane]), shares[k, lane],
-                        star_cosines[k, lane], star_sines[k, lane], wide_at[first + k], degree,
-                        True, True, narrow,
-                    )  # fmt: skip
+                        rows, first + k, star, wide_at[first + k], degree, True, True, narrow
+                    )
                     radiance = radiance + light
                     stokes_q = stokes_q + point_q
                     stokes_u = stokes_u + point_u
@@ -220,17 +241,15 @@ def _sweep(
 
 
 @compiled_loop
-def sweep_radius(
-    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out
-):
+def sweep_radius(i, tables, field, ground, degrees, out, sky_out):
     """Moments of the next order at one radius, for all sun angles.
 
     Parameters
     ----------
-    grid, rays, azimuths, air : MomentsGrid, Rays, Azimuths, ScaledOptics
+    i : int
+        Index of the radius.
+    tables : SweepTables
         Shell, its rays, and its optics.
-    norm : array, shape (r, a, 8)
-        Normalisation factors from ``cull_opaque``. [1]
     field : array, shape (r, s, 1 + k, 8)
         Moments of the previous orders, as (s, M·s) per node; see the head of this file.
     ground : array, shape (1, s, 2, 8)
@@ -242,20 +261,14 @@ def sweep_radius(
     sky_out : array, shape (s, 8)
         Receives the diffuse horizontal irradiance from above.
     """
-    _sweep(
-        i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, False
-    )
+    _sweep(i, tables, field, ground, degrees, out, sky_out, False)
 
 
 @compiled_loop
-def sweep_radius_narrow(
-    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out
-):
+def sweep_radius_narrow(i, tables, field, ground, degrees, out, sky_out):
     """``sweep_radius`` for at most four wavelengths, two moments in a register.
 
-    Both halves of ``norm`` and of ``air`` have the same wavelengths; ``field`` has pairs of
-    moments, see ``packing.pair_order``.
+    Both halves of ``tables.norm`` and of ``tables.air`` have the same wavelengths; ``field`` has
+    pairs of moments, see ``packing.pair_order``.
     """
-    _sweep(
-        i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, True
-    )
+    _sweep(i, tables, field, ground, degrees, out, sky_out, True)

@@ -49,7 +49,7 @@ class SyntheticAcceleration:
     """
 
     def __init__(self, batch: WavelengthBatch, cancel: Cancel | None = None) -> None:
-        setup, rays, norm, air = batch.setup, batch.rays, batch.norm, batch.air
+        setup, rays, tables = batch.setup, batch.rays, batch.sweep_tables
         grid, expansion, parts = setup.grid, setup.expansion, setup.refinement
         self.batch, self.grid = batch, grid
         self.set_lateral_scale(1.0)
@@ -62,7 +62,6 @@ class SyntheticAcceleration:
         widths = [self.degree + 1 - m for m in range(self.order + 1)]
         starts = np.concatenate([[0], np.cumsum(widths)])
         angles, levels = rays.mu.shape[1], grid.radii.size
-        along = rays.mu_along
         cubics = finer_weights(self.radii, parts).astype(np.float32)
         # The irradiance of the ground is an additional unknown for m = 0.
         self.sizes = sizes = [self.radii * width + (m == 0) for m, width in enumerate(widths)]
@@ -73,10 +72,7 @@ class SyntheticAcceleration:
         def couple(i: int) -> None:
             weights = np.empty((angles, levels, int(starts[-1]), LANES), np.float32)
             bounced = np.empty((angles, LANES), np.float32)
-            synthetic_rows(
-                i, grid, rays, norm, along, air, expansion, self.degree, self.order,
-                weights, bounced,
-            )  # fmt: skip
+            synthetic_rows(i, tables, self.degree, self.order, weights, bounced)
             seen = weights
             if parts > 1:
                 seen = np.empty((angles, self.radii, *weights.shape[2:]), np.float32)

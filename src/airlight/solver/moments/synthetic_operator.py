@@ -18,15 +18,13 @@ from airlight.solver.moments.ray_optics import mu_r_at_end, optical_depth, trans
 
 
 @compiled_loop
-def synthetic_rows(i, grid, rays, norm, mu_along, air, expansion, degree, order, out, bounced):
+def synthetic_rows(i, tables, degree, order, out, bounced):
     """Weights of the moments at all levels in the radiance of the rays from one radius.
 
     Parameters
     ----------
-    i, grid, rays, norm, air, expansion :
+    i, tables :
         As in ``sweep_radius``.
-    mu_along : array, shape (p,)
-        Zenith cosine of the rays at their points. [1]
     degree, order : int
         Limits of the moments: l up to ``degree``, m up to ``order``.
     out : array, shape (a, r, pairs, 8)
@@ -34,10 +32,11 @@ def synthetic_rows(i, grid, rays, norm, mu_along, air, expansion, degree, order,
     bounced : array, shape (a, 8)
         Receives the weight of the ground's irradiance. [1]
     """
+    grid, rays, norm, _, air, expansion = tables
     bottom, top, radii, _, first_nodes, rows_at, _ = grid
     extinction, moments, surface, _, _ = air
     highest = expansion.degree
-    starts, ray_radii = rays.start, rays.radius
+    starts, ray_radii, mu_along = rays.start, rays.radius, rays.mu_along
     amounts, depths, totals = rays.amount, rays.column, rays.total
     extinction, moments, norm = lane_view(extinction), lane_view(moments), lane_view(norm)
     constituents = extinction.shape[0]

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.solver.montecarlo.events import HistoryStart
 from airlight.solver.montecarlo.histories import trace_paths
 from airlight.solver.montecarlo.history_optics import HistoryOptics
 from airlight.solver.montecarlo.rays import new_trace
@@ -213,10 +214,10 @@ def _run_block(
     occulted = OccultedStar.whole()
     if query.occulted is not None:
         occulted = query.occulted[line].lane(at)
-    trace_paths(
-        BLOCK, (r, mu, mu_s, nu), query.hemisphere, first_order, sun_sampling_fraction, air,
-        occulted, state, paths, workspace, out,
-    )  # fmt: skip
+    start = HistoryStart(
+        r, mu, mu_s, nu, bool(query.hemisphere), first_order, sun_sampling_fraction
+    )
+    trace_paths(BLOCK, start, air, occulted, state, paths, workspace, out)
 
 
 def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatArray, FloatArray]:

@@ -7,7 +7,7 @@ written here.
 from __future__ import annotations
 
 from math import cos, exp, log1p, pi, sin, sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 from airlight.kernel import inlined
 from airlight.physics.optics.density_profile import relative_density
@@ -49,6 +49,51 @@ def turned(x, y, z, cosine, azimuth):
     return u * scale, v * scale, w * scale
 
 
+class TracedRay(NamedTuple):
+    """Ray after ``trace_optical_depth``.
+
+    Attributes
+    ----------
+    r, mu : float
+        Start of the ray. [m], [1]
+    panels, depth : int, float
+        Result of ``trace_optical_depth``.
+    collision_probability : float
+        Collision probability on the ray, 1 - exp(-depth). [1]
+    """
+
+    r: float
+    mu: float
+    panels: int
+    depth: float
+    collision_probability: float
+
+
+class HistoryStart(NamedTuple):
+    """Start of the histories of a line of sight.
+
+    Attributes
+    ----------
+    r, mu, mu_s, nu : float
+        Radius [m], cosines of view zenith, star zenith and the angle between them [1].
+    hemisphere : bool
+        Whether to start in random directions of the upper hemisphere, for horizontal irradiance,
+        rather than along the view.
+    first_order : int
+        Lowest order that is counted.
+    sun_sampling_fraction : float
+        Fraction of sun-biased points; see ``sun_biased_sampling``. [1]
+    """
+
+    r: float
+    mu: float
+    mu_s: float
+    nu: float
+    hemisphere: bool
+    first_order: int
+    sun_sampling_fraction: float
+
+
 @inlined
 def start_vectors(mu, mu_s, nu):
     """Horizontal components of the view (x, y) and of the direction to the star (x). [1]"""
@@ -61,29 +106,13 @@ def start_vectors(mu, mu_s, nu):
 
 
 @inlined
-def sample_collision(
-    r,
-    mu,
-    panels,
-    depth,
-    collision_probability,
-    total,
-    sun_sampling_fraction,
-    air,
-    path,
-    sampling,
-    state,
-):
+def sample_collision(ray, total, sun_sampling_fraction, air, path, sampling, state):
     """Sampled point of a scattering event on a traced ray.
 
     Parameters
     ----------
-    r, mu : float
-        Start of the ray. [m], [1]
-    panels, depth : int, float
-        Result of ``trace_optical_depth``.
-    collision_probability : float
-        Collision probability on the ray, 1 - exp(-depth). [1]
+    ray : TracedRay
+        The ray.
     total, sun_sampling_fraction : float
         Result of ``sun_sampling_integral``, 0 without sun-biased sampling; and fraction of points
         sampled with bias. [1]
@@ -98,6 +127,7 @@ def sample_collision(
         Sampling density of the mixture over that of exponential attenuation; 0 for an unusable
         point. [1]
     """
+    r, mu, panels, depth, collision_probability = ray
     if total > 0.0 and uniform(state) < sun_sampling_fraction:
         at, t, target_depth = sample_sun_biased(
             uniform(state), uniform(state), panels, total, air.extinction, path, sampling

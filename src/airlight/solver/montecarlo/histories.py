@@ -26,6 +26,7 @@ from math import exp, expm1, pi, sin, sqrt
 
 from airlight.geometry.occulted_star import star_visible_fraction
 from airlight.geometry.shell import meets_ground
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import compiled_loop, inlined
 from airlight.physics.optics.reflection import (
     cos_reflected,
@@ -34,6 +35,7 @@ from airlight.physics.optics.reflection import (
 )
 from airlight.solver.montecarlo.events import (
     MAX_BIASED_EVENTS,
+    TracedRay,
     reflected_brdf,
     roulette,
     sample_collision,
@@ -94,23 +96,13 @@ def _add_history(contribution, polarised, reached, sums):
 
 
 @compiled_loop
-def trace_paths(
-    count, start, hemisphere, first_order, sun_sampling_fraction, air, occulted, state, paths,
-    workspace, sums
-):  # fmt: skip
+def trace_paths(count, start, air, occulted, state, paths, workspace, sums):
     """Trace histories; add their contributions by order, and the squares, to the sums.
 
     Parameters
     ----------
-    start : tuple of float
-        Radius [m], cosines of view zenith, star zenith and the angle between them [1].
-    hemisphere : bool
-        Whether to start in random directions of the upper hemisphere, for horizontal irradiance,
-        rather than along the view.
-    first_order : int
-        Lowest order that is counted.
-    sun_sampling_fraction : float
-        Fraction of sun-biased points; see ``sun_biased_sampling``. [1]
+    start : HistoryStart
+        Start of the histories.
     occulted : OccultedStar
         Moon in front of the star, in the frame of ``start_vectors``; without lanes for none.
     state : array, shape (1,)
@@ -125,7 +117,7 @@ def trace_paths(
         Sums and sums of squares of each order, the last including all further ones; then of all
         orders together, and of their Q and U.
     """
-    start_r, start_mu, mu_s, nu = start
+    start_r, start_mu, mu_s, nu, hemisphere, first_order, sun_sampling_fraction = start
     first_path, next_path, star_path, first_sampling, next_sampling = paths
     shares, contribution, polarised, importance = workspace
     bottom, top = air.extinction.bottom, air.extinction.top
@@ -202,18 +194,9 @@ def trace_paths(
                         path,
                         sampling,
                     )
+                ray = TracedRay(r, mu, panels, depth, collision_probability)
                 along, strength, mixture = sample_collision(
-                    r,
-                    mu,
-                    panels,
-                    depth,
-                    collision_probability,
-                    total,
-                    sun_sampling_fraction,
-                    air,
-                    path,
-                    sampling,
-                    state,
+                    ray, total, sun_sampling_fraction, air, path, sampling, state
                 )
                 if not mixture > 0.0:
                     break
@@ -234,7 +217,7 @@ def trace_paths(
             if event >= first_order:
                 a, b, c = towards_star(sun_x, mu_s, disc, state)
                 a, b, c, sun_mu, refraction_jacobian = apparent_direction(
-                    x, y, z, r, a, b, c, bottom, top, refraction
+                    Vec3(x, y, z), r, Vec3(a, b, c), bottom, top, refraction
                 )
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 first, second, third = 1.0, 0.0, 0.0

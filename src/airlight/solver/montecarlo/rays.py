@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.without_refcount import without_refcount
 
 FloatArray = NDArray[np.float64]
 
@@ -107,8 +108,11 @@ def per_y(y, low, offset, bottom, table, scale):
 
 
 @inlined
-def _fill(low, offset, start, end, bottom, table, scale, nodes, weights, values):
+def _fill(low, offset, start, end, extinction, values):
     """Fill the values of a panel, per unit of its variable; returns its optical depth."""
+    table, bottom = extinction.table, extinction.bottom
+    nodes, weights = extinction.nodes, extinction.weights
+    scale = (table.size - 1) / sqrt(extinction.top - bottom)
     width = abs(end - start)
     total = 0.0
     for k in range(nodes.size):
@@ -120,13 +124,9 @@ def _fill(low, offset, start, end, bottom, table, scale, nodes, weights, values)
 
 
 @inlined
-def _leg(
-    start_r, end_r, tangent, sign, extinction, table, nodes, weights, cuts, trace_panels,
-    trace_values, count,
-):  # fmt: skip
+def _leg(start_r, end_r, tangent, sign, extinction, path, count):
     """Add the panels of a leg; returns the number of panels, and the leg's optical depth."""
-    bottom = extinction.bottom
-    scale = (table.size - 1) / sqrt(extinction.top - bottom)
+    cuts = extinction.cuts
     high, low = max(start_r, end_r), min(start_r, end_r)
     offset = 0.0
     if low - tangent <= BESIDE * (high - tangent):
@@ -152,14 +152,11 @@ def _leg(
             y_lower, y_upper = sqrt(max(lower - low, 0.0)), sqrt(max(upper - low, 0.0))
             first, last = (y_lower, y_upper) if sign > 0.0 else (y_upper, y_lower)
         for part in range(extinction.panels):
-            panel = trace_panels[count]
+            panel = path.panels[count]
             panel[0], panel[1], panel[2] = low, offset, sign
             panel[3] = first + (last - first) * part / extinction.panels
             panel[4] = first + (last - first) * (part + 1) / extinction.panels
-            panel[5] = _fill(
-                low, offset, panel[3], panel[4], bottom, table, scale, nodes, weights,
-                trace_values[count],
-            )  # fmt: skip
+            panel[5] = _fill(low, offset, panel[3], panel[4], extinction, path.values[count])
             depth += panel[5]
             count += 1
     return count, depth
@@ -185,22 +182,15 @@ def trace_optical_depth(r, mu, to_ground, extinction, path):
     depth : float
         Optical depth of the ray. [1]
     """
-    panels, values = path.panels, path.values
-    table, cuts = extinction.table, extinction.cuts
-    nodes, weights = extinction.nodes, extinction.weights
+    extinction, path = without_refcount((extinction, path))
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     count, depth = 0, 0.0
     low = r
     if mu < 0.0:
         low = extinction.bottom if to_ground else max(tangent, extinction.bottom)
-        count, depth = _leg(
-            r, low, tangent, -1.0, extinction, table, nodes, weights, cuts, panels, values, count
-        )
+        count, depth = _leg(r, low, tangent, -1.0, extinction, path, count)
     if not to_ground:
-        count, more = _leg(
-            low, extinction.top, tangent, 1.0, extinction, table, nodes, weights, cuts, panels,
-            values, count,
-        )  # fmt: skip
+        count, more = _leg(low, extinction.top, tangent, 1.0, extinction, path, count)
         depth += more
     return count, depth
 
@@ -225,8 +215,9 @@ def place_at_depth(depth, count, extinction, path):
     t : float
         Panel variable, 0 to 1.
     """
+    extinction, path = without_refcount((extinction, path))
     table, bottom = extinction.table, extinction.bottom
-    nodes, weights, running = extinction.nodes, extinction.weights, extinction.running
+    nodes, running = extinction.nodes, extinction.running
     scale = (table.size - 1) / sqrt(extinction.top - bottom)
     n = nodes.size
     at = 0
@@ -259,7 +250,7 @@ def place_at_depth(depth, count, extinction, path):
         # start.
         end = start + (end - start) * nodes[upper + 1]
         values = path.again
-        whole = _fill(low, offset, start, end, bottom, table, scale, nodes, weights, values)
+        whole = _fill(low, offset, start, end, extinction, values)
         if whole <= rest:
             break
     left = start + (end - start) * (nodes[upper - 1] if upper > 0 else 0.0)

@@ -142,14 +142,14 @@ def rotated_with_ray(x, y, z, u, v, w, angle):
 
 
 @inlined
-def apparent_direction(x, y, z, r, a, b, c, bottom, top, refraction):
+def apparent_direction(point, r, star, bottom, top, refraction):
     """Apparent direction of a point of the star's disc, and the disc's flattening there.
 
     Parameters
     ----------
-    x, y, z, r : float
+    point, r : Vec3, float
         Point and its optical radius. [m]
-    a, b, c : float
+    star : Vec3
         True direction of the point of the star. [1]
     bottom, top : float
         Optical radii of the ground and of the top. [m]
@@ -159,7 +159,8 @@ def apparent_direction(x, y, z, r, a, b, c, bottom, top, refraction):
     a, b, c, mu, refraction_jacobian : float
         Direction, cosine of its zenith angle, and d apparent/d true cosine. [1]
     """
-    up, side, ahead = x / r, y / r, z / r
+    a, b, c = star
+    up, side, ahead = point.x / r, point.y / r, point.z / r
     true = min(max(a * up + b * side + c * ahead, -1.0), 1.0)
     mu, refraction_jacobian, _ = apparent_sun(r, true, bottom, top, refraction.refraction_table)
     sine = sqrt(max((1.0 - true) * (1.0 + true), 0.0))
@@ -191,8 +192,8 @@ def refracted_direct_irradiance(
     zenith = np.arccos(np.clip(mu_s, -1.0, 1.0))[:, None] - star_radius * middle
     at = r[:, None] + 0.0 * zenith
     seen, refraction_jacobian = np.empty(at.shape), np.empty(at.shape)
-    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, geometry.refraction_table, seen.ravel(),
-          refraction_jacobian.ravel())  # fmt: skip
+    table, found = geometry.refraction_table, (seen.ravel(), refraction_jacobian.ravel())
+    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, table, *found)
     horizon = -np.sqrt(np.maximum((at - bottom) * (at + bottom), 0.0)) / at
     shines = seen > horizon
     up = np.where(shines, seen, 1.0)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -39,21 +40,46 @@ def density_table(density: DensitySegments) -> FloatArray:
     return np.ascontiguousarray(density.at_nodes.T)
 
 
+class DensityNodes(NamedTuple):
+    """Densities of a shell at its altitude nodes.
+
+    Attributes
+    ----------
+    bottom_radius, thickness : float
+        Radius of the ground and thickness of the shell. [m]
+    first_nodes : array, shape (CELLS + 1,)
+        Index of the first altitude node of each cell, see ``altitude_nodes``. [1]
+    values : array, shape (n, nc)
+        Densities from ``density_table``. [1]
+    """
+
+    bottom_radius: float
+    thickness: float
+    first_nodes: FloatArray
+    values: FloatArray
+
+
+def density_nodes(density: DensitySegments, shell: tuple[float, float]) -> DensityNodes:
+    """Densities at the altitude nodes of a shell with these radii. [m]"""
+    bottom, top = shell
+    return DensityNodes(bottom, top - bottom, density.first_nodes, density_table(density))
+
+
 @compiled_loop
-def accumulate_columns(count, rule, bottom_radius, thickness, nodes, path):
+def accumulate_columns(count, rule, nodes, path):
     """Densities at the points of a ray, and columns up to each.
 
     Parameters
     ----------
     count : int
         Number of points, of all panels.
-    rule, bottom_radius, thickness, nodes :
+    rule, nodes :
         Arguments of ``trace_ray``.
     path : tuple of arrays
         Arrays of ``trace_ray``, in which distance, radius and weight are already filled.
     """
     _, weights, running = rule
-    first_nodes, table = nodes
+    bottom_radius, thickness, first_nodes, table = nodes
     _, radius, weight, density, column, total, scratch = path
     n = weights.size
     constituents = table.shape[1]
@@ -83,7 +109,7 @@ def accumulate_columns(count, rule, bottom_radius, thickness, nodes, path):
 
 
 @compiled_loop
-def trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path):
+def trace_ray(r, mu, edges, edge_count, rule, nodes, path):
     """Points along a ray, with densities and columns up to them.
 
     Parameters
@@ -94,10 +120,8 @@ def trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, p
         Panel edges from ``place_edges`` and their number. [m]
     rule : tuple of arrays
         Nodes (n,), weights (n,) and running integrals (n, n) on [0, 1].
-    bottom_radius, thickness : float
-        Radius of the ground and thickness of the shell. [m]
-    nodes : tuple of arrays
-        First altitude node of each cell, and densities (n, nc) from ``density_table``. [1]
+    nodes : DensityNodes
+        Densities.
     path : tuple of arrays
         Receives distance (p,) [m], radius (p,) [m], weight (p,) [m], density (nc, p) [1],
         column (nc, p) [m] for each point, and the whole column (nc,) [m]; the last is a workspace.
@@ -109,14 +133,12 @@ def trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, p
     """
     points, weights, _ = rule
     count = place_nodes(r, mu, edges, edge_count, points, weights, path[0], path[1], path[2])
-    accumulate_columns(count, rule, bottom_radius, thickness, nodes, path)
+    accumulate_columns(count, rule, nodes, path)
     return count
 
 
 @compiled_loop
-def trace_resolved(
-    r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, strongest, path
-):
+def trace_resolved(r, mu, edges, edge_count, rule, nodes, strongest, path):
     """``trace_ray`` with more panels at the start of an optically thick ray.
 
     A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
@@ -127,7 +149,7 @@ def trace_resolved(
     ----------
     strongest : array, shape (nc,)
         Largest extinction of each constituent at any wavelength. [m⁻¹]
-    r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path :
+    r, mu, edges, edge_count, rule, nodes, path :
         Arguments of ``trace_ray``; six more edges and panels must fit.
 
     Returns
@@ -135,7 +157,7 @@ def trace_resolved(
     int
         Number of points.
     """
-    count = trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
+    count = trace_ray(r, mu, edges, edge_count, rule, nodes, path)
     for _ in range(2):
         tau = 0.0
         for i in range(strongest.size):
@@ -149,7 +171,7 @@ def trace_resolved(
         )
         for cut in cuts:
             edge_count = insert_edge(edges, edge_count, cut)
-        count = trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
+        count = trace_ray(r, mu, edges, edge_count, rule, nodes, path)
     return count
 
 

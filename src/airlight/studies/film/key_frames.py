@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Annotated, Any, Final, TypeAlias
+from typing import Any, Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.physics.units import quantity
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.field import Wavelengths, key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import LONGEST_LIST, TomlTable
 
@@ -121,49 +121,36 @@ class KeyFrames(TomlModel):
     ('1.0 m', '10.0 m')
     """
 
-    path: Annotated[
-        str,
-        Field(
-            label="path",
-            help="Animated number: `observer.altitude`, `view.sun_zenith`,"
-            " `haze.particles.optical_depth`.",
-            kind="text",
-            range=(1, 200),
-            example="observer.altitude",
-        ),
-    ]
-    values: Annotated[
-        Any,
-        Field(
-            label="values",
-            help="Values, with units as in the file; lists for a vector.",
-            listed=True,
-            read=_read_values,
-            example="['2 m', '400 km']",
-        ),
-    ]
-    at: (
-        Annotated[
-            tuple[float, ...],
-            Field(
-                label="moments",
-                help="Normalised time of each value, 0 to 1, ascending; default: equidistant.",
-                range=(0.0, 1.0),
-                listed=True,
-                example="[0, 0.5, 1]",
-            ),
-        ]
-        | None
-    ) = None
-    law: Annotated[
-        str,
-        Field(
-            label="law",
-            help="Interpolation between the values.",
-            kind="choice",
-            choices=lambda: tuple(LAWS),
-        ),
-    ] = "linear"
+    path: str = key(
+        label="path",
+        help="Animated number: `observer.altitude`, `view.sun_zenith`,"
+        " `haze.particles.optical_depth`.",
+        kind="text",
+        range=(1, 200),
+        example="observer.altitude",
+    )
+    values: Any = key(
+        label="values",
+        help="Values, with units as in the file; lists for a vector.",
+        listed=True,
+        read=_read_values,
+        example="['2 m', '400 km']",
+    )
+    at: tuple[float, ...] | None = key(
+        label="moments",
+        help="Normalised time of each value, 0 to 1, ascending; default: equidistant.",
+        range=(0.0, 1.0),
+        listed=True,
+        example="[0, 0.5, 1]",
+        default=None,
+    )
+    law: str = key(
+        label="law",
+        help="Interpolation between the values.",
+        kind="choice",
+        choices=lambda: tuple(LAWS),
+        default="linear",
+    )
 
     def __post_init__(self) -> None:
         numbers, _ = self._numbers()

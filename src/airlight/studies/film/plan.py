@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.studies.film.key_frames import KeyFrames
 
@@ -32,65 +32,52 @@ class FilmPlan(TomlModel):
         Animated parameters.
     """
 
-    frames: Annotated[
-        float,
-        Field(label="frames", help="Number of frames.", range=(1, MOST_FRAMES), example="120"),
-    ] = 120.0
-    rate: Annotated[
-        float,
-        Field(
-            label="rate", help="Frames per second of playback.", range=(1.0, 1000.0), example="30"
-        ),
-    ] = 30.0
-    start: (
-        Annotated[
-            str,
-            Field(
-                label="start",
-                help="Time of the first frame, as for `--time`; with its zone for a scene.",
-                kind="text",
-                range=(1, 100),
-                example="2026-06-21T20:00Z",
-            ),
-        ]
-        | None
-    ) = None
-    end: (
-        Annotated[
-            str,
-            Field(
-                label="end",
-                help="Time of the last frame; requires `start`.",
-                kind="text",
-                range=(1, 100),
-                example="2026-06-21T21:30Z",
-            ),
-        ]
-        | None
-    ) = None
-    zone: (
-        Annotated[
-            str,
-            Field(
-                label="zone",
-                help="Zone of times without one, for a planet: `Europe/Stockholm`, `solar`.",
-                kind="text",
-                range=(1, 60),
-                example="Europe/Stockholm",
-            ),
-        ]
-        | None
-    ) = None
-    keys: Annotated[
-        tuple[KeyFrames, ...],
-        Field(
-            label="keys",
-            help="Animated numbers, see below.",
-            kind="table",
-            table=KeyFrames,
-            example="[[film.keys]] tables",
-        ),
-    ] = ()
+    frames: float = key(
+        label="frames",
+        help="Number of frames.",
+        range=(1, MOST_FRAMES),
+        example="120",
+        default=120.0,
+    )
+    rate: float = key(
+        label="rate",
+        help="Frames per second of playback.",
+        range=(1.0, 1000.0),
+        example="30",
+        default=30.0,
+    )
+    start: str | None = key(
+        label="start",
+        help="Time of the first frame, as for `--time`; with its zone for a scene.",
+        kind="text",
+        range=(1, 100),
+        example="2026-06-21T20:00Z",
+        default=None,
+    )
+    end: str | None = key(
+        label="end",
+        help="Time of the last frame; requires `start`.",
+        kind="text",
+        range=(1, 100),
+        example="2026-06-21T21:30Z",
+        default=None,
+    )
+    zone: str | None = key(
+        label="zone",
+        help="Zone of times without one, for a planet: `Europe/Stockholm`, `solar`.",
+        kind="text",
+        range=(1, 60),
+        example="Europe/Stockholm",
+        default=None,
+    )
+    keys: tuple[KeyFrames, ...] = key(
+        label="keys",
+        help="Animated numbers, see below.",
+        kind="table",
+        table=KeyFrames,
+        example="[[film.keys]] tables",
+        default=(),
+    )
 
     def __post_init__(self) -> None:
         if self.frames != int(self.frames):

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from datetime import datetime
-from typing import Annotated, Any
+from typing import Any
 
 from airlight.errors import ConflictError
 from airlight.planets.parameters import parameters
 from airlight.planets.planet import Planet
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.render.star_points import check_stars
 from airlight.scene import Camera, Scene
@@ -51,123 +50,95 @@ class PlanetView(TomlModel):
         Whether the star catalogue is rendered.
     """
 
-    latitude: Annotated[
-        float,
-        Field(
-            label="latitude",
-            help="Latitude of the observer, north positive.",
-            unit="deg",
-            range=(-90.0, 90.0),
-            example="59.3 deg",
-        ),
-    ] = 25.0
-    longitude: Annotated[
-        float,
-        Field(
-            label="longitude",
-            help="Longitude of the observer, east positive.",
-            unit="deg",
-            range=(-360.0, 360.0),
-            example="18.1 deg",
-        ),
-    ] = 30.0
-    altitude: Annotated[
-        float,
-        Field(
-            label="altitude",
-            help="Altitude of the observer; below 0, down to the planet's"
-            " deepest basin, on the floor of a basin. Not for `orthographic`.",
-            unit="m",
-            range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE),
-            example="2 m",
-        ),
-    ] = 2.0
-    sun_zenith: (
-        Annotated[
-            float,
-            Field(
-                label="sun zenith",
-                help="Zenith angle of the sun; 72 deg without a time.",
-                unit="deg",
-                range=(0.0, 180.0),
-                example="85 deg",
-            ),
-        ]
-        | None
-    ) = None
-    sun_azimuth: (
-        Annotated[
-            float,
-            Field(label="sun azimuth", help="Bearing of the sun; 105 deg without a time.",
-                unit="deg", range=(-360.0, 360.0), example="270 deg or W", read=read_bearing),
-        ]
-        | None
-    ) = None  # fmt: skip
-    look_at: (
-        Annotated[
-            str,
-            Field(
-                label="look at",
-                help="`horizon`, `zenith`, `nadir`, `sun`, `moon` by time, or"
-                " a bearing: `NE`, `315/20`; default: the horizon below the sun.",
-                kind="text",
-                range=(1, 40),
-                example="W",
-            ),
-        ]
-        | None
-    ) = None
-    look_zenith: Annotated[float, LOOK_ZENITH] | None = None
-    look_azimuth: (
-        Annotated[
-            float,
-            Field(
-                label="azimuth",
-                help="Azimuth of the line of sight from the sun's side, 90 to its right.",
-                unit="deg",
-                range=(-360.0, 360.0),
-                example="30 deg",
-            ),
-        ]
-        | None
-    ) = None
-    roll: Annotated[float, ROLL] = 0.0
-    polariser: Annotated[float, POLARISER] | None = None
-    projection: Annotated[
-        str,
-        replace(PROJECTION, choices=lambda: tuple(PROJECTIONS)),
-    ] = "perspective"
-    field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
-    extent: (
-        Annotated[
-            float,
-            Field(
-                label="extent",
-                help="Length from left to right for `orthographic`, by default the whole disc.",
-                unit="m",
-                range=(1.0, HIGHEST_ALTITUDE),
-                example="14000 km",
-            ),
-        ]
-        | None
-    ) = None
-    ground: Annotated[
-        str,
-        Field(
-            label="ground",
-            help="Ground below the map's resolution.",
-            kind="choice",
-            choices=lambda: tuple(GROUNDS),
-        ),
-    ] = "detailed"
-    stars: Annotated[
-        bool,
-        Field(
-            label="stars",
-            help="Stars to magnitude 6.5, by time or by the position of the sun.",
-            kind="switch",
-        ),
-    ] = False
+    latitude: float = key(
+        label="latitude",
+        help="Latitude of the observer, north positive.",
+        unit="deg",
+        range=(-90.0, 90.0),
+        example="59.3 deg",
+        default=25.0,
+    )
+    longitude: float = key(
+        label="longitude",
+        help="Longitude of the observer, east positive.",
+        unit="deg",
+        range=(-360.0, 360.0),
+        example="18.1 deg",
+        default=30.0,
+    )
+    altitude: float = key(
+        label="altitude",
+        help="Altitude of the observer; below 0, down to the planet's"
+        " deepest basin, on the floor of a basin. Not for `orthographic`.",
+        unit="m",
+        range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE),
+        example="2 m",
+        default=2.0,
+    )
+    sun_zenith: float | None = key(
+        label="sun zenith",
+        help="Zenith angle of the sun; 72 deg without a time.",
+        unit="deg",
+        range=(0.0, 180.0),
+        example="85 deg",
+        default=None,
+    )
+    sun_azimuth: float | None = key(
+        label="sun azimuth",
+        help="Bearing of the sun; 105 deg without a time.",
+        unit="deg",
+        range=(-360.0, 360.0),
+        example="270 deg or W",
+        read=read_bearing,
+        default=None,
+    )
+    look_at: str | None = key(
+        label="look at",
+        help="`horizon`, `zenith`, `nadir`, `sun`, `moon` by time, or"
+        " a bearing: `NE`, `315/20`; default: the horizon below the sun.",
+        kind="text",
+        range=(1, 40),
+        example="W",
+        default=None,
+    )
+    look_zenith: float | None = key(LOOK_ZENITH, default=None)
+    look_azimuth: float | None = key(
+        label="azimuth",
+        help="Azimuth of the line of sight from the sun's side, 90 to its right.",
+        unit="deg",
+        range=(-360.0, 360.0),
+        example="30 deg",
+        default=None,
+    )
+    roll: float = key(ROLL, default=0.0)
+    polariser: float | None = key(POLARISER, default=None)
+    projection: str = key(
+        PROJECTION,
+        choices=lambda: tuple(PROJECTIONS),
+        default="perspective",
+    )
+    field_of_view: float | None = key(FIELD_OF_VIEW, default=None)
+    extent: float | None = key(
+        label="extent",
+        help="Length from left to right for `orthographic`, by default the whole disc.",
+        unit="m",
+        range=(1.0, HIGHEST_ALTITUDE),
+        example="14000 km",
+        default=None,
+    )
+    ground: str = key(
+        label="ground",
+        help="Ground below the map's resolution.",
+        kind="choice",
+        choices=lambda: tuple(GROUNDS),
+        default="detailed",
+    )
+    stars: bool = key(
+        label="stars",
+        help="Stars to magnitude 6.5, by time or by the position of the sun.",
+        kind="switch",
+        default=False,
+    )
 
     def __post_init__(self) -> None:
         if self.look_at is not None:

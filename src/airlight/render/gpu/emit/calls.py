@@ -136,6 +136,10 @@ class Calls(Scope, ABC):
             kind = self.emitter.record_type(called)
             if len(node.args) != len(kind.items):
                 raise self.refuse(node, f"{len(kind.items)} fields")
+            chosen = [one for one in map(self.fold, node.args) if isinstance(one, bool)]
+            if len(chosen) == len(node.args):  # they choose code
+                fields = zip(called._fields, map(Constant, chosen), strict=True)
+                return "", StructValue(dict(fields))
             pairs = zip(node.args, kind.items, strict=True)
             return self.dialect.tuple_expr(kind, [self.as_scalar(*pair) for pair in pairs]), kind
         if inspect.isfunction(getattr(called, "py_func", called)):

@@ -100,11 +100,10 @@ class UniformStruct:
                 packed=mark.packed,
                 image=mark.image,
             )
-        where = f"{self.name}.table_{name}"
+        where, pair = f"{self.name}.table_{name}", mark.rank == 4
         return TextureTable(
-            name, mark.texture, mark.rank, mark.spectral, f"{where}.x", where, 1,
-            pair=mark.rank == 4,
-        )  # fmt: skip
+            name, mark.texture, mark.rank, mark.spectral, f"{where}.x", where, 1, pair=pair
+        )
 
     # --- in the shader ------------------------------------------------------------------------
 

@@ -8,16 +8,14 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import INVERSE_PI, lane_array, lane_view, splat
+from airlight.kernel.lanes import INVERSE_PI, splat
 from airlight.physics.optics.altitude_nodes import node_value
 from airlight.physics.optics.reflection import direct_reflectance
 from airlight.render.gpu.solver.ray_sums import (
-    fill_phase_f12,
-    fill_phases,
+    RayAndStar,
     gathered,
     scattered_once,
 )
-from airlight.render.pixels.render_tables import MAX_CONSTITUENTS
 from airlight.solver.moments.first_order import direct_light
 from airlight.solver.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
 from airlight.solver.moments.ray_optics import mu_r_at_end, sky_at, star_at_end, star_from_ray
@@ -27,26 +25,19 @@ from airlight.solver.stokes_frame import star_plane
 
 @inlined
 def ray_and_star(index, sizes, tables):
-    """Ray and star of a texel (radius, direction, sun, azimuth).
+    """``RayAndStar`` of a texel (radius, direction, sun, azimuth).
 
     Parameters
     ----------
     sizes, tables : GridSizes, Tables
         Inputs of the host.
-
-    Returns
-    -------
-    ray, i, a : int
-        Indices of the ray, its radius and its direction.
-    mu_s, nu : float
-        Cosine of the star's zenith angle at the start of the ray, and between star and ray. [1]
     """
     b = index % sizes.turns
     j = index // sizes.turns % sizes.sun_angles
     ray = index // (sizes.turns * sizes.sun_angles)
     i, a = ray // sizes.angles, ray % sizes.angles
     mu_s = tables.sun_cosines[j]
-    return ray, i, a, mu_s, star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b])
+    return RayAndStar(ray, i, a, mu_s, star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b]))
 
 
 @inlined
@@ -55,33 +46,9 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
 
     Texels (radius, direction, sun, azimuth) of I, and of Q in the plane of ray and star.
     """
-    ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
-    first = int(tables.start[i, a])
-    points = int(tables.start[i, a + 1]) - first
-    phases = lane_view(lane_array(MAX_CONSTITUENTS))
-    phase_f12 = lane_view(lane_array(MAX_CONSTITUENTS))
-    fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
-    fill_phase_f12(tables.polarised_moments, nu, sizes.constituents, phase_f12)
-    radiance, scattering_q = scattered_once(
-        tables.turn,
-        tables.radius,
-        first,
-        points,
-        first,
-        strengths,
-        phases,
-        phase_f12,
-        sizes.constituents,
-        1 + first - first_point,
-        depths,
-        sizes.directions,
-        mu_s,
-        nu,
-        sizes.bottom,
-        sizes.top,
-        sizes.star_radius,
-        tables.refraction_table,
-    )
+    path = ray_and_star(index, sizes, tables)
+    ray, i, a, mu_s, nu = path
+    radiance, scattering_q = scattered_once(path, first_point, strengths, depths, sizes, tables)
     share = shares[ray]
     radiance = share * radiance
     if a < sizes.angles // 2:
@@ -147,24 +114,9 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, bounces, irr
 
     Texels (radius, direction, sun, azimuth).
     """
-    ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
-    first = int(tables.start[i, a])
-    points = int(tables.start[i, a + 1]) - first
-    radiance, _, _ = gathered(
-        tables.turn,
-        tables.mu_along,
-        first,
-        points,
-        first - first_point,
-        rows,
-        mu_s,
-        nu,
-        tables.place,
-        sizes.sun_angles,
-        sizes.degree,
-        True,
-        False,
-    )
+    path = ray_and_star(index, sizes, tables)
+    ray, i, a, mu_s, nu = path
+    radiance, _, _ = gathered(path, first_point, rows, True, False, sizes, tables)
     radiance = shares[ray] * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
@@ -179,25 +131,9 @@ def polarised_again(index, sizes, tables, first_point, shares, rows):
 
     Texels (radius, direction, sun, azimuth).
     """
-    ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
-    first = int(tables.start[i, a])
-    points = int(tables.start[i, a + 1]) - first
-    _, stokes_q, stokes_u = gathered(
-        tables.turn,
-        tables.mu_along,
-        first,
-        points,
-        first - first_point,
-        rows,
-        mu_s,
-        nu,
-        tables.place,
-        sizes.sun_angles,
-        sizes.degree,
-        False,
-        True,
-    )
-    share = shares[ray]
+    path = ray_and_star(index, sizes, tables)
+    _, stokes_q, stokes_u = gathered(path, first_point, rows, False, True, sizes, tables)
+    share = shares[path.ray]
     return share * stokes_q, share * stokes_u
 
 

@@ -6,16 +6,36 @@ The source functions are those of ``solver.moments.first_order`` and ``sweep``.
 from __future__ import annotations
 
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
 from airlight.geometry.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.geometry.refraction import star_points
 from airlight.kernel import inlined
-from airlight.kernel.lanes import splat
+from airlight.kernel.lanes import lane_array, lane_view, splat
+from airlight.render.pixels.render_tables import MAX_CONSTITUENTS
 from airlight.solver.moments.first_order import ISOTROPIC, SECOND, transmittance_row
 from airlight.solver.moments.ray_optics import sun_index
-from airlight.solver.moments.source_function import source_at_point
+from airlight.solver.moments.source_function import StarNode, source_at_point
+
+
+class RayAndStar(NamedTuple):
+    """Ray and star of a texel.
+
+    Attributes
+    ----------
+    ray, i, a : int
+        Indices of the ray, its radius and its direction.
+    mu_s, nu : float
+        Cosine of the star's zenith angle at the start of the ray, and between star and ray. [1]
+    """
+
+    ray: int
+    i: int
+    a: int
+    mu_s: float
+    nu: float
 
 
 @inlined
@@ -94,97 +114,81 @@ def fill_phase_f12(polarised_moments, nu, constituents, phases):
 
 
 @inlined
-def scattered_once(
-    turn, radii, first, points, strong, strengths, phases, phase_f12, constituents, deep, depths,
-    directions, mu_s, nu, bottom, top, star_radius, refraction_table,
-):  # fmt: skip
+def scattered_once(path, first_point, strengths, depths, sizes, tables):
     """Single-scattering integral along a ray: I, and Q in the plane of ray and star. [sr⁻¹]
 
     Parameters
     ----------
-    turn, radii : array
-        Arrays ``turn`` and ``radius`` of ``Rays``.
-    first, points : int
-        First point of the ray, and number of points.
-    strong, deep : int
-        Index of the first point in ``strengths`` and ``depths``.
+    path : RayAndStar
+        Ray and star.
+    first_point : int
+        Point of the first row of ``depths`` after that of the ground.
     strengths : lanes, shape (points, nc + 1)
         Amount of each constituent at a point times the transmittance from there [m], and
         ``polarised_transmittance_ratio`` [1].
-    phases, phase_f12 : lanes, shape (nc,)
-        Arrays from ``fill_phases`` and ``fill_phase_f12``. [m⁻¹ sr⁻¹]
-    depths : lanes, shape (points, directions)
+    depths : lanes, shape (1 + points, directions)
         Depths from ``depth_in_row``. [1]
-    mu_s, nu : float
-        Cosines of the star at the start of the ray. [1]
+    sizes, tables : GridSizes, Tables
+        Inputs of the host.
     """
+    bottom, top, directions = sizes.bottom, sizes.top, sizes.directions
+    phases = lane_view(lane_array(MAX_CONSTITUENTS))
+    phase_f12 = lane_view(lane_array(MAX_CONSTITUENTS))
+    fill_phases(tables.moments, path.nu, sizes.degree, sizes.constituents, phases)
+    fill_phase_f12(tables.polarised_moments, path.nu, sizes.constituents, phase_f12)
     radiance, polarised = splat(0.0), splat(0.0)
-    for k in range(points):
-        q = radii[first + k]
-        mu_sk, _ = star_from_point(turn, first + k, mu_s, nu)
-        seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, refraction_table)
+    for k in range(int(tables.start[path.i, path.a]), int(tables.start[path.i, path.a + 1])):
+        q, row = tables.radius[k], 1 + k - first_point
+        mu_sk, _ = star_from_point(tables.turn, k, path.mu_s, path.nu)
+        seen, low, high = star_points(
+            q, mu_sk, bottom, top, sizes.star_radius, tables.refraction_table
+        )
         if seen <= 0.0:
             continue
         x = direction_coordinate(q, low, bottom, top) * (directions - 1)
-        light = transmittance_row(depths, deep + k, x, directions)
+        light = transmittance_row(depths, row, x, directions)
         if high > low:
             x = direction_coordinate(q, high, bottom, top) * (directions - 1)
-            light = light + transmittance_row(depths, deep + k, x, directions)
+            light = light + transmittance_row(depths, row, x, directions)
             light = light * np.float32(0.5)
         source, turned = splat(0.0), splat(0.0)
-        for c in range(constituents):
-            amount = strengths[strong + k, c]
+        for c in range(sizes.constituents):
+            amount = strengths[k, c]
             source = source + phases[c] * amount
             turned = turned + phase_f12[c] * amount
         light = np.float32(seen) * light
         radiance = radiance + light * source
-        polarised = polarised + light * turned * strengths[strong + k, constituents]
+        polarised = polarised + light * turned * strengths[k, sizes.constituents]
     return radiance, polarised
 
 
 @inlined
-def gathered(
-    turn,
-    mu_along,
-    first,
-    points,
-    local,
-    rows,
-    mu_s,
-    nu,
-    places,
-    sun_angles,
-    degree,
-    bright,
-    polarised,
-):
+def gathered(path, first_point, rows, bright, polarised, sizes, tables):
     """Multiple-scattering integral along a ray: I, Q and U. [1]
 
     Parameters
     ----------
-    turn, mu_along : array
-        Arrays of ``Rays``.
-    local : int
-        Index of the first point in ``rows``.
+    path : RayAndStar
+        Ray and star.
+    first_point : int
+        Point of the first row of ``rows``.
     rows : lanes, shape (points, s, 7 + N)
         For each point and sun the node of ``source_at_point``.
-    places : array
-        Lookup table ``Grid.place``.
-    sun_angles, degree : int
-        Number of sun elevations, and highest degree.
     bright, polarised : bool
         Constants: whether I, and whether Q and U are computed; otherwise they are 0.
+    sizes, tables : GridSizes, Tables
+        Inputs of the host.
     """
     radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
-    for k in range(points):
-        mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
-        x = sun_index(mu_sk, places)
-        column = min(int(x), sun_angles - 2)
-        step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
-        sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
+    for k in range(int(tables.start[path.i, path.a]), int(tables.start[path.i, path.a + 1])):
+        mu_sk, nu_k = star_from_point(tables.turn, k, path.mu_s, path.nu)
+        x = sun_index(mu_sk, tables.place)
+        column = min(int(x), sizes.sun_angles - 2)
+        step = azimuth_cosine(tables.mu_along[k], mu_sk, nu_k)
+        sine = sqrt(max((1.0 - step) * (1.0 + step), 0.0))
+        star = StarNode(column, x - column, step, sine)
         light, point_q, point_u = source_at_point(
-            rows, local + k, column, np.float32(x - column), step, sine, degree + 1, degree,
-            bright, polarised, False,
-        )  # fmt: skip
+            rows, k - first_point, star, sizes.degree + 1, sizes.degree, bright, polarised, False
+        )
         radiance, stokes_q, stokes_u = radiance + light, stokes_q + point_q, stokes_u + point_u
     return radiance, stokes_q, stokes_u
