@@ -43,7 +43,7 @@ def give(made: bpy.types.Material) -> None:
     bpy.context.object.data.materials.append(made)
 
 
-def scene_with(map_: Path, told: dict) -> bpy.types.Scene:
+def scene_with(map_: Path, sidecar: dict) -> bpy.types.Scene:
     bpy.ops.wm.read_factory_settings()
     for one in list(bpy.data.objects):
         bpy.data.objects.remove(one)
@@ -60,7 +60,7 @@ def scene_with(map_: Path, told: dict) -> bpy.types.Scene:
         texture = tree.nodes.new("ShaderNodeTexEnvironment")
         texture.image = bpy.data.images.load(str(map_))
         tree.links.new(texture.outputs["Color"], tree.nodes["Background"].inputs["Color"])
-        tree.nodes["Background"].inputs["Strength"].default_value = 1.0 / told["scale"]
+        tree.nodes["Background"].inputs["Strength"].default_value = 1.0 / sidecar["scale"]
     world.cycles.sampling_method, world.cycles.sample_map_resolution = "MANUAL", 4096
     bpy.ops.mesh.primitive_plane_add(size=20e3)
     give(material("grey", (ALBEDO,) * 3, roughness=1.0))
@@ -96,15 +96,15 @@ def looking_down(width: float, x: float, y: float) -> bpy.types.Object:
     return camera
 
 
-def checked(scene: bpy.types.Scene, told: dict) -> None:
+def checked(scene: bpy.types.Scene, sidecar: dict) -> None:
     scene.cycles.use_denoising = False
     plate = drawn(scene, looking_down(1.0, 60.0, -60.0), (16, 16), 2048).mean(axis=(0, 1))
-    wanted = ALBEDO / math.pi * np.array(told["horizontal_irradiance_of_map_W_m2"])
+    wanted = ALBEDO / math.pi * np.array(sidecar["horizontal_irradiance_of_map_W_m2"])
     error = plate / wanted - 1.0
     print("plate", plate.round(3), "by the JSON", wanted.round(3), "error", error.round(4))
     assert np.abs(error).max() < PLATE_BAR, error
-    direction = np.array(told["lights"][0]["direction"])
-    east, north, up = (direction @ told["frame"][axis] for axis in ("east", "north", "up"))
+    direction = np.array(sidecar["lights"][0]["direction"])
+    east, north, up = (direction @ sidecar["frame"][axis] for axis in ("east", "north", "up"))
     width, side = 10.0, 200
     light = drawn(scene, looking_down(width, 0.0, 0.0), (side, side), 64).mean(axis=-1)
     at = (np.arange(side) + 0.5) / side * width - 0.5 * width
@@ -119,7 +119,7 @@ def checked(scene: bpy.types.Scene, told: dict) -> None:
     assert abs(length / wanted_length - 1.0) < 0.05
 
 
-def pictured(scene: bpy.types.Scene, told: dict, output: Path) -> None:
+def pictured(scene: bpy.types.Scene, sidecar: dict, output: Path) -> None:
     bpy.ops.mesh.primitive_uv_sphere_add(
         radius=0.7, location=(1.6, 1.2, 0.7), segments=96, ring_count=48
     )
@@ -139,7 +139,7 @@ def pictured(scene: bpy.types.Scene, told: dict, output: Path) -> None:
     scene.cycles.samples, scene.cycles.use_denoising = 192, True
     scene.render.resolution_x, scene.render.resolution_y = 800, 450
     scene.view_settings.view_transform = "AgX"
-    grey = ALBEDO / math.pi * told["horizontal_irradiance_of_map_W_m2"][1]
+    grey = ALBEDO / math.pi * sidecar["horizontal_irradiance_of_map_W_m2"][1]
     scene.view_settings.exposure = math.log2(0.3 / grey)
     settings = scene.render.image_settings
     settings.file_format, settings.quality = "JPEG", 88
@@ -153,11 +153,11 @@ def main() -> None:
     parser.add_argument("map", type=Path)
     parser.add_argument("picture", type=Path, nargs="?")
     words = parser.parse_args()
-    told = json.loads(words.map.with_suffix(".json").read_text(encoding="utf-8"))
-    scene = scene_with(words.map.resolve(), told)
-    checked(scene, told)
+    sidecar = json.loads(words.map.with_suffix(".json").read_text(encoding="utf-8"))
+    scene = scene_with(words.map.resolve(), sidecar)
+    checked(scene, sidecar)
     if words.picture is not None:
-        pictured(scene, told, words.picture)
+        pictured(scene, sidecar, words.picture)
 
 
 if __name__ == "__main__":

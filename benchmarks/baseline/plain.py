@@ -76,7 +76,7 @@ def look_up(values: NDArray[np.float32], positions: Positions, grid: BrunetonGri
     low, share = zip(
         _cell(horizon / tangent * (grid.radii - 1), 0, grid.radii - 1),
         _cell(view, first, first + half - 1),
-        _cell(sun * (grid.suns - 1), 0, grid.suns - 1),
+        _cell(sun * (grid.sun_angles - 1), 0, grid.sun_angles - 1),
         _cell(0.5 * (positions.nu + 1.0) * (grid.angles - 1), 0, grid.angles - 1),
         strict=True,
     )

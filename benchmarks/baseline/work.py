@@ -89,7 +89,7 @@ def first_order(size: tuple[int, int, int, int] = FULL_SIZE) -> Table:
     """Light that the gas scatters once, without its phase function, on Bruneton's table."""
     layout = BrunetonLayout(
         bottom_radius=BOTTOM, top_radius=TOP,
-        **dict(zip(("radii", "views", "suns", "angles"), size, strict=True)),
+        **dict(zip(("radii", "views", "sun_angles", "angles"), size, strict=True)),
     )  # fmt: skip
     medium = Medium.from_planet(gas_planet(), WAVELENGTHS)
     values = scattered_once(medium, lines_of_sight(layout.positions(), medium))[:, 0]

@@ -237,7 +237,7 @@ def test_the_kernel_leaves_compilation_to_another_process(
     monkeypatch.setattr(preparing.Preparing, "share", property(lambda one: float(ready.is_set())))
     ready = compiler.done
     viewer.set_state({"drawer": "kernel"})
-    assert viewer._pictures.preparing.ahead is compiler
+    assert viewer._pictures.preparing.compiler is compiler
     order = {"number": 1, "view": dict(viewer.session.view), "size": [40, 24]}
     viewer.set_state({"wanted": order})
     viewer._wake()

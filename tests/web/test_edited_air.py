@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.kernel import vectorized
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
 from airlight.render.gpu.device.flat import read_flat
@@ -21,11 +20,12 @@ from airlight.render.gpu.solver.gpu_iteration import pooled_iteration
 from airlight.render.gpu.solver.passes import ONCE
 from airlight.render.gpu.solver.planning import plan_for
 from airlight.solver.moments.acceleration import mixing_weights
-from airlight.solver.moments.convergence import change_at, count_at, estimated_tail
+from airlight.solver.moments.convergence import estimated_tail
 from airlight.solver.moments.delta_m import Optics
 from airlight.solver.moments.packing import level_weights, optically_thick_weights, pack
 from airlight.solver.moments.settings import QUALITIES
 from airlight.solver.moments.solve import solve
+from airlight.solver.moments.stopping import Iteration, Stopping
 from airlight.solver.moments.synthetic_acceleration import SyntheticAcceleration
 from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.page_solver import MOST, page_settings, solver_data
@@ -275,35 +275,35 @@ def test_the_next_guess_is_weighed_as_on_the_cpu(modules: Callable[..., Any]) ->
     shape = (3, 5, 4)
     means = np.exp(rng.normal(scale=4.0, size=(2, *shape))).astype(np.float32)
     thick = np.array([0.0, 0.2, 0.7, 1.0])
+    stopping = Stopping.of_passes(page_settings())
     shrinking = 0.4 ** np.arange(4)[:, None, None] * rng.normal(size=(4, 15, 4))
-    names = ("relativeChange", "counts", "estimatedTail", "mixingWeights", "brightest")
-    page = modules({"solving/convergence": names})
+    page = modules({"solving/convergence": ("Iteration",)})
     got = page.evaluate(
-        """([before, mean, thick, residuals]) => ({
-          change: [...relativeChange(before, mean)],
-          counted: [...counts(mean, thick)],
-          follows: estimatedTail(residuals.map((one) => Float64Array.from(one)), 2),
-          first: estimatedTail([Float64Array.from(residuals[0])], 2),
-          weights: [0, 1, 2, 3].map((lane) =>
-            mixingWeights(residuals.map((one) => Float64Array.from(one)), lane)),
-          brightest: [...brightest(mean)],
-        })""",
+        """([before, mean, thick, stopping, residuals]) => {
+          const iteration = new Iteration(stopping, thick);
+          iteration.update(Float32Array.from(before), Float32Array.from(mean));
+          const first = [[...iteration.residuals[0]], iteration.remainingError];
+          iteration.residuals = residuals.map((one) => Float64Array.from(one));
+          const lanes = [0, 1, 2, 3];
+          return [...first, lanes.map((lane) => iteration.tail(lane)), iteration.weights()
+            .map((one) => [...one]), iteration.tolerance];
+        }""",
         [
             means[0].ravel().tolist(),
             means[1].ravel().tolist(),
             thick.tolist(),
+            dataclasses.asdict(stopping),
             [one.ravel().tolist() for one in shrinking],
         ],
     )
     # rounding errors of float64
-    brightest = means[1].max(axis=(0, 1)).astype(float)
-    before, after = means.astype(float)
-    changes = vectorized(change_at)(before, after, brightest)
-    assert_allclose(got["change"], changes.ravel(), rtol=1e-12)
-    counted = vectorized(count_at)(after, brightest, thick)
-    assert_allclose(got["counted"], counted.ravel(), rtol=1e-6)
-    assert_allclose(got["follows"], estimated_tail(deque(shrinking)), rtol=1e-12)
-    assert_allclose(got["first"], estimated_tail(deque(shrinking[:1])), rtol=1e-12)
+    iteration = Iteration(stopping, thick, 4)
+    iteration.update(*means)
+    changes, remaining, tail, weights, tolerance = got
+    assert_allclose(changes, iteration._residuals[0].ravel(), rtol=1e-6)
+    assert_allclose(remaining, iteration.remaining_error.max(), rtol=1e-6)
+    assert_allclose(tolerance, iteration.tolerance)
+    assert_allclose(tail, estimated_tail(deque(shrinking)), rtol=1e-12)
     for lane in range(4):
-        assert_allclose(got["weights"][lane], mixing_weights(shrinking[..., lane]), rtol=1e-8)
-    assert_allclose(got["brightest"], means[1].max(axis=(0, 1)))
+        wanted = mixing_weights(shrinking[..., lane])
+        assert_allclose(np.array(weights)[:, lane], wanted, rtol=1e-8)

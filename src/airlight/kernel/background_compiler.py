@@ -59,7 +59,7 @@ class BackgroundCompiler:
         except OSError:
             self._ended.set()
             return
-        self._thread = threading.Thread(target=self._listen, name="airlight-ahead", daemon=True)
+        self._thread = threading.Thread(target=self._listen, name="airlight-compiler", daemon=True)
         self._thread.start()
 
     def _listen(self) -> None:

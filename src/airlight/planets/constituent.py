@@ -135,16 +135,16 @@ class Constituent(TomlModel):
 
     @classmethod
     def read_values(
-        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+        cls, table: TomlTable, wavelengths: Wavelengths = None, **known: Any
     ) -> dict[str, Any]:
         """Values of the table; scattering and absorption from any of their forms."""
-        wavelengths = section.wavelengths()
-        matter = next((kind for kind in MATTER if kind.keyword in section), None)
+        wavelengths = table.wavelengths()
+        matter = next((kind for kind in MATTER if kind.keyword in table), None)
         if matter is not None:
-            found = _read_matter(matter, section, wavelengths)
-            return super().read_values(section, wavelengths, **found)
-        values = super().read_values(section, wavelengths)
-        return {**values, **read_coefficients(section, wavelengths, values)}
+            found = _read_matter(matter, table, wavelengths)
+            return super().read_values(table, wavelengths, **found)
+        values = super().read_values(table, wavelengths)
+        return {**values, **read_coefficients(table, wavelengths, values)}
 
     @property
     def _substance(self) -> Matter | Scatterer | None:
@@ -275,20 +275,18 @@ class Constituent(TomlModel):
         return self._substance.phase_function(wavelengths)
 
 
-def _read_matter(
-    kind: type[Matter], section: TomlTable, wavelengths: Wavelengths
-) -> dict[str, Any]:
+def _read_matter(kind: type[Matter], table: TomlTable, wavelengths: Wavelengths) -> dict[str, Any]:
     """Matter, which can be combined with absorption only, and the profile that a gas implies."""
     for name in (*(one.keyword for one in MATTER if one is not kind), *COEFFICIENTS):
-        if name != "absorption" and name in section:
-            raise ConflictError(section.name_of(name), f"cannot be combined with {kind.keyword}")
-    inner = section.section(kind.keyword, f"a table such as {kind.example}")
+        if name != "absorption" and name in table:
+            raise ConflictError(table.name_of(name), f"cannot be combined with {kind.keyword}")
+    inner = table.table(kind.keyword, f"a table such as {kind.example}")
     matter = kind.read(inner, wavelengths)
-    if matter.needs_phase and "phase_function" not in section:
-        name = section.name_of("phase_function")
+    if matter.needs_phase and "phase_function" not in table:
+        name = table.name_of("phase_function")
         raise ConflictError(name, f"is required for {matter.needs_phase}")
-    if "profile" not in section:
-        with section.prefix_errors(), inner.prefix_errors():
+    if "profile" not in table:
+        with table.prefix_errors(), inner.prefix_errors():
             height = matter.own_scale_height()
             if height is not None:
                 return {"matter": matter, "profile": Exponential(scale_height=height)}

@@ -41,12 +41,12 @@ def reflectances() -> tuple[str, ...]:
     return tuple(one.name for one in tables if one.unit == "1" and one.values.ndim == 1)
 
 
-def _read_albedo(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
+def _read_albedo(table: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
     """Read an albedo: a number, a list, or the name of a table."""
-    given = section.raw(name)
+    given = table.raw(name)
     if isinstance(given, str) and given[:1].isalpha():
         return given
-    return section.spectral(name, "1", "0.1", wavelengths)
+    return table.spectral(name, "1", "0.1", wavelengths)
 
 
 def _clouded(table: FileTable) -> bool:

@@ -89,12 +89,12 @@ class Shell(TomlModel):
     )
 
     @classmethod
-    def from_values(cls, section: TomlTable, values: Mapping[str, Any]) -> Self:
+    def from_values(cls, table: TomlTable, values: Mapping[str, Any]) -> Self:
         """Create the shell; its ground has to have a radius, before any range is checked."""
         bottom = values["bottom_radius"]
         if not bottom > 0.0:
-            raise ParameterError(section.name_of("bottom_radius"), bottom, "more than 0 m")
-        return super().from_values(section, values)
+            raise ParameterError(table.name_of("bottom_radius"), bottom, "more than 0 m")
+        return super().from_values(table, values)
 
     def __post_init__(self) -> None:
         if not self.bottom_radius < self.top_radius:
@@ -214,23 +214,23 @@ class Planet(TomlModel):
 
     @classmethod
     def read_values(
-        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+        cls, table: TomlTable, wavelengths: Wavelengths = None, **known: Any
     ) -> dict[str, Any]:
         """Values of the file; without a valid shell, over which depths are spread, no air."""
         found: dict[str, Any] = {"default_wavelengths": None, "constituents": None}
         collector = Collector()
         with collector:
-            found["default_wavelengths"] = section.wavelengths()
+            found["default_wavelengths"] = table.wavelengths()
         with collector:
-            SHELL.read_from(section, None)
+            SHELL.read_from(table, None)
         with contextlib.suppress(ParameterError):  # unknown keys do not hide errors of the air
-            radii = Shell.read_values(section.section(SHELL.name, SHELL.example))
+            radii = Shell.read_values(table.table(SHELL.name, SHELL.example))
             shell = Shell(**radii)
-            section.thickness = shell.top_radius - shell.bottom_radius
+            table.thickness = shell.top_radius - shell.bottom_radius
             found |= radii
             del found["constituents"]
         with collector:
-            found |= super().read_values(section, None, **found)
+            found |= super().read_values(table, None, **found)
         collector.raise_all()
         return found
 

@@ -41,41 +41,41 @@ BLACK_BODY: Final = "black body"
 IRRADIANCE: Final = "W/m^2/nm"
 
 
-def _read_spectrum(section: TomlTable, name: str, wavelengths: Wavelengths) -> str:
-    return section.text(name, "the name of a spectrum, 'astm-g173'")
+def _read_spectrum(table: TomlTable, name: str, wavelengths: Wavelengths) -> str:
+    return table.text(name, "the name of a spectrum, 'astm-g173'")
 
 
-def _read_irradiance(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
+def _read_irradiance(table: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
     """Read a number, a list, or the spectrum of a file at the planet's distance. [W m⁻² nm⁻¹]"""
-    if name not in section:
+    if name not in table:
         return None
-    value, field = section.raw(name), section.name_of(name)
+    value, field = table.raw(name), table.name_of(name)
     if isinstance(value, str) and value.endswith(".csv"):
-        return _spectrum_of_file(section, value, field)
+        return _spectrum_of_file(table, value, field)
     return spectral_of(value, IRRADIANCE, field, wavelengths)
 
 
-def _spectrum_of_file(section: TomlTable, name: str, field: str) -> PerWavelength:
+def _spectrum_of_file(table: TomlTable, name: str, field: str) -> PerWavelength:
     from airlight.physics.spectra.tables import read_spectrum_file
 
-    file = section.beside(name)
+    file = table.beside(name)
     spectrum = read_spectrum_file(file)
     if spectrum.values.ndim != 1:
         raise ParameterError(field, spectrum.columns, "a table with one column of values")
     factor = quantity(f"1 {with_powers(spectrum.unit)}", IRRADIANCE, f"unit of {file.name}")
     if spectrum.distance:
         there = quantity(spectrum.distance, "m", f"distance of {file.name}")
-        here = section.optional_number("distance", "m")
+        here = table.optional_number("distance", "m")
         if here is None:
             raise ParameterError(
-                section.name_of("distance"),
+                table.name_of("distance"),
                 MISSING,
                 f"a length: the spectrum is for {spectrum.distance}",
             )
         if not (there > 0.0 and here > 0.0):
             raise ParameterError(f"distance of {file.name}", spectrum.distance, "a length above 0")
         factor *= (there / here) ** 2
-    with section.prefix_errors():
+    with table.prefix_errors():
         return PerWavelength(
             wavelengths=tuple(spectrum.wavelengths.tolist()),
             values=tuple((factor * spectrum.values).tolist()),

@@ -137,15 +137,15 @@ class LiveRenderer:
     ----------
     device : Device, optional
         GPU, see ``rendering_gpu``; by default the CPU renders.
-    ahead : BackgroundCompiler, optional
+    compiler : BackgroundCompiler, optional
         Process that compiles the loops of the CPU; frames wait for it.
     """
 
     def __init__(
-        self, device: Device | None = None, ahead: BackgroundCompiler | None = None
+        self, device: Device | None = None, compiler: BackgroundCompiler | None = None
     ) -> None:
         self._device = device
-        self._ahead = ahead
+        self._compiler = compiler
         self._gpu: GpuRenderer | None = None
         self._loaded: object = None
         self._compiling: threading.Thread | None = None
@@ -246,7 +246,7 @@ class LiveRenderer:
             raise Cancelled("a newer view")
         # Loading the loop that marches takes longer than the first frame at full resolution.
         coarse = coarse and (
-            self._ahead is None or (self._has_rendered and self._are_compiled(MARCH_LOOPS))
+            self._compiler is None or (self._has_rendered and self._are_compiled(MARCH_LOOPS))
         )
         self._has_rendered = True
         for number, part in enumerate(self._scales(step.scene) if coarse else [1.0]):
@@ -266,8 +266,8 @@ class LiveRenderer:
         self, loops: tuple[Any, ...], stale: Callable[[], bool] = lambda: True
     ) -> bool:
         """Whether loops are compiled; waits until they are or the request is stale."""
-        ahead = self._ahead
-        return ahead is None or all(ahead.wait(loop, stale) for loop in loops)
+        compiler = self._compiler
+        return compiler is None or all(compiler.wait(loop, stale) for loop in loops)
 
     def _scales(self, scene: Scene) -> Iterator[float]:
         """Scales of successive frames."""

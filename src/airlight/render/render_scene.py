@@ -281,12 +281,12 @@ def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
     if not reads_table or thread_count() < 2:
         yield
         return
-    ahead = start_sky_view_compiler()
+    compiler = start_sky_view_compiler()
     try:
         with FIRST_COMPILATION.elsewhere(SKY_VIEW_LOOPS):
             yield
             for loop in SKY_VIEW_LOOPS:
-                if not ahead.wait(loop, cancel or (lambda: False)):
+                if not compiler.wait(loop, cancel or (lambda: False)):
                     raise Cancelled("cancelled")
     finally:
-        ahead.close()
+        compiler.close()

@@ -80,9 +80,9 @@ def bearing(value: Measure, field: str) -> float:
         raise ParameterError(field, value, allowed) from None
 
 
-def read_bearing(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
+def read_bearing(table: TomlTable, name: str, wavelengths: Wavelengths) -> float:
     """Bearing of a key of a file: a point of the compass, or an angle with its unit. [deg]"""
-    value = section.raw(name)
+    value = table.raw(name)
     if isinstance(value, str) and compass_bearing(value) is not None and value[-1:].isalpha():
-        return bearing(value, section.name_of(name))
-    return section.number(name, "deg", "225 deg or SW")
+        return bearing(value, table.name_of(name))
+    return table.number(name, "deg", "225 deg or SW")

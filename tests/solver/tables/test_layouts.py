@@ -24,12 +24,12 @@ from airlight.solver.tables.transmittance import TransmittanceLayout
 SHELLS = [(6360e3, 6460e3), (3389.5e3, 3509.5e3), (2575e3, 3175e3), (1e5, 1.01e5)]
 LAYOUTS: list[tuple[type[TableLayout], dict[str, Any]]] = [
     (TransmittanceLayout, {"radii": 12, "views": 20}),
-    (IrradianceLayout, {"radii": 5, "suns": 9}),
-    (BrunetonLayout, {"radii": 6, "views": 12, "suns": 7, "angles": 5}),
-    *((AtmospherePlusLayout, {"altitudes": 6, "views": 33, "suns": 7, "mapping": one})
+    (IrradianceLayout, {"radii": 5, "sun_angles": 9}),
+    (BrunetonLayout, {"radii": 6, "views": 12, "sun_angles": 7, "angles": 5}),
+    *((AtmospherePlusLayout, {"altitudes": 6, "views": 33, "sun_angles": 7, "mapping": one})
       for one in MAPPINGS),
-    (AtmospherePlusLayout, {"altitudes": 6, "views": 33, "suns": 7, "surface_offset": 0.0}),
-    (AtmospherePlusLayout, {"altitudes": 6, "views": 33, "suns": 7, "lower_weight": 0.0}),
+    (AtmospherePlusLayout, {"altitudes": 6, "views": 33, "sun_angles": 7, "surface_offset": 0.0}),
+    (AtmospherePlusLayout, {"altitudes": 6, "views": 33, "sun_angles": 7, "lower_weight": 0.0}),
 ]  # fmt: skip
 
 every_layout = pytest.mark.parametrize(("kind", "sizes"), LAYOUTS)
@@ -103,7 +103,7 @@ def test_bruneton_s_look_up_reproduces_what_is_linear_in_its_coordinates(
 ) -> None:
     # Linear interpolation is exact for linear functions: a second computation from the mappings.
     layout = BrunetonLayout(
-        bottom_radius=shell[0], top_radius=shell[1], radii=5, views=10, suns=6, angles=4
+        bottom_radius=shell[0], top_radius=shell[1], radii=5, views=10, sun_angles=6, angles=4
     )
     lowest = layout.grid.lowest
 
@@ -162,7 +162,7 @@ def test_texels_lie_inside_the_shell_and_ends_are_exact(
 def test_a_table_s_azimuth_is_that_of_its_positions() -> None:
     # cos of the angle between two directions, from their vectors.
     layout = AtmospherePlusLayout(
-        bottom_radius=6360e3, top_radius=6460e3, altitudes=3, views=9, suns=7, azimuth=50.0
+        bottom_radius=6360e3, top_radius=6460e3, altitudes=3, views=9, sun_angles=7, azimuth=50.0
     )
     p = layout.positions()
     view, sun = np.arccos(p.mu), np.arccos(p.mu_s)
@@ -206,7 +206,7 @@ def test_halves_hold_every_value_without_overflow(largest: float) -> None:
         ({"surface_slope": 0.0, "surface_offset": 0.0}, "surface_slope, surface_offset"),
         ({"azimuth": np.nan}, "azimuth"),
         ({"top_radius": 6e6}, "bottom_radius, top_radius"),
-        ({"suns": 1 << 20, "views": 1 << 10}, "size"),
+        ({"sun_angles": 1 << 20, "views": 1 << 10}, "size"),
     ],
 )
 def test_what_cannot_be_is_refused(wrong: dict[str, Any], field: str) -> None:
@@ -223,7 +223,7 @@ def test_odd_halves_and_unknown_layouts_are_refused() -> None:
         layout_of("octahedral", shell)
     with pytest.raises(ParameterError, match="parameters of layout"):
         layout_of("bruneton-irradiance", {**shell, "rings": 3})
-    layout = IrradianceLayout(**shell, radii=2, suns=2)
+    layout = IrradianceLayout(**shell, radii=2, sun_angles=2)
     with pytest.raises(ParameterError, match="shape of x"):
         Table(name="x", quantity="", unit="1", layout=layout, channels=("a",),
               values=np.zeros((2, 2)))  # fmt: skip

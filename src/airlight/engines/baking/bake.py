@@ -238,11 +238,11 @@ def _layout(
         "top_radius": solution.medium.top_radius,
     }
     if layout == "bruneton":
-        sizes = dict(zip(("radii", "views", "suns", "angles"), size or (), strict=False))
+        sizes = dict(zip(("radii", "views", "sun_angles", "angles"), size or (), strict=False))
         return BrunetonLayout(**shell, **sizes, mu_s_min=mu_s_min)
     if mu_s_min is not None:
         raise ConflictError("mu_s_min", "requires layout bruneton")
-    sizes = dict(zip(("altitudes", "views", "suns"), size or (), strict=False))
+    sizes = dict(zip(("altitudes", "views", "sun_angles"), size or (), strict=False))
     return AtmospherePlusLayout(**shell, **sizes, mapping=mapping, azimuth=azimuth)
 
 

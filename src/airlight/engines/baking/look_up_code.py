@@ -193,7 +193,7 @@ def _shape(baked: Baked) -> TextureShape:
     levels, heights = baked.tables["irradiance"].layout.shape
     return TextureShape(
         bottom=layout.bottom_radius, top=layout.top_radius, lowest=layout.grid.lowest,
-        radii=layout.radii, views=layout.views, suns=layout.suns, angles=layout.angles,
+        radii=layout.radii, views=layout.views, sun_angles=layout.sun_angles, angles=layout.angles,
         rows=rows, columns=columns, levels=levels, heights=heights,
         nodes=phase_texture(baked).shape[1],
     )  # fmt: skip
@@ -203,7 +203,7 @@ def _readers(baked: Baked, shape: TextureShape, dialect: ShaderDialect) -> list[
     """Functions that read a texel of each texture by its index in memory."""
     readers = []
     for name in _of_light(baked):
-        width, height = shape.angles * shape.suns, shape.views
+        width, height = shape.angles * shape.sun_angles, shape.views
         lines = [
             dialect.let("x", I32, f"index % {width}"),
             dialect.let("y", I32, f"(index / {width}) % {height}"),

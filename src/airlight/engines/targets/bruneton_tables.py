@@ -109,7 +109,7 @@ class SkyTables:
     def irradiance_at(self, positions: Positions) -> FloatArray:
         """Diffuse horizontal irradiance, shape (n, 3). [W m⁻² nm⁻¹]"""
         radii, suns, _ = self.irradiance.shape
-        layout = IrradianceLayout(**self._shell, radii=radii, suns=suns)
+        layout = IrradianceLayout(**self._shell, radii=radii, sun_angles=suns)
         return layout.interpolate(self.irradiance, positions)
 
     @property
@@ -257,7 +257,7 @@ def sliced(values: Stored) -> Stored:
 
 def unsliced(flat: Stored, layout: BrunetonLayout) -> Stored:
     """Inverse of ``sliced`` for four channels, from numbers in the order of a file."""
-    shape = (layout.radii, layout.views, layout.angles, layout.suns, 4)
+    shape = (layout.radii, layout.views, layout.angles, layout.sun_angles, 4)
     return np.ascontiguousarray(flat.reshape(shape).transpose(0, 1, 3, 2, 4))
 
 

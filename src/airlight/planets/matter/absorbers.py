@@ -33,9 +33,9 @@ from airlight.planets.spectral import (
 FloatArray = npt.NDArray[np.float64]
 
 
-def _column(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
+def _column(table: TomlTable, name: str, wavelengths: Wavelengths) -> float:
     """Read a column of molecules. [m⁻²]"""
-    return column_of_gas(section.required(name, "a column such as '345 DU'"), section.name_of(name))
+    return column_of_gas(table.required(name, "a column such as '345 DU'"), table.name_of(name))
 
 
 _COLUMN: Final = Field(
@@ -92,11 +92,11 @@ class OzoneAbsorption(Absorber):
         return reference_coefficient(self.column, vertical_column, ozone_cross_section(wavelengths))
 
 
-def _read_cross_section(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
+def _read_cross_section(table: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
     """Read the name of a table, or the numbers of a file or a list. [m²]"""
     allowed = "a table's name, a path to a CSV file, or such as '1.4e-21 cm^2'"
-    value = section.required(name, allowed)
-    field = section.name_of(name)
+    value = table.required(name, allowed)
+    field = table.name_of(name)
     if not isinstance(value, str):
         return spectral_of(value, "m^2", field, wavelengths)
     from airlight.physics.spectra.tables import spectrum_names
@@ -104,21 +104,21 @@ def _read_cross_section(section: TomlTable, name: str, wavelengths: Wavelengths)
     if value in spectrum_names():
         return value
     if value.endswith(".csv"):
-        return _from_file(section, value, field)
+        return _from_file(table, value, field)
     if value[:1].isalpha():
         raise ParameterError(field, value, suggestion(value, spectrum_names()))
     return spectral_of(value, "m^2", field, wavelengths)
 
 
-def _from_file(section: TomlTable, name: str, field: str) -> PerWavelength:
+def _from_file(table: TomlTable, name: str, field: str) -> PerWavelength:
     from airlight.physics.spectra.tables import read_spectrum_file
     from airlight.physics.units import quantity
 
-    spectrum = read_spectrum_file(section.beside(name))
+    spectrum = read_spectrum_file(table.beside(name))
     unit = quantity(f"1 {spectrum.unit}", "m^2", f"unit of {field}")
     if spectrum.values.ndim != 1:
         raise ParameterError(field, spectrum.columns, "a table with one column of values")
-    with section.prefix_errors():
+    with table.prefix_errors():
         return PerWavelength(
             wavelengths=tuple(spectrum.wavelengths.tolist()),
             values=tuple((unit * spectrum.values).tolist()),
@@ -275,15 +275,15 @@ class SmallParticleAbsorption(Absorber):
 
     @classmethod
     def read_values(
-        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+        cls, table: TomlTable, wavelengths: Wavelengths = None, **known: Any
     ) -> dict[str, Any]:
         """Fields, with both parts of the index; see ``TomlModel.read_values``."""
-        index = section.section("index", "a table such as { real = 1.5, imaginary = 0.1 }")
+        index = table.table("index", "a table such as { real = 1.5, imaginary = 0.1 }")
         parts = {
             part: index.spectral(part, "1", "1.5", wavelengths) for part in ("real", "imaginary")
         }
         index.finish()
-        return super().read_values(section, wavelengths, **parts)
+        return super().read_values(table, wavelengths, **parts)
 
     @property
     def limits(self) -> Limits:

@@ -140,39 +140,39 @@ COEFFICIENTS: Final = tuple(dict.fromkeys(name for form in _FORMS for name in fo
 
 
 def read_coefficients(
-    section: TomlTable, wavelengths: Wavelengths, values: Mapping[str, Any]
+    table: TomlTable, wavelengths: Wavelengths, values: Mapping[str, Any]
 ) -> dict[str, Spectral | Scatterer | Absorber]:
     """Scattering and absorption at relative density 1, from any form. [m⁻¹]
 
     Parameters
     ----------
-    section : TomlTable
+    table : TomlTable
         Table of the constituent.
     wavelengths : tuple of float or None
         Wavelengths that its lists belong to. [nm]
     values : mapping
         Values of its fields; an optical depth is spread over the column of ``profile``.
     """
-    given = tuple(sorted(key for key in COEFFICIENTS if key in section))
+    given = tuple(sorted(key for key in COEFFICIENTS if key in table))
     if given not in {tuple(sorted(form)) for form in _FORMS}:
         forms = "; ".join(" + ".join(form) for form in _FORMS)
         shown: Any = ", ".join(given) if given else MISSING
-        raise ParameterError(section.name_of("scattering"), shown, f"one of these sets: {forms}")
+        raise ParameterError(table.name_of("scattering"), shown, f"one of these sets: {forms}")
     scattering = values.get("scattering", 0.0)
     if isinstance(scattering, Scatterer) and "absorption" not in given and len(given) > 1:
-        raise ConflictError(section.name_of(given[0]), "cannot be combined with a scattering gas")
+        raise ConflictError(table.name_of(given[0]), "cannot be combined with a scattering gas")
     extinction, albedo, depth = (
-        key.checked(key.read_from(section, wavelengths), section.name_of(key.name))
+        key.checked(key.read_from(table, wavelengths), table.name_of(key.name))
         if key.name in given
         else None
         for key in OTHER_FORMS
     )
     if depth is not None:
-        extinction = _over(depth, _column(section, values["profile"]), section)
+        extinction = _over(depth, _column(table, values["profile"]), table)
 
     def part(key: str, formula: str, *spectra: Spectral) -> Spectral:
         fractions = () if albedo is None else (albedo,)
-        return _combined(formula, wavelengths, section.name_of(key), spectra, fractions)
+        return _combined(formula, wavelengths, table.name_of(key), spectra, fractions)
 
     if extinction is not None and albedo is not None:
         return {
@@ -182,27 +182,27 @@ def read_coefficients(
     if albedo is not None:
         return {"absorption": part("absorption", "s (1 - a)/a", scattering)}
     if extinction is not None:
-        SCATTERING.checked(scattering, section.name_of("scattering"))
+        SCATTERING.checked(scattering, table.name_of("scattering"))
         for e, s in zip(*(_listed(x, wavelengths) for x in (extinction, scattering)), strict=True):
             if s > e:
                 allowed = f"at least the scattering, {s:g} /m"
-                raise ParameterError(section.name_of("extinction"), e, allowed)
+                raise ParameterError(table.name_of("extinction"), e, allowed)
         return {"absorption": part("absorption", "e - s", extinction, scattering)}
     return {}
 
 
-def _column(section: TomlTable, profile: Profile) -> float:
-    assert section.thickness is not None
-    with section.prefix_errors():
-        column = profile.column(section.thickness)
+def _column(table: TomlTable, profile: Profile) -> float:
+    assert table.thickness is not None
+    with table.prefix_errors():
+        column = profile.column(table.thickness)
     if not column > 0.0:
-        raise ParameterError(section.name_of("profile"), profile, "a density above 0 in the shell")
+        raise ParameterError(table.name_of("profile"), profile, "a density above 0 in the shell")
     return column
 
 
-def _over(depth: Spectral, column: float, section: TomlTable) -> Spectral:
+def _over(depth: Spectral, column: float, table: TomlTable) -> Spectral:
     """Extinction at relative density 1, from an optical depth. [m⁻¹]"""
-    field = section.name_of("extinction")
+    field = table.name_of("extinction")
     values = [_in_range(one / column, field) for one in _listed(depth, None)]
     if isinstance(depth, PerWavelength):
         return PerWavelength(wavelengths=depth.wavelengths, values=tuple(values))

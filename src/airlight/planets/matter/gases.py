@@ -133,20 +133,18 @@ class _Molecules(Scatterer):
 
     @classmethod
     def read_values(
-        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+        cls, table: TomlTable, wavelengths: Wavelengths = None, **known: Any
     ) -> dict[str, Any]:
         """Values of the fields; the number density from mass density and molar mass if given."""
-        values = super().read_values(section, wavelengths, **known)
-        if not any(key.name in section for key in _MASS_KEYS):
+        values = super().read_values(table, wavelengths, **known)
+        if not any(key.name in table for key in _MASS_KEYS):
             return values
-        density, molar_mass = (
-            section.number(key.name, key.unit, key.example) for key in _MASS_KEYS
-        )
-        _MASS_KEYS[1].checked(molar_mass, section.name_of("molar_mass"))
+        density, molar_mass = (table.number(key.name, key.unit, key.example) for key in _MASS_KEYS)
+        _MASS_KEYS[1].checked(molar_mass, table.name_of("molar_mass"))
         if "number_density" in values:
-            name = section.name_of("number_density")
+            name = table.name_of("number_density")
             raise ConflictError(name, "cannot be combined with mass_density")
-        _MASS_KEYS[0].checked(density, section.name_of("mass_density"))
+        _MASS_KEYS[0].checked(density, table.name_of("mass_density"))
         values["number_density"] = rayleigh.number_density_from_mass(density, molar_mass)
         return values
 

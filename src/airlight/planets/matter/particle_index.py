@@ -60,15 +60,15 @@ def index_words() -> tuple[str, ...]:
     return tuple(index_names())
 
 
-def read_particle_index(section: TomlTable, name: str, wavelengths: Wavelengths) -> ParticleIndex:
+def read_particle_index(table: TomlTable, name: str, wavelengths: Wavelengths) -> ParticleIndex:
     """Read the index of a key: a table's name, a path, numbers or a mixture."""
     allowed = "the name of a table, or a table such as { real = 1.5, … }"
-    value = section.required(name, allowed)
+    value = table.required(name, allowed)
     if isinstance(value, str):
-        table = value if value in index_words() else str(section.beside(value))
-        with section.prefix_errors():
-            return TableIndex(table=table if table.endswith(".csv") else value)
-    within = section.section(name, allowed)
+        named = value if value in index_words() else str(table.beside(value))
+        with table.prefix_errors():
+            return TableIndex(table=named if named.endswith(".csv") else value)
+    within = table.table(name, allowed)
     kind = MixedIndex if MixedIndex.keyword in within else GivenIndex
     return kind.read(within, wavelengths)
 

@@ -45,7 +45,7 @@ class KindOfTable(Protocol):
     def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
         """Keys that this table may have, or any table of the kind."""
 
-    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Any:
+    def read(self, table: TomlTable, wavelengths: Wavelengths = None) -> Any:
         """Read the object from a table of a planet file."""
 
 
@@ -83,7 +83,7 @@ class Field:
     listed : bool
         Whether the value is a list of numbers or tables, as for a field that is a tuple.
     read : callable, optional
-        ``read(section, name, wavelengths)``, if the form in the file differs from the field's.
+        ``read(table, name, wavelengths)``, if the form in the file differs from the field's.
     required : bool, optional
         Whether the key is required; default: whether the field has no default.
     left_out : object
@@ -244,34 +244,34 @@ class Field:
 
     # --- of the file --------------------------------------------------------------------------
 
-    def read_from(self, section: TomlTable, wavelengths: Wavelengths) -> Any:
+    def read_from(self, table: TomlTable, wavelengths: Wavelengths) -> Any:
         """Value of the key in a table of the file, in ``unit``; None if omitted."""
         name = self.name
-        if not self.required and name not in section:
+        if not self.required and name not in table:
             return None
         if self.read is not None:
-            return self.read(section, name, wavelengths)
-        if self.table is not None and (self.kind == "table" or isinstance(section.raw(name), dict)):
-            return self._table_from(section, wavelengths)
+            return self.read(table, name, wavelengths)
+        if self.table is not None and (self.kind == "table" or isinstance(table.raw(name), dict)):
+            return self._table_from(table, wavelengths)
         if self.kind == "choice":
-            return section.choice(name, self.choices())
+            return table.choice(name, self.choices())
         if self.kind == "text":
-            return section.text(name, self.example)
+            return table.text(name, self.example)
         if self.kind == "switch":
-            return section.switch(name)
+            return table.switch(name)
         if self.listed:
-            return section.numbers(name, self.unit, self.example)
+            return table.numbers(name, self.unit, self.example)
         if self.spectral:
-            return section.spectral(name, self.unit, self.example, wavelengths)
-        return section.number(name, self.unit, self.example)
+            return table.spectral(name, self.unit, self.example, wavelengths)
+        return table.number(name, self.unit, self.example)
 
-    def _table_from(self, section: TomlTable, wavelengths: Wavelengths) -> Any:
+    def _table_from(self, table: TomlTable, wavelengths: Wavelengths) -> Any:
         """Object of the key's table, or one for each table of its list."""
         assert self.table is not None
         if not self.listed:
-            return self.table.read(section.section(self.name, self.example), wavelengths)
+            return self.table.read(table.table(self.name, self.example), wavelengths)
         made, collector = [], Collector()
-        for one in section.sections(self.name, self.example):
+        for one in table.tables(self.name, self.example):
             with collector:
                 made.append(self.table.read(one, wavelengths))
         collector.raise_all()

@@ -34,11 +34,11 @@ class NestedTable:
         """Single key of the table."""
         return (self.field,)
 
-    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Any:
+    def read(self, table: TomlTable, wavelengths: Wavelengths = None) -> Any:
         """Read the object from the table within a table of a planet file."""
-        section.note((self.keyword,))
-        section.finish()
-        return self.field.read_from(section, wavelengths)
+        table.note((self.keyword,))
+        table.finish()
+        return self.field.read_from(table, wavelengths)
 
 
 @dataclass
@@ -76,13 +76,13 @@ class Alternatives(Generic[Kind]):
                 found.setdefault(key.name, key)
         return tuple(found.values())
 
-    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Kind:
+    def read(self, table: TomlTable, wavelengths: Wavelengths = None) -> Kind:
         """Read the object from a table of a planet file."""
         for one in self.classes:
-            if one.keyword in section:
-                return one.read(section, wavelengths)
+            if one.keyword in table:
+                return one.read(table, wavelengths)
         raise ParameterError(
-            f"a key of {section.path}", ", ".join(section.names)[:60], ", ".join(self.keywords)
+            f"a key of {table.path}", ", ".join(table.names)[:60], ", ".join(self.keywords)
         )
 
 
@@ -116,11 +116,11 @@ class TaggedUnion(Alternatives[Kind]):
         kind = self.of((table or {}).get("kind"))
         return (choice, *(kind.declared(table) if kind else super().declared()))
 
-    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Kind:
+    def read(self, table: TomlTable, wavelengths: Wavelengths = None) -> Kind:
         """Read the object from a table of a planet file."""
-        kind = self.of(section.choice("kind", self.keywords))
-        with section.prefix_errors():
-            return kind.read(section, wavelengths)  # type: ignore[no-any-return]
+        kind = self.of(table.choice("kind", self.keywords))
+        with table.prefix_errors():
+            return kind.read(table, wavelengths)  # type: ignore[no-any-return]
 
     def default_table(self, keyword: str, old: FileTable, thickness: float) -> dict[str, Any]:
         """Default table of a kind; see ``TomlModel.default_table``."""

@@ -39,7 +39,7 @@ class TomlModel:
         return (*fields_of(cls).values(), *([WAVELENGTHS] if cls.has_wavelengths else []), *extra)
 
     @classmethod
-    def read(cls, section: TomlTable, wavelengths: Wavelengths = None) -> Self:
+    def read(cls, table: TomlTable, wavelengths: Wavelengths = None) -> Self:
         """Read the object from a table of a planet file.
 
         Parameters
@@ -50,47 +50,47 @@ class TomlModel:
         collector = Collector()
         values: dict[str, Any] | None = None
         with collector:
-            values = cls.read_values(section, wavelengths)
+            values = cls.read_values(table, wavelengths)
         if values is None:  # unread tables are no unknown keys
-            section.note(key.name for key in cls.declared())
+            table.note(key.name for key in cls.declared())
         with collector:
-            section.finish()
+            table.finish()
         made: Self | None = None
         with collector:
-            made = None if values is None else cls.from_values(section, values)
+            made = None if values is None else cls.from_values(table, values)
         collector.raise_all()
         assert made is not None
         return made
 
     @classmethod
     def read_values(
-        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+        cls, table: TomlTable, wavelengths: Wavelengths = None, **known: Any
     ) -> dict[str, Any]:
         """Values of the table, by field; keys that it leaves out are absent.
 
         Parameters
         ----------
-        section, wavelengths
+        table, wavelengths
             See ``read``.
         **known
             Values by field that are not read.
         """
         if cls.has_wavelengths:
-            wavelengths = section.wavelengths()
+            wavelengths = table.wavelengths()
         found: dict[str, Any] = dict(known)
         collector = Collector()
         for field, key in fields_of(cls).items():
             if field not in known:
                 with collector:
-                    found[field] = key.read_from(section, wavelengths)
+                    found[field] = key.read_from(table, wavelengths)
         collector.raise_all()
         return {field: value for field, value in found.items() if value is not None}
 
     @classmethod
-    def from_values(cls, section: TomlTable, values: Mapping[str, Any]) -> Self:
+    def from_values(cls, table: TomlTable, values: Mapping[str, Any]) -> Self:
         """Object with these fields; errors name the key of the file."""
         names = {field: key.name for field, key in fields_of(cls).items()}
-        with section.prefix_errors():
+        with table.prefix_errors():
             try:
                 return cls(**values)
             except ParameterError as error:

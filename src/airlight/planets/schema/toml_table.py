@@ -135,14 +135,14 @@ class TomlTable:
         value = self.required(key, f"such as {example!r}, or a list with one for each wavelength")
         return spectral_of(value, unit, self.name_of(key), wavelengths)
 
-    def section(self, key: str, allowed: str) -> TomlTable:
+    def table(self, key: str, allowed: str) -> TomlTable:
         """Table within this table."""
         value = self.required(key, allowed)
         if not isinstance(value, dict):
             raise ParameterError(self.name_of(key), value, allowed)
         return TomlTable(value, self.name_of(key), self.folder, self.thickness)
 
-    def sections(self, key: str, allowed: str) -> list[TomlTable]:
+    def tables(self, key: str, allowed: str) -> list[TomlTable]:
         """List of tables within this table."""
         value = self.required(key, allowed)
         if not isinstance(value, list) or len(value) > LONGEST_LIST:

@@ -160,14 +160,14 @@ def _read(file: TomlTable, changes: Mapping[str, Mapping[str, Any]]) -> System:
     values["description"] = file.text("description", "a sentence", "")
     time = _time(file)
     bodies, lights = [], []
-    for one in file.sections("bodies", "one or more [[bodies]] tables"):
+    for one in file.tables("bodies", "one or more [[bodies]] tables"):
         bodies.append(_placed_body(Body.read(one, one.wavelengths()), time, one))
-    for one in file.sections("lights", "one or more [[lights]] tables"):
+    for one in file.tables("lights", "one or more [[lights]] tables"):
         lights.append(_placed_light(Light.read(one), time, one))
     values["stars"] = file.switch("stars")
     values |= {"bodies": tuple(bodies), "lights": tuple(lights), "time": time}
-    values["observer"] = SceneObserver.read(file.section("observer", "a table [observer]"))
-    values["view"] = View.read(file.section("camera", "a table [camera]"))
+    values["observer"] = SceneObserver.read(file.table("observer", "a table [observer]"))
+    values["view"] = View.read(file.table("camera", "a table [camera]"))
     file.finish()
     return System(**values)
 
@@ -189,11 +189,11 @@ def _time(file: TomlTable) -> datetime | None:
     return time
 
 
-def _placed_body(body: Body, time: datetime | None, section: TomlTable) -> Body:
+def _placed_body(body: Body, time: datetime | None, table: TomlTable) -> Body:
     """Body with position and rotation by ephemeris."""
     if body.ephemeris is None:
         return body
-    place = position_of(body.ephemeris, _needed(time, section))
+    place = position_of(body.ephemeris, _needed(time, table))
     return replace(
         body,
         ephemeris=None,
@@ -203,15 +203,15 @@ def _placed_body(body: Body, time: datetime | None, section: TomlTable) -> Body:
     )
 
 
-def _placed_light(light: Light, time: datetime | None, section: TomlTable) -> Light:
+def _placed_light(light: Light, time: datetime | None, table: TomlTable) -> Light:
     """Star with position by ephemeris."""
     if light.ephemeris is None:
         return light
-    place = position_of(light.ephemeris, _needed(time, section))
+    place = position_of(light.ephemeris, _needed(time, table))
     return replace(light, ephemeris=None, position=place.position)
 
 
-def _needed(time: datetime | None, section: TomlTable) -> datetime:
+def _needed(time: datetime | None, table: TomlTable) -> datetime:
     if time is None:
-        raise ConflictError(section.name_of("ephemeris"), "requires time")
+        raise ConflictError(table.name_of("ephemeris"), "requires time")
     return time

@@ -1,7 +1,6 @@
 """Convergence of the iteration: acceleration weights, remaining error, Anderson step.
 
-Formulas of a single node or wavelength are kernels, shared with the browser; the others take the
-whole field of one batch of wavelengths.
+Formulas of a node or a wavelength, and loops over a field, are emitted for the page, too.
 """
 
 from __future__ import annotations
@@ -26,6 +25,11 @@ DARK: Final = 1e-6
 DIM: Final = 5e-2
 #: The accelerated iterate is used only above this fraction of the swept one.
 LEAST: Final = 0.1
+#: Fraction of the largest mean radiance below which lateral transport dominates, at small and at
+#: large transport optical depth; and the depth above which it increases. [1]
+SHALLOW_THRESHOLD: Final = 1e-4
+DEEP_THRESHOLD: Final = 2e-2
+TRANSPORT_DEPTH_SCALE: Final = 5.0
 #: Limits of the estimated ratio of successive changes. [1]
 SHRINKAGE: Final = 0.3
 STALLED: Final = 0.75
@@ -43,6 +47,20 @@ def acceleration_weights(mean: Float32Array, lateral_threshold: FloatArray) -> F
     return np.asarray(
         acceleration_weight(np.maximum(relative * column, 0.0), lateral_threshold), np.float32
     )
+
+
+def lateral_threshold_of(transport, thick):
+    """Fraction of the largest mean radiance below which lateral transport dominates. [1]
+
+    Parameters
+    ----------
+    transport : float
+        Vertical transport optical depth of a wavelength. [1]
+    thick : float
+        Weight of optically thick media, from ``optically_thick_weight``. [1]
+    """
+    depth_ratio = max(transport / TRANSPORT_DEPTH_SCALE, 1.0)
+    return thick * min(SHALLOW_THRESHOLD * depth_ratio**3, DEEP_THRESHOLD)
 
 
 def acceleration_weight(bright, lateral_threshold):
@@ -90,9 +108,8 @@ def counted_changes(before, after, thick, night, brightest, changes, largest):
     changes : array, shape (r·n, w)
         Receives the changes. [1]
     largest : array, shape (w,)
-        Receives the largest change; NaN propagates. [1]
+        Receives the largest change; 0 before. NaN propagates. [1]
     """
-    largest[:] = 0.0
     for i in range(after.shape[0]):
         for j in range(after.shape[1]):
             n = i * after.shape[1] + j
@@ -114,9 +131,14 @@ def positivity_fixup(
 ) -> Light:
     """Accelerated iterate, or the swept one where the former is negative or far below it."""
     field, sky = field.copy(), sky.copy()
-    _replace(field, swept_field, field[:, :, 0] > LEAST * swept_field[:, :, 0])
-    _replace(sky[:, :, None], swept_sky[:, :, None], sky > LEAST * swept_sky)
+    replace_unsound(field, swept_field, is_positive(field[:, :, 0], swept_field[:, :, 0]))
+    replace_unsound(sky[:, :, None], swept_sky[:, :, None], is_positive(sky, swept_sky))
     return field, sky
+
+
+def is_positive(accelerated, swept):
+    """Whether an accelerated mean radiance, or array of such, is not far below the swept one."""
+    return accelerated > LEAST * swept
 
 
 def clip_to_first_order(light: Float32Array, least: Float32Array) -> None:
@@ -126,11 +148,11 @@ def clip_to_first_order(light: Float32Array, least: Float32Array) -> None:
     """
     sound = light[:, :, 0] >= least[:, :, 0]
     if not sound.all():
-        _replace(light, np.where(least[:, :, :1] > 0.0, least, np.float32(0.0)), sound)
+        replace_unsound(light, np.where(least[:, :, :1] > 0.0, least, np.float32(0.0)), sound)
 
 
 @compiled_loop
-def _replace(light, other, sound):
+def replace_unsound(light, other, sound):
     """Replace moments (r, s, k, 8) by ``other`` where ``sound`` (r, s, 8) is false."""
     for i in range(light.shape[0]):
         for j in range(light.shape[1]):
@@ -178,10 +200,15 @@ def geometric_tail(last, before, steps):
     return ratio / (1.0 - ratio)
 
 
+def tail_steps(residuals):
+    """Number of steps over which the convergence rate is measured, from that of residuals."""
+    return min(residuals, BACK + 1) - 1
+
+
 def estimated_tail(residuals: deque[FloatArray]) -> FloatArray:
     """Geometric tail from the norms of the residuals (n, w) of up to two steps, shape (w,). [1]"""
     sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
-    steps = min(len(sizes), BACK + 1) - 1
+    steps = tail_steps(len(sizes))
     return np.asarray(vectorized(geometric_tail)(sizes[-1], sizes[-1 - steps], steps))
 
 
@@ -206,14 +233,14 @@ def anderson_step(
         total, latest = mixed[part].reshape(shape), last.reshape(shape)
         total[:] = 0.0
         for iterate, weight in zip(iterates, weights, strict=True):
-            _add(total, iterate[part].reshape(shape), weight)
-        _approach(total, latest, damping)
+            add_weighted(total, iterate[part].reshape(shape), weight)
+        damp_towards(total, latest, damping)
         # Where it is dark, or the combination is far from the latest iterate, keep the latter.
-        _replace(total, latest, _is_near(total[:, :, 0], latest[:, :, 0]))
+        replace_unsound(total, latest, _is_near(total[:, :, 0], latest[:, :, 0]))
 
 
 @compiled_loop
-def _add(total, light, weight):
+def add_weighted(total, light, weight):
     """Add moments (r, s, k, 8) times weights of the wavelengths (8,)."""
     for i in range(total.shape[0]):
         for j in range(total.shape[1]):
@@ -223,7 +250,7 @@ def _add(total, light, weight):
 
 
 @compiled_loop
-def _approach(mixed, last, damping):
+def damp_towards(mixed, last, damping):
     """Damp the mixed moments (r, s, k, 8) towards the last ones by ``damping`` (r, s, 8)."""
     for i in range(mixed.shape[0]):
         for j in range(mixed.shape[1]):

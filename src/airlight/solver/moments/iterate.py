@@ -26,6 +26,7 @@ from airlight.solver.moments.convergence import (
 )
 from airlight.solver.moments.energy_balance import energy_error
 from airlight.solver.moments.first_order import first_order_radius, first_order_radius_narrow
+from airlight.solver.moments.fixed_point import Backend, iterate
 from airlight.solver.moments.grid import MomentsGrid
 from airlight.solver.moments.harmonics import EVEN, POLARISED
 from airlight.solver.moments.iterate_update import (
@@ -38,7 +39,7 @@ from airlight.solver.moments.packing import pack_light
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.moments.setup import Setup, WavelengthBatch
 from airlight.solver.moments.spectral_initial_guess import SpectralGuess, wavelength_batches
-from airlight.solver.moments.stopping import Iteration, Stopping
+from airlight.solver.moments.stopping import SWEEP_ITERATES, Iteration, Stopping
 from airlight.solver.moments.sweep import sweep_radius, sweep_radius_narrow
 from airlight.solver.moments.synthetic_acceleration import SyntheticAcceleration
 from airlight.solver.refracted_geometry import RefractedGeometry
@@ -237,6 +238,81 @@ class _Watch:
         )
 
 
+class _Sweeps(Backend):
+    """Sweeps of one batch of wavelengths on the CPU, with synthetic acceleration.
+
+    Parameters
+    ----------
+    batch : WavelengthBatch
+        Set-up of the sweeps.
+    first, light : two arrays, shapes (r, s, k, 8), (r, s, 8)
+        First order, and initial guess.
+    synthetic : SyntheticAcceleration
+        Acceleration of the residual.
+    """
+
+    def __init__(
+        self,
+        batch: WavelengthBatch,
+        first: Light,
+        light: Light,
+        synthetic: SyntheticAcceleration,
+        cancel: Cancel | None,
+    ) -> None:
+        setup = batch.setup
+        self.batch, self.first, self.light, self.best = batch, first, light, light
+        self.synthetic, self.cancel = synthetic, cancel
+        self.degrees = batch.all_degrees
+        if setup.refinement > 1:
+            self.degrees = active_degrees(batch, light[0])
+        self.scheme = 0
+        self._iterates: deque[Light] = deque(maxlen=SWEEP_ITERATES)
+        # Arrays are reused between sweeps: the system would clear new memory page by page.
+        self._swept, self._residual, self._mixed = (_arrays(batch) for _ in range(3))
+        self._packed: Float32Array | None = None
+
+    def fall_back(self) -> bool | None:
+        """Restart from the best iterate with the next of ``FALLBACK_SCHEMES``."""
+        if self.scheme + 1 >= len(FALLBACK_SCHEMES):
+            return None
+        self.light, self.scheme = self.best, self.scheme + 1
+        scheme = FALLBACK_SCHEMES[self.scheme]
+        self.synthetic.set_lateral_scale(scheme.lateral_scale)
+        self._iterates.clear()
+        return scheme.acceleration > 0.0
+
+    def sweep(self) -> None:
+        """Compute the next iterate: a sweep of the guess, and its accelerated residual."""
+        batch, light, swept = self.batch, self.light, self._swept
+        level, refinement = batch.level, batch.setup.refinement
+        packed = pack_light(
+            light[0], light[1][:1], level, refinement, narrow=batch.narrow, out=self._packed
+        )
+        self._packed = packed[0]
+        loop = sweep_radius_narrow if batch.narrow else sweep_radius
+        gather(batch, loop, *packed, self.degrees, cancel=self.cancel, out=swept)
+        add_first_order(swept, self.first, light, self._residual)
+        mean, scheme = swept[0][:, :, 0], FALLBACK_SCHEMES[self.scheme]
+        self._weight = scheme.acceleration * acceleration_weights(mean, batch.lateral_threshold)
+        accelerated = None
+        if scheme.acceleration > 0.0:
+            accelerated = self.synthetic.apply(*self._residual, (mean, swept[1]))
+        fields = light, self._residual, accelerated, swept
+        factors = self._weight, POLARISED_OVER_RELAXATION, scheme.relaxation
+        self._iterates.append(next_iterate(*fields, *factors))
+
+    def reduce(self) -> tuple[Float32Array, Float32Array]:
+        """Mean radiances, and their sums with the changes of the polarised moments."""
+        return convergence_quantities(self.light[0], self._iterates[-1][0])
+
+    def combine(self, weights: FloatArray, *, best: bool) -> None:
+        """Compute the next guess, damped by the acceleration weights."""
+        if best:
+            self.best = self._iterates[-1]
+        anderson_step(self._iterates, weights.astype(np.float32), self._weight, self._mixed)
+        self.light = self._mixed
+
+
 def _iterate(
     batch: WavelengthBatch,
     watch: _Watch,
@@ -249,81 +325,35 @@ def _iterate(
     ``spectral_guess`` has corrections of other batches, and receives those of this unless ``last``.
     """
     setup, used = batch.setup, batch.used
-    once, sweep = first_order_radius, sweep_radius
-    if batch.narrow:
-        once, sweep = first_order_radius_narrow, sweep_radius_narrow
     watch.report()
-    first_field, first_sky = gather(
-        batch,
-        once,
-        setup.column_rows,
-        setup.star_ratios,
-        setup.geometry.refraction_table,
-        cancel=cancel,
-    )
+    loop = first_order_radius_narrow if batch.narrow else first_order_radius
+    tables = setup.column_rows, setup.star_ratios, setup.geometry.refraction_table
+    first_field, first_sky = first = gather(batch, loop, *tables, cancel=cancel)
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0, 0
     synthetic = SyntheticAcceleration(batch, cancel)
-    guess = positivity_fixup(*synthetic.apply(first_field, first_sky), first_field, first_sky)
+    guess = positivity_fixup(*synthetic.apply(*first), *first)
     light, least = guess, 2
     nm = setup.medium.wavelengths[batch.which]
     between = None if spectral_guess is None else spectral_guess.corrected(nm, guess)
     if between is not None:
-        light, least = positivity_fixup(*between, first_field, first_sky), 1
+        light, least = positivity_fixup(*between, *first), 1
     iteration = Iteration(Stopping.of_sweeps(setup.settings), batch.thick, used, least=least)
     if spectral_guess is not None and between is not None:
         iteration.set_prediction(spectral_guess.expected(nm, guess))
-    degrees = active_degrees(batch, light[0]) if setup.refinement > 1 else batch.all_degrees
-    iterates: deque[Light] = deque(maxlen=iteration.stopping.iterates)
-    best, at, scheme = light, 0, FALLBACK_SCHEMES[0]
-    # Arrays are reused between sweeps: the system would clear new memory page by page.
-    swept, residual, mixed = _arrays(batch), _arrays(batch), _arrays(batch)
-    packed: tuple[Float32Array | None, Float32Array | None] = None, None
-    while iteration.unfinished():
-        if iteration.diverging and at + 1 < len(FALLBACK_SCHEMES):
-            light, at = best, at + 1
-            scheme = FALLBACK_SCHEMES[at]
-            synthetic.set_lateral_scale(scheme.lateral_scale)
-            iterates.clear()
-            iteration.restart(accelerated=scheme.acceleration > 0.0)
-        packed = pack_light(
-            light[0],
-            light[1][:1],
-            batch.level,
-            setup.refinement,
-            narrow=batch.narrow,
-            out=packed[0],
-        )
-        gather(batch, sweep, *packed, degrees, cancel=cancel, out=swept)
-        add_first_order(swept, (first_field, first_sky), light, residual)
-        mean = swept[0][:, :, 0]
-        weight = scheme.acceleration * acceleration_weights(mean, batch.lateral_threshold)
-        accelerated_residual = (
-            synthetic.apply(*residual, (mean, swept[1])) if scheme.acceleration > 0.0 else None
-        )
-        iterates.append(
-            next_iterate(
-                light,
-                residual,
-                accelerated_residual,
-                swept,
-                weight,
-                POLARISED_OVER_RELAXATION,
-                scheme.relaxation,
-            )
-        )
-        iteration.update(*convergence_quantities(light[0], iterates[-1][0]))
-        watch.report(iteration)
-        if spectral_guess is not None and iteration.sweeps == 1:
-            spectral_guess.check(nm, iteration.remaining_error)
-        if iteration.improved:
-            best = iterates[-1]
-        anderson_step(iterates, iteration.weights().astype(np.float32), weight, mixed)
-        light = mixed
+
+    def report(state: Iteration) -> None:
+        watch.report(state)
+        if spectral_guess is not None and state.sweeps == 1:
+            spectral_guess.check(nm, state.remaining_error)
+
+    sweeps = _Sweeps(batch, first, light, synthetic, cancel)
+    iterate(sweeps, iteration, report=report, cancel=cancel)
     if iteration.sweeps == 0:
         watch.report(iteration)
     elif spectral_guess is not None and not last:
-        spectral_guess.add(nm, guess, light)
-    field, sky = light
+        spectral_guess.add(nm, guess, sweeps.light)
+    field, sky = sweeps.light
     clip_to_first_order(field, first_field)
-    return field[..., :used], sky[..., :used], iteration.remaining_error, iteration.sweeps, at
+    residual = iteration.remaining_error
+    return field[..., :used], sky[..., :used], residual, iteration.sweeps, sweeps.scheme

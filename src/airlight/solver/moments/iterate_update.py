@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop
+from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import run_blocks
 from airlight.solver.moments.convergence import LEAST, Light
 from airlight.solver.moments.harmonics import POLARISED
@@ -78,27 +79,17 @@ def next_iterate(
     factors = over_relaxation if accelerated_residual is not None else np.ones_like(over_relaxation)
 
     def at(i: int) -> None:
-        _accelerate(
-            *(one[0][i] for one in (light, residual, accelerated, swept)),
-            weight[i],
-            factors,
-            np.float32(relaxation),
-            out[0][i],
-        )
-        _accelerate(
-            *(one[1][i][:, None] for one in (light, residual, accelerated, swept)),
-            weight[i],
-            factors[:0],
-            np.float32(relaxation),
-            out[1][i][:, None],
-        )
+        for part, over in ((0, factors), (1, factors[:0])):
+            fields = (one[part][i] for one in (light, residual, accelerated, swept, out))
+            *given, found = (one.reshape(one.shape[0], -1, LANES) for one in fields)
+            accelerate_nodes(*given, weight[i], over, np.float32(relaxation), found)
 
     run_blocks(at, light[0].shape[0])
     return out
 
 
 @compiled_loop
-def _accelerate(light, residual, accelerated, swept, weight, over_relaxation, relaxation, out):
+def accelerate_nodes(light, residual, accelerated, swept, weight, over_relaxation, relaxation, out):
     """Fill ``out`` (s, k, 8) with ``next_iterate`` at one radius.
 
     ``weight`` has shape (s, 8), ``over_relaxation`` the factors of the last moments; the other
@@ -136,13 +127,13 @@ def convergence_quantities(
     radii, sun_angles, terms, lanes = after.shape
     earlier = np.empty((radii, sun_angles, 1 + POLARISED, lanes), np.float32)
     mean = np.empty_like(earlier)
-    _fill_quantities(before, after, terms - POLARISED, earlier, mean)
+    fill_quantities(before, after, terms - POLARISED, earlier, mean)
     shape = (radii, -1, lanes)
     return earlier.reshape(shape), mean.reshape(shape)
 
 
 @compiled_loop
-def _fill_quantities(before, after, polarised, earlier, mean):
+def fill_quantities(before, after, polarised, earlier, mean):
     """Fill ``convergence_quantities``; ``polarised`` is the index of the first polarised moment."""
     for i in range(after.shape[0]):
         for j in range(after.shape[1]):

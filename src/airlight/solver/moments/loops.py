@@ -9,29 +9,16 @@ from airlight.physics.optics.altitude_nodes import _refine
 from airlight.physics.optics.density_profile import _relative_densities, segment_density
 from airlight.physics.optics.phase_functions import cornette_shanks, rayleigh
 from airlight.physics.optics.phase_table import _interpolate
+from airlight.solver.moments import convergence, iterate_update
+from airlight.solver.moments import synthetic_acceleration as synthetic
 from airlight.solver.moments.acceleration import combine
-from airlight.solver.moments.convergence import (
-    _add,
-    _approach,
-    _replace,
-    counted_changes,
-    geometric_tail,
-    is_near,
-)
 from airlight.solver.moments.delta_m import delta_m_scaling
 from airlight.solver.moments.elimination import factorise, substitute
 from airlight.solver.moments.first_order import first_order_radius_narrow
-from airlight.solver.moments.iterate_update import _accelerate, _add_orders, _fill_quantities
 from airlight.solver.moments.opaque_culling import norms_into
 from airlight.solver.moments.packing import _pack_sun
 from airlight.solver.moments.rays import trace_into
 from airlight.solver.moments.sweep import sweep_radius_narrow
-from airlight.solver.moments.synthetic_acceleration import (
-    _legendre_rows,
-    multiply,
-    spread_onto,
-    take_terms,
-)
 from airlight.solver.moments.synthetic_operator import gather_levels, project_radii, synthetic_rows
 from airlight.solver.tables.columns import _columns, table_rays
 
@@ -52,23 +39,23 @@ LOOPS: Final = (
     first_order_radius_narrow,
     synthetic_rows,
     gather_levels,
-    _legendre_rows,
+    synthetic._legendre_rows,
     project_radii,
     factorise,
-    take_terms,
+    synthetic.take_terms,
     substitute,
-    multiply,
-    spread_onto,
-    _replace,
+    synthetic.multiply,
+    synthetic.spread_onto,
+    convergence.replace_unsound,
     _pack_sun,
     sweep_radius_narrow,
-    _add_orders,
-    _accelerate,
-    _fill_quantities,
-    counted_changes,
-    geometric_tail,
+    iterate_update._add_orders,
+    iterate_update.accelerate_nodes,
+    iterate_update.fill_quantities,
+    convergence.counted_changes,
+    convergence.geometric_tail,
     combine,
-    _add,
-    _approach,
-    is_near,
+    convergence.add_weighted,
+    convergence.damp_towards,
+    convergence.is_near,
 )

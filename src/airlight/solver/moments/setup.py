@@ -19,6 +19,7 @@ from airlight.physics.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
 from airlight.solver.layered_columns import column_radii
 from airlight.solver.moments.adaptive_quadrature import adaptive_quadrature
+from airlight.solver.moments.convergence import lateral_threshold_of
 from airlight.solver.moments.delta_m import Optics, panel_ends
 from airlight.solver.moments.grid import MomentsGrid, make_grid
 from airlight.solver.moments.harmonics import Harmonics, harmonics, moment_count
@@ -40,10 +41,6 @@ from airlight.solver.tables.columns import ColumnTable
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Fraction of the largest mean radiance below which lateral transport dominates, at small and at
-#: large transport optical depth; and the depth above which it increases. [1]
-LATERAL_THRESHOLD: Final = (1e-4, 2e-2)
-TRANSPORT_DEPTH_SCALE: Final = 5.0
 #: Transport optical depth above which numerical diffusion between sun elevations exceeds physical
 #: diffusion. Titan has 13 in the blue, Venus 12 to 100. [1]
 OPTICALLY_DEEP: Final = 20.0
@@ -273,7 +270,6 @@ class Setup:
         rays, norm = cull_opaque(rays, air)
         transport = self.optics.transport_depth[which]
         thick = filled(optically_thick_weights(self.optics.scattering_depth[which]))
-        depth_ratio = np.maximum(filled(transport) / TRANSPORT_DEPTH_SCALE, 1.0)
         length = self.optics.depths.diffusion_length
         radius = self.medium.bottom_radius
         return WavelengthBatch(
@@ -284,8 +280,9 @@ class Setup:
             norm=norm,
             level=self.level(which),
             thick=thick,
-            lateral_threshold=thick
-            * np.minimum(LATERAL_THRESHOLD[0] * depth_ratio**3, LATERAL_THRESHOLD[1]),
+            lateral_threshold=np.array(
+                [lateral_threshold_of(*one) for one in zip(filled(transport), thick, strict=True)]
+            ),
             # Diffusion: a layer of transport depth τ loses π²/(3τ²) of its energy per scattering.
             diffusion_length=length / radius,
             grid_diffusion=NUMERICAL_DIFFUSION * length / radius * float(transport.max()),

@@ -94,7 +94,24 @@ class Stopping:
 
     def tolerance_in(self, thick: FloatArray) -> float:
         """Tolerance for the thickest lane. [1]"""
-        return self.tolerance * (1.0 - self.stricter * float(thick.max()))
+        return stricter_tolerance(self.tolerance, self.stricter, float(thick.max()))
+
+
+def stricter_tolerance(tolerance: float, stricter: float, thick: float) -> float:
+    """Tolerance in a medium whose weight of ``Stopping.stricter`` is ``thick``. [1]"""
+    return tolerance * (1.0 - stricter * thick)
+
+
+def is_converged(sweeps: int, fewest: int, error: float, tolerance: float) -> bool:
+    """Whether the remaining error is within the tolerance, after the fewest sweeps at least."""
+    return sweeps >= fewest and error <= tolerance
+
+
+def logarithmic_progress(error: float, tolerance: float) -> float:
+    """Progress: 0 at a remaining error of 1, 1 at the tolerance. [1]"""
+    if error <= tolerance:
+        return 1.0
+    return log(min(error, 1.0)) / log(tolerance)
 
 
 class Iteration:
@@ -146,7 +163,8 @@ class Iteration:
 
     def unfinished(self) -> bool:
         """Whether another order is needed."""
-        if self.sweeps >= self._fewest and self.remaining_error.max() <= self.tolerance:
+        error = float(self.remaining_error.max())
+        if is_converged(self.sweeps, self._fewest, error, self.tolerance):
             return False
         self._look_ahead()
         if self.sweeps >= self.stopping.most_sweeps:
@@ -165,7 +183,7 @@ class Iteration:
             Quantities of the guess and of its iterate, from ``convergence_quantities``. [1]
         """
         lanes = self.thick.size
-        changes, largest = np.empty((after.size // lanes, lanes)), np.empty(lanes)
+        changes, largest = np.empty((after.size // lanes, lanes)), np.zeros(lanes)
         brightest = after.max(axis=(0, 1)).astype(float)
         counted_changes(before, after, self.thick, self.stopping.night, brightest, changes, largest)
         self._residuals.append(changes)
@@ -243,8 +261,5 @@ class Iteration:
 
     @property
     def progress(self) -> float:
-        """Logarithmic progress: 0 at a remaining error of 1, 1 at the tolerance."""
-        largest = float(self.remaining_error.max())
-        if largest <= self.tolerance:
-            return 1.0
-        return log(min(largest, 1.0)) / log(self.tolerance)
+        """Progress from ``logarithmic_progress``. [1]"""
+        return logarithmic_progress(float(self.remaining_error.max()), self.tolerance)

@@ -75,7 +75,7 @@ class SyntheticAcceleration:
             synthetic_rows(i, tables, self.degree, self.order, weights, bounced)
             seen = weights
             if parts > 1:
-                seen = np.empty((angles, self.radii, *weights.shape[2:]), np.float32)
+                seen = np.zeros((angles, self.radii, *weights.shape[2:]), np.float32)
                 gather_levels(cubics, weights, seen)
             functions = _functions(rays.mu[i], expansion)
             for m, (first, width) in enumerate(zip(starts[:-1], widths, strict=True)):
@@ -226,7 +226,7 @@ def spread_onto(matrix, values, terms, inner, scale, out):
     """
     sun_angles = matrix.shape[0]
     given, factors, found = lane_view(values), lane_view(scale), lane_view(out)
-    for n in range(len(terms)):
+    for n in range(terms.size):
         for t in range(inner, sun_angles - inner, 4):
             # Four at a time, so that each value is loaded once.
             second, third = min(t + 1, sun_angles - 1), min(t + 2, sun_angles - 1)
@@ -239,13 +239,13 @@ def spread_onto(matrix, values, terms, inner, scale, out):
                 three = three + matrix[third, s] * value
                 four = four + matrix[fourth, s] * value
             last = sun_angles - inner
-            found[t, terms[n]] += one * factors[t]
+            found[t, int(terms[n])] += one * factors[t]
             if t + 1 < last:
-                found[t + 1, terms[n]] += two * factors[t + 1]
+                found[t + 1, int(terms[n])] += two * factors[t + 1]
             if t + 2 < last:
-                found[t + 2, terms[n]] += three * factors[t + 2]
+                found[t + 2, int(terms[n])] += three * factors[t + 2]
             if t + 3 < last:
-                found[t + 3, terms[n]] += four * factors[t + 3]
+                found[t + 3, int(terms[n])] += four * factors[t + 3]
 
 
 @compiled_loop

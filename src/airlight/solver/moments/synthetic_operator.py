@@ -84,11 +84,10 @@ def gather_levels(cubics, weights, out):
     weights : array, shape (a, f, pairs, 8)
         Weights from ``synthetic_rows``, at f levels. [1]
     out : array, shape (a, r, pairs, 8)
-        Receives the weights at r radii. [1]
+        Receives the weights at r radii; 0 before. [1]
     """
-    levels, radii = cubics.shape
+    levels, radii = cubics.shape[0], cubics.shape[1]
     given, found = lane_view(weights), lane_view(out)
-    out[:] = 0.0
     for a in range(given.shape[0]):
         for level in range(levels):
             for i in range(radii):
@@ -114,7 +113,7 @@ def project_radii(projections, weights, first, width, out):
         Receives the weights of the moments at each radius in the quantities, in the first r·width
         columns; others are unchanged. [1]
     """
-    quantities, angles = projections.shape
+    quantities, angles = projections.shape[0], projections.shape[1]
     given, found = lane_view(weights), lane_view(out)
     for q in range(quantities):
         for i in range(given.shape[1]):

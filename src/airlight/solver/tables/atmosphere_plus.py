@@ -60,7 +60,7 @@ class AtmospherePlusGrid(NamedTuple):
         Powers of the power mappings, 1 for linear; ``view_power`` also of all three regions. [1]
     lower, slope, offset : float
         Weights w_L1, w_S1, w_S0 of the regions. [1]
-    altitudes, views, suns : int
+    altitudes, views, sun_angles : int
         Texels along each axis.
     first_sky : array, shape (altitudes,)
         Index of the first view texel above the horizon at each altitude.
@@ -77,7 +77,7 @@ class AtmospherePlusGrid(NamedTuple):
     offset: float
     altitudes: int
     views: int
-    suns: int
+    sun_angles: int
     first_sky: NDArray[np.int64]
 
 
@@ -151,7 +151,7 @@ def atmosphere_plus_corners(r, mu, mu_s, to_ground, grid):
         altitude,
         _view_cell(altitude[0], region, x, v, to_ground, grid),
         _view_cell(altitude[1], region, x, v, to_ground, grid),
-        cell(w * (grid.suns - 1), 0, grid.suns - 1),
+        cell(w * (grid.sun_angles - 1), 0, grid.sun_angles - 1),
     )
 
 
@@ -161,7 +161,7 @@ def atmosphere_plus_look_up(values, r, mu, mu_s, to_ground, grid, out):
 
     Parameters
     ----------
-    values : array, shape (altitudes, views, suns, channels)
+    values : array, shape (altitudes, views, sun_angles, channels)
     r, mu, mu_s, to_ground, grid
         Arguments of ``atmosphere_plus_corners``.
     out : array, shape (channels,)
@@ -212,10 +212,11 @@ def _fill_positions(grid, r, mu, mu_s, to_ground):
         h = altitude_from_coordinate(u, thickness, grid.altitude_power)
         for j in range(grid.views):
             cosine, ground = view_of_texel(i, j, grid)
-            for k in range(grid.suns):
+            for k in range(grid.sun_angles):
                 r[at] = min(bottom + h, grid.top_radius)
                 mu[at], to_ground[at] = cosine, ground
-                mu_s[at] = cosine_from_coordinate(index_coordinate(k, grid.suns), grid.sun_power)
+                w = index_coordinate(k, grid.sun_angles)
+                mu_s[at] = cosine_from_coordinate(w, grid.sun_power)
                 at += 1
 
 
@@ -229,7 +230,7 @@ class AtmospherePlusLayout(TableLayout):
         Radii of the ground and of the top of the shell. [m]
     mapping : str
         Name of the mapping: ``linear``, ``power`` or ``weighted-power``.
-    altitudes, views, suns : int
+    altitudes, views, sun_angles : int
         Texels along each axis.
     altitude_power, view_power, sun_power : float
         Powers, 1 to 10; ``linear`` takes 1 for all. [1]
@@ -245,7 +246,7 @@ class AtmospherePlusLayout(TableLayout):
     mapping: str = "weighted-power"
     altitudes: int = 32
     views: int = 256
-    suns: int = 32
+    sun_angles: int = 32
     altitude_power: float = DEFAULT_POWER
     view_power: float = DEFAULT_POWER
     sun_power: float = DEFAULT_POWER
@@ -292,7 +293,7 @@ class AtmospherePlusLayout(TableLayout):
             self.surface_offset,
             self.altitudes,
             self.views,
-            self.suns,
+            self.sun_angles,
             first_sky,
         )
         _find_first_sky(grid, first_sky)
@@ -331,7 +332,7 @@ class AtmospherePlusLayout(TableLayout):
             Axis(name="mu", size=self.views, unit="1", parameters=view, mapping=of_view),
             Axis(
                 name="mu_s",
-                size=self.suns,
+                size=self.sun_angles,
                 unit="1",
                 parameters={} if linear else {"power": self.sun_power},
                 mapping="(mu_s + 1) / 2" if linear else "(sign(mu_s) |mu_s|^(1/power) + 1) / 2",
@@ -367,7 +368,7 @@ class AtmospherePlusLayout(TableLayout):
             "mapping": self.mapping,
             "altitudes": self.altitudes,
             "views": self.views,
-            "suns": self.suns,
+            "suns": self.sun_angles,
             "altitude_power": self.altitude_power,
             "view_power": self.view_power,
             "sun_power": self.sun_power,

@@ -42,7 +42,7 @@ class BrunetonGrid(NamedTuple):
         Radii of the ground and of the top of the shell. [m]
     lowest : float
         Smallest zenith cosine of the sun. [1]
-    radii, views, suns, angles : int
+    radii, views, sun_angles, angles : int
         Texels along r, mu, mu_s, nu.
     """
 
@@ -51,7 +51,7 @@ class BrunetonGrid(NamedTuple):
     lowest: float
     radii: int
     views: int
-    suns: int
+    sun_angles: int
     angles: int
 
 
@@ -70,12 +70,12 @@ def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
     """
     bottom, top = grid.bottom_radius, grid.top_radius
     x = view_coordinate(r, mu, to_ground, bottom, top)
-    half = grid.views // 2
+    half, last = grid.views // 2, grid.sun_angles - 1
     first = 0 if to_ground else half
     return (
         cell(altitude_coordinate(r, bottom, top) * (grid.radii - 1), 0, grid.radii - 1),
         cell(view_index(x, to_ground, grid.views), first, first + half - 1),
-        cell(sun_coordinate(mu_s, grid.lowest, bottom, top) * (grid.suns - 1), 0, grid.suns - 1),
+        cell(sun_coordinate(mu_s, grid.lowest, bottom, top) * last, 0, last),
         cell(angle_coordinate(nu) * (grid.angles - 1), 0, grid.angles - 1),
     )
 
@@ -86,7 +86,7 @@ def bruneton_look_up(values, r, mu, mu_s, nu, to_ground, grid, out):
 
     Parameters
     ----------
-    values : array, shape (radii, views, suns, angles, channels)
+    values : array, shape (radii, views, sun_angles, angles, channels)
     r, mu, mu_s, nu, to_ground : array, shape (n,)
         Arguments of ``bruneton_corners``.
     out : array, shape (n, channels)
@@ -95,7 +95,7 @@ def bruneton_look_up(values, r, mu, mu_s, nu, to_ground, grid, out):
     flat, found = values.reshape(-1), out.reshape(-1)
     channels = out.shape[1]
     by_sun = grid.angles * channels
-    by_view = grid.suns * by_sun
+    by_view = grid.sun_angles * by_sun
     by_radius = grid.views * by_view
     for p in range(r.size):
         radius, view, sun, angle = bruneton_corners(r[p], mu[p], mu_s[p], nu[p], to_ground[p], grid)
@@ -134,8 +134,9 @@ def _fill_positions(grid, r, mu, mu_s, nu, to_ground):
         for j in range(grid.views):
             x, ground = view_from_index(float(j), grid.views)
             cosine = cosine_from_view(x, ground, radius, bottom, top)
-            for k in range(grid.suns):
-                sun = sun_from_coordinate(index_coordinate(k, grid.suns), grid.lowest, bottom, top)
+            for k in range(grid.sun_angles):
+                x_s = index_coordinate(k, grid.sun_angles)
+                sun = sun_from_coordinate(x_s, grid.lowest, bottom, top)
                 for l in range(grid.angles):
                     angle = angle_from_coordinate(index_coordinate(l, grid.angles))
                     r[at], mu[at], mu_s[at], to_ground[at] = radius, cosine, sun, ground
@@ -151,7 +152,7 @@ class BrunetonLayout(TableLayout):
     ----------
     bottom_radius, top_radius : float
         Radii of the ground and of the top of the shell. [m]
-    radii, views, suns, angles : int
+    radii, views, sun_angles, angles : int
         Texels along each axis; ``views`` is even and at least 4.
     mu_s_min : float, optional
         Lowest cosine of the sun's zenith angle in the table, -1 to 0; default: the end of twilight
@@ -163,7 +164,7 @@ class BrunetonLayout(TableLayout):
     top_radius: float
     radii: int = 32
     views: int = 128
-    suns: int = 32
+    sun_angles: int = 32
     angles: int = 8
     mu_s_min: float | None = None
 
@@ -186,7 +187,7 @@ class BrunetonLayout(TableLayout):
             float(lowest),
             self.radii,
             self.views,
-            self.suns,
+            self.sun_angles,
             self.angles,
         )
 
@@ -215,7 +216,7 @@ class BrunetonLayout(TableLayout):
             ),
             Axis(
                 name="mu_s",
-                size=self.suns,
+                size=self.sun_angles,
                 unit="1",
                 parameters={**shell, "lowest_mu_s": self.grid.lowest},
                 mapping="max(1 - a/A, 0) / (1 + a), a = (d - d_min) / (d_max - d_min), d: "
@@ -260,7 +261,7 @@ class BrunetonLayout(TableLayout):
             "top_radius": self.top_radius,
             "radii": self.radii,
             "views": self.views,
-            "suns": self.suns,
+            "suns": self.sun_angles,
             "angles": self.angles,
             "mu_s_min": self.mu_s_min,
         }

@@ -27,7 +27,7 @@ class IrradianceLayout(TableLayout):
     ----------
     bottom_radius, top_radius : float
         Radii of the ground and of the top of the shell. [m]
-    radii, suns : int
+    radii, sun_angles : int
         Texels along each axis.
     """
 
@@ -35,7 +35,7 @@ class IrradianceLayout(TableLayout):
     bottom_radius: float
     top_radius: float
     radii: int = 16
-    suns: int = 64
+    sun_angles: int = 64
 
     def __post_init__(self) -> None:
         self._check_shell()
@@ -47,7 +47,7 @@ class IrradianceLayout(TableLayout):
         linear = "(r - bottom) / (top - bottom)"
         return (
             Axis(name="r", size=self.radii, unit="m", parameters=shell, mapping=linear),
-            Axis(name="mu_s", size=self.suns, unit="1", mapping="(mu_s + 1) / 2"),
+            Axis(name="mu_s", size=self.sun_angles, unit="1", mapping="(mu_s + 1) / 2"),
         )
 
     @property
@@ -59,7 +59,7 @@ class IrradianceLayout(TableLayout):
         """See ``TableLayout``; the view's angles are arbitrary."""
         x = np.linspace(0.0, 1.0, self.radii)
         r = vectorized(radius_from_coordinate)(x, self.bottom_radius, self.top_radius)
-        mu_s = vectorized(sun_from_coordinate)(np.linspace(0.0, 1.0, self.suns))
+        mu_s = vectorized(sun_from_coordinate)(np.linspace(0.0, 1.0, self.sun_angles))
         return Positions.of(
             r[:, None], 1.0, mu_s, bottom_radius=self.bottom_radius, to_ground=False
         )
@@ -77,5 +77,5 @@ class IrradianceLayout(TableLayout):
             "bottom_radius": self.bottom_radius,
             "top_radius": self.top_radius,
             "radii": self.radii,
-            "suns": self.suns,
+            "suns": self.sun_angles,
         }

@@ -157,7 +157,7 @@ class TableLayout(ABC):
 
     @abstractmethod
     def parameters(self) -> dict[str, Any]:
-        """Constructor arguments: ``type(layout)(**layout.parameters())`` is an equal layout."""
+        """Parameters in a manifest: ``layout_of(layout.kind, layout.parameters())`` is equal."""
 
     @property
     def shape(self) -> tuple[int, ...]:

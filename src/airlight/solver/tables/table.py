@@ -168,12 +168,16 @@ def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
     return (values / scale).astype(np.float16), scale
 
 
+#: Fields of layouts that have another name in a manifest.
+_FIELDS: Final = {"suns": "sun_angles"}
+
+
 def layout_of(kind: str, parameters: Mapping[str, Any]) -> TableLayout:
     """Layout of the name and parameters in a manifest."""
     if kind not in LAYOUTS:
         raise ParameterError("layout", kind, ", ".join(LAYOUTS))
     try:
-        return LAYOUTS[kind](**parameters)
+        return LAYOUTS[kind](**{_FIELDS.get(name, name): one for name, one in parameters.items()})
     except TypeError as error:
         allowed = "parameters of this layout"
         raise ParameterError(f"parameters of layout {kind}", str(error), allowed) from None

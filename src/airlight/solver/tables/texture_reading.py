@@ -34,7 +34,7 @@ class TextureShape(NamedTuple):
         Radii of the ground and of the top of the shell. [m]
     lowest : float
         Smallest zenith cosine of the sun in the tables of scattered light. [1]
-    radii, views, suns, angles : int
+    radii, views, sun_angles, angles : int
         Texels of those tables along r, mu, mu_s and nu.
     rows, columns : int
         Texels of the transmittance along r and mu.
@@ -49,7 +49,7 @@ class TextureShape(NamedTuple):
     lowest: float
     radii: int
     views: int
-    suns: int
+    sun_angles: int
     angles: int
     rows: int
     columns: int
@@ -81,7 +81,7 @@ def row_at(table, near, l0, l1, k0, k1, c, d, shape):
     shape : TextureShape
         Parameters of the textures.
     """
-    low, high = (near + l0) * shape.suns, (near + l1) * shape.suns
+    low, high = (near + l0) * shape.sun_angles, (near + l1) * shape.sun_angles
     first = table[low + k0] * np.float32(1.0 - d) + table[low + k1] * np.float32(d)
     second = table[high + k0] * np.float32(1.0 - d) + table[high + k1] * np.float32(d)
     return first * np.float32(1.0 - c) + second * np.float32(c)
@@ -104,8 +104,8 @@ def scattering_at(table, r, mu, mu_s, nu, to_ground, shape):
     x = view_coordinate(r, mu, to_ground, bottom, top)
     i0, i1, f = cell(altitude_coordinate(r, bottom, top) * (shape.radii - 1), 0, shape.radii - 1)
     j0, j1, e = cell(view_index(x, to_ground, shape.views), first, first + half - 1)
-    s = sun_coordinate(mu_s, shape.lowest, bottom, top) * (shape.suns - 1)
-    k0, k1, d = cell(s, 0, shape.suns - 1)
+    s = sun_coordinate(mu_s, shape.lowest, bottom, top) * (shape.sun_angles - 1)
+    k0, k1, d = cell(s, 0, shape.sun_angles - 1)
     l0, l1, c = cell(angle_coordinate(nu) * (shape.angles - 1), 0, shape.angles - 1)
     near, far = (i0 * shape.views + j0) * shape.angles, (i0 * shape.views + j1) * shape.angles
     low = row_at(table, near, l0, l1, k0, k1, c, d, shape) * np.float32(1.0 - e)

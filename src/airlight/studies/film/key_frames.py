@@ -94,8 +94,8 @@ LAWS: Final[dict[str, Law]] = {
 LOGARITHMIC: Final = ("exponential", "smooth-exponential")
 
 
-def _read_values(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
-    return section.required(name, _FORM)
+def _read_values(table: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
+    return table.required(name, _FORM)
 
 
 @parameters

@@ -77,22 +77,22 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
         what, text_file, inside = dict(tables), file, folder
         title = str(tables.get("name", stem))
     else:
-        section = TomlTable({**tables, "film": plan_table}, folder=folder)
-        title = section.text("name", "a title", stem)
-        section.text("description", "a sentence", "")
-        section.raw("film")
-        which = [key for key in ("planet", "scene") if key in section]
+        table = TomlTable({**tables, "film": plan_table}, folder=folder)
+        title = table.text("name", "a title", stem)
+        table.text("description", "a sentence", "")
+        table.raw("film")
+        which = [key for key in ("planet", "scene") if key in table]
         if len(which) != 1:
             given = " and ".join(which) if which else MISSING
             raise ParameterError("planet", given, "one of planet and scene")
-        named = section.text(which[0], "a preset, or the path of a file")
-        beside = section.beside(named)
+        named = table.text(which[0], "a preset, or the path of a file")
+        beside = table.beside(named)
         there = beside if beside.suffix == ".toml" and beside.is_file() else named
         text, text_file, inside = (planet_text if which[0] == "planet" else system_text)(there)
         what = nested_tables(text, text_file)
         if which[0] == "planet":
-            view = section.raw("view") or {}
-        section.finish()
+            view = table.raw("view") or {}
+        table.finish()
         if which[0] == "scene":
             what.pop("film", None)
     own = {"film": plan_table} | ({} if view is None else {"view": view})

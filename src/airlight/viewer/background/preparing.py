@@ -25,7 +25,7 @@ class Preparing:
 
     Attributes
     ----------
-    ahead : BackgroundCompiler
+    compiler : BackgroundCompiler
         Process that compiles the renderer.
     """
 
@@ -33,8 +33,8 @@ class Preparing:
         self._wake = wake
         self._woken = 0.0
         self._solver = Compiling(LOOPS)
-        self.ahead = start_render_compiler()
-        self._both = (self._solver, self.ahead.compiling)
+        self.compiler = start_render_compiler()
+        self._both = (self._solver, self.compiler.compiling)
         for one in self._both:
             one.on_change = self._progressed
 
@@ -70,7 +70,7 @@ class Preparing:
     def close(self) -> None:
         """Stop counting and end the other process."""
         self._solver.close()
-        self.ahead.close()
+        self.compiler.close()
 
     def finish(self) -> None:
         """Stop counting; the other process continues."""

@@ -35,19 +35,29 @@ from airlight.scene.metering import left_out, metering_weight
 from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
-from airlight.solver.moments.acceleration import combine
-from airlight.solver.moments.convergence import (
-    acceleration_weight,
-    change_at,
-    count_at,
-    geometric_tail,
-    is_near,
+from airlight.solver.moments import (
+    convergence,
+    elimination,
+    iterate_update,
+    packing,
+    stopping,
+    synthetic_acceleration,
+    synthetic_operator,
 )
+from airlight.solver.moments.acceleration import combine
 from airlight.solver.moments.delta_m import delta_m_scaling
-from airlight.solver.moments.elimination import factorise, substitute
-from airlight.solver.moments.packing import floor_below, level_weight, optically_thick_weight
-from airlight.solver.moments.synthetic_acceleration import lateral_diffusion_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
+
+
+def _table(rank: int) -> ShaderTable:
+    """Table of numbers; parameters give the names."""
+    return ShaderTable("table", rank)
+
+
+def _lanes(rank: int) -> ShaderTable:
+    """Table of lanes."""
+    return ShaderTable("table", rank, spectral=True)
+
 
 #: Tables of a metered picture.
 _STARS: Final = ("bright", "weight", "near", "light")
@@ -88,39 +98,58 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     light_visibility: (),
     light_left: (),
     disc_factor: (),
-    change_at: (),
-    count_at: (),
-    geometric_tail: (F32, F32, I32),
+    stopping.stricter_tolerance: (),
+    stopping.is_converged: (),
+    stopping.logarithmic_progress: (),
+    convergence.counted_changes: (
+        _table(3),
+        _table(3),
+        _table(1),
+        F32,
+        _table(1),
+        _table(2),
+        _table(1),
+    ),
+    convergence.tail_steps: (I32,),
+    convergence.geometric_tail: (F32, F32, I32),
     combine: (LocalArray(1), I32, LocalArray(1)),
-    is_near: (),
-    floor_below: (),
-    acceleration_weight: (),
+    convergence.add_weighted: (_table(4), _table(4), _table(1)),
+    convergence.damp_towards: (_table(4), _table(4), _table(3)),
+    convergence.replace_unsound: (_table(4), _table(4), _table(3)),
+    iterate_update.accelerate_nodes: (*[_table(3)] * 4, _table(2), _table(1), F32, _table(3)),
+    iterate_update.fill_quantities: (_table(4), _table(4), I32, _table(4), _table(4)),
+    convergence.is_near: (),
+    convergence.is_positive: (),
+    convergence.lateral_threshold_of: (),
+    packing.floor_below: (),
+    convergence.acceleration_weight: (),
     node_value: (F32, F32, F32, ShaderTable("first_nodes"), ShaderTable("row")),
-    lateral_diffusion_equations: (
-        ShaderTable("sun_cosines"),
+    synthetic_acceleration.lateral_diffusion_equations: (
+        _table(1),
         F32,
         F32,
         LocalArray(1),
         LocalArray(1),
     ),
-    factorise: (LocalArray(1, VEC4), I32),
-    substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
-    delta_m_scaling: (
-        ShaderTable("scattering", 2),
-        ShaderTable("absorption", 2),
-        ShaderTable("phases", 3),
-        ShaderTable("polarised_elements", 3),
-        ShaderTable("columns"),
+    synthetic_acceleration.take_terms: (_lanes(3), _lanes(2), I32, I32, I32, _lanes(2)),
+    synthetic_acceleration.spread_onto: (
+        _table(2),
+        _lanes(2),
+        _table(1),
         I32,
-        LocalArray(1),
-        LocalArray(1),
-        LocalArray(1),
-        LocalArray(1),
+        _lanes(1),
+        _lanes(2),
     ),
+    synthetic_acceleration.multiply: (_lanes(2), _lanes(2), _lanes(2)),
+    synthetic_operator.gather_levels: (_table(2), _lanes(3), _lanes(3)),
+    synthetic_operator.project_radii: (_table(2), _lanes(3), I32, I32, _lanes(2)),
+    elimination.factorise: (LocalArray(1, VEC4), I32),
+    elimination.substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
+    delta_m_scaling: (*[_table(2)] * 2, *[_table(3)] * 2, _table(1), I32, *[LocalArray(1)] * 4),
     turbidity_of: (),
     haze_of: (),
-    optically_thick_weight: (),
-    level_weight: (),
+    packing.optically_thick_weight: (),
+    packing.level_weight: (),
 }
 
 

@@ -97,7 +97,7 @@ class KernelPictures:
 
     def _work(self) -> None:
         preparing = self.preparing
-        renderer = LiveRenderer(ahead=None if preparing is None else preparing.ahead)
+        renderer = LiveRenderer(compiler=None if preparing is None else preparing.compiler)
         while (order := self._orders.get()) is not None and not self._closing:
             try:
                 rendered = self._rendered(renderer, order)

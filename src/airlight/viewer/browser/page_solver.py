@@ -8,7 +8,7 @@ and ``web/solving/solver.js`` runs the passes.
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Any, Final
 
 import numpy as np
@@ -20,20 +20,17 @@ from airlight.render.gpu.solver.plan import SolverPlan
 from airlight.render.gpu.solver.planning import plan_for
 from airlight.render.gpu.solver.solver import THICKEST
 from airlight.render.pixels.render_tables import WAVELENGTHS
-from airlight.solver.moments import convergence
 from airlight.solver.moments.delta_m import Optics
 from airlight.solver.moments.iterate import POLARISED_OVER_RELAXATION
 from airlight.solver.moments.levels import finer_weights
 from airlight.solver.moments.packing import filled
 from airlight.solver.moments.settings import QUALITIES, MomentsSettings
 from airlight.solver.moments.setup import (
-    LATERAL_THRESHOLD,
     NUMERICAL_DIFFUSION,
     OPTICALLY_DEEP,
-    TRANSPORT_DEPTH_SCALE,
 )
 from airlight.solver.moments.solution import MomentsSolution
-from airlight.solver.moments.stopping import SWEEP_ITERATES, Stopping
+from airlight.solver.moments.stopping import Stopping
 from airlight.solver.moments.synthetic_acceleration import DEGREE, ORDER
 from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
@@ -85,11 +82,7 @@ def solver_data(
         "uniforms": [float(x) for x in plan.solve.reshape(-1)],
         "scalars": _tables(plan, made["tables"]),
         "shaders": deflated(json.dumps(solver_shaders())),
-        "tolerance": stopping.tolerance,
-        "most_sweeps": stopping.most_sweeps,
-        "stricter": stopping.stricter,
-        "night": stopping.night,
-        "back": convergence.BACK,
+        "stopping": asdict(stopping),
         "air": {
             "names": [name for name in drawn.names if name != REFRACTION_COLUMN],
             "scattering": _table(_four(drawn.scattering)),
@@ -105,7 +98,13 @@ def solver_data(
             "day": [float(x) for x in plan.setup.day_weight],
             "thickest": max(THICKEST, _HEADROOM * own),
         },
-        "synthetic": _synthetic(plan),
+        "synthetic": {
+            **_synthetic(plan),
+            "stopping": {
+                **asdict(Stopping.of_sweeps(QUALITIES["preview"])),
+                "most_sweeps": stopping.most_sweeps,
+            },
+        },
         "picture": {
             "shared": SHARED,
             "ends": [float(x) for x in plan.setup.march_ends],
@@ -127,11 +126,6 @@ def _synthetic(plan: SolverPlan) -> dict[str, Any]:
         "diffusion_length": setup.optics.depths.diffusion_length / setup.grid.bottom_radius,
         "grid_diffusion": NUMERICAL_DIFFUSION,
         "deep": OPTICALLY_DEEP,
-        "lateral_threshold": LATERAL_THRESHOLD,
-        "transport_depth_scale": TRANSPORT_DEPTH_SCALE,
-        "least": convergence.LEAST,
-        "tolerance": QUALITIES["preview"].tolerance,
-        "iterates": SWEEP_ITERATES,
     }
 
 

@@ -112,7 +112,7 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
     preparing = Preparing(canvas.wake)
     try:
         device = open_device()
-        renderer = renderer_by(start.device, device, preparing.ahead)
+        renderer = renderer_by(start.device, device, preparing.compiler)
         solver = live_solver(start.device, device, lambda: _is_plain(session))
         window = Window(session, canvas, device.device, renderer, solver, preparing)
         if start.other is not None:
@@ -177,13 +177,13 @@ def _session_of(planet: str) -> Session:
 
 
 def renderer_by(
-    choice: Choice, device: Device, ahead: BackgroundCompiler | None = None
+    choice: Choice, device: Device, compiler: BackgroundCompiler | None = None
 ) -> Callable[[], PictureSource]:
     """Factory of picture sources on the GPU or the CPU."""
 
     def make() -> PictureSource:
         gpu = None if choice == "cpu" else device
-        return SideRenderer(device.device, LiveRenderer(gpu, ahead))
+        return SideRenderer(device.device, LiveRenderer(gpu, compiler))
 
     return make
 

@@ -53,11 +53,11 @@ def _rows(name: str, low: float, high: float, unit: str = "") -> BeforeValidator
 
 
 def _read_rows(
-    unit: str, allowed: str, section: TomlTable, name: str, wavelengths: Wavelengths
+    unit: str, allowed: str, table: TomlTable, name: str, wavelengths: Wavelengths
 ) -> tuple[tuple[float, ...], ...]:
     """Read one list, or one for each wavelength. [unit]"""
-    values = section.required(name, allowed)
-    field = section.name_of(name)
+    values = table.required(name, allowed)
+    field = table.name_of(name)
     if isinstance(values, list) and values and all(isinstance(row, list) for row in values):
         if wavelengths is None:
             raise ParameterError(field, len(values), "one list, or wavelengths for the lists")
@@ -204,11 +204,11 @@ class TabulatedPhase(PhaseFunction):
 
     @classmethod
     def read_values(
-        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+        cls, table: TomlTable, wavelengths: Wavelengths = None, **known: Any
     ) -> dict[str, Any]:
         """Values of the fields; the wavelengths of the constituent if there is a row for each."""
-        values = super().read_values(section, wavelengths, **known)
-        given = section.raw("values")
+        values = super().read_values(table, wavelengths, **known)
+        given = table.raw("values")
         if isinstance(given, list) and given and isinstance(given[0], list):
             values["wavelengths"] = wavelengths
         return values

@@ -55,11 +55,11 @@ class BulkGas(TomlModel):
     )
 
 
-def _scale_height(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
+def _scale_height(table: TomlTable, name: str, wavelengths: Wavelengths) -> float:
     """Read a scale height, explicit or by the bulk parameters of a gas. [m]"""
-    if not isinstance(section.raw(name), dict):
-        return section.number(name, "m", "8 km")
-    gas = BulkGas.read(section.section(name, "a length such as '8 km'"))
+    if not isinstance(table.raw(name), dict):
+        return table.number(name, "m", "8 km")
+    gas = BulkGas.read(table.table(name, "a length such as '8 km'"))
     return scale_height(gas.temperature, gas.molar_mass, gas.gravity)
 
 

@@ -92,14 +92,14 @@ class Tabulated(Profile):
 
     @classmethod
     def read_values(
-        cls, section: TomlTable, wavelengths: Wavelengths = None, **known: Any
+        cls, table: TomlTable, wavelengths: Wavelengths = None, **known: Any
     ) -> dict[str, Any]:
         """Altitudes and densities, given or from a table of the package."""
-        if "table" not in section:
-            return super().read_values(section, wavelengths, **known)
+        if "table" not in table:
+            return super().read_values(table, wavelengths, **known)
         from airlight.physics.optics.gas_absorption import ozone_profile_afgl1986
 
-        section.choice("table", (OZONE_TABLE,))
+        table.choice("table", (OZONE_TABLE,))
         altitudes, densities = ozone_profile_afgl1986()
         relative = densities / densities.max()
         return {"altitudes": tuple(altitudes.tolist()), "densities": tuple(relative.tolist())}

@@ -175,7 +175,7 @@ class Calls(Scope, ABC):
             owner = self.bound(node.args[0])
             index = self.as_scalar(node.args[1], I32)
             if isinstance(owner, ShaderTable) and owner.spectral and name == "load":
-                return self.dialect.element(owner.name, index), VEC4
+                return self.dialect.element(owner, index), VEC4
             if isinstance(owner, LocalArray) and owner.element == VEC4:
                 place = f"{self.array_text(node.args[0])}[{index}]"
                 if name == "load":
@@ -187,7 +187,7 @@ class Calls(Scope, ABC):
         """Emit a channel of a texel; sRGB is decoded here, as GPUs' own decoding differs."""
         texels, channel = self.bound(node.args[0]), self.fold(node.args[2])
         if isinstance(texels, ShaderTable) and texels.spectral and isinstance(channel, int):
-            read = self.dialect.element(texels.name, self.as_scalar(node.args[1], I32))
+            read = self.dialect.element(texels, self.as_scalar(node.args[1], I32))
             value = f"{read}.{'xyzw'[channel]}"
             if channel == CHANNELS - 1:
                 return value, F32

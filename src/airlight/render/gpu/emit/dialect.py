@@ -46,6 +46,8 @@ class Dialect(ABC):
         Whether innermost loops are unrolled by four.
     largest : float
         Largest literal.
+    writes_tables : bool
+        Whether elements of tables can be assigned.
     """
 
     name: ClassVar[str]
@@ -54,6 +56,7 @@ class Dialect(ABC):
     module_arrays: ClassVar[bool] = False
     unrolls: ClassVar[bool] = True
     largest: ClassVar[float] = 3.4e38
+    writes_tables: ClassVar[bool] = False
 
     @abstractmethod
     def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
@@ -123,9 +126,9 @@ class Dialect(ABC):
             return not value.variable
         return not isinstance(value, (Constant, ShaderTable, StructValue))
 
-    def element(self, table: str, index: str) -> str:
+    def element(self, table: ShaderTable, index: str) -> str:
         """Element of a table."""
-        return f"read_{table}({index})"
+        return f"read_{table.name}({index})"
 
     def texel(self, table: str, row: str, column: str) -> str:
         """Texel of an image."""

@@ -49,7 +49,11 @@ class Expressions(Calls):
                 text, found = self.write(operand)
                 return f"(-{text})", self.number(operand, found)
             case ast.UnaryOp(op=ast.Not(), operand=operand):
-                return f"(!{self.as_scalar(operand, BOOL)})", BOOL
+                text, found = self.write(operand)
+                kind = self.number(operand, found)
+                if kind == BOOL:
+                    return f"(!{self.cast(text, found, BOOL)})", BOOL
+                return f"({text} == {'0' if kind == I32 else '0.0'})", BOOL
             case ast.Compare():
                 return self.comparison(node)
             case ast.BoolOp(op=op, values=values):
@@ -168,7 +172,7 @@ class Expressions(Calls):
             if owner.image:
                 places = self.indices(node, owner)
                 return self.dialect.texel(owner.name, *places), owner.element
-            return self.dialect.element(owner.name, self.flat_index(node, owner)), owner.element
+            return self.dialect.element(owner, self.flat_index(node, owner)), owner.element
         return self.place(node)
 
     def indices(self, node: ast.Subscript, table: ShaderTable) -> list[str]:
@@ -187,8 +191,10 @@ class Expressions(Calls):
         return flat
 
     def place(self, node: ast.Subscript) -> tuple[str, Scalar]:
-        """Emit an array element as an lvalue or rvalue."""
+        """Emit an array element as an lvalue or rvalue, or an element of a table as an lvalue."""
         owner = self.bound(node.value)
+        if isinstance(owner, ShaderTable) and self.dialect.writes_tables:
+            return self.dialect.element(owner, self.flat_index(node, owner)), owner.element
         if not isinstance(owner, LocalArray):
             raise self.refuse(node, "is neither a table nor an array")
         return f"{self.array_text(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element

@@ -1,7 +1,8 @@
 """JavaScript in double precision, for CPU computations of a page.
 
 Tuples are arrays, tables are objects with flat ``values`` and a ``shape``. A lane is one
-wavelength; the host calls functions for each wavelength. All functions are exported.
+wavelength; the host calls functions for each wavelength, of which a table of lanes has the values
+``at``, ``at + step``, …. All functions are exported.
 """
 
 from __future__ import annotations
@@ -48,6 +49,7 @@ class JavaScript(Dialect):
     } | {math.isfinite: "Number.isFinite", cube_root: "Math.cbrt"}  # fmt: skip
     unrolls = False
     largest = math.inf
+    writes_tables = True
 
     def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         return kind.name
@@ -86,8 +88,10 @@ class JavaScript(Dialect):
     def at_run_time(self, value: Value) -> bool:
         return not isinstance(value, (Constant, StructValue))
 
-    def element(self, table: str, index: str) -> str:
-        return f"{table}.values[{index}]"
+    def element(self, table: ShaderTable, index: str) -> str:
+        if table.spectral:
+            index = f"{index} * {table.name}.step + {table.name}.at"
+        return f"{table.name}.values[{index}]"
 
     def length(self, table: str, axis: str) -> str:
         return f"{table}.shape[{axis}]"

@@ -61,7 +61,7 @@ class UniformValue:
 
 @dataclass(frozen=True)
 class ShaderTable:
-    """Read-only array in a texture.
+    """Array in a texture, read-only; in JavaScript an object, see ``javascript``.
 
     ``read_NAME(index)`` returns an element, ``size_NAME_AXIS()`` an axis length.
 

@@ -1,4 +1,4 @@
-"""Moments iteration on the GPU: fragment passes and their textures, pooled between solves."""
+"""Iteration on the GPU: fragment passes and their textures, pooled between solves."""
 
 from __future__ import annotations
 
@@ -25,7 +25,9 @@ from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.render.gpu.solver.passes import ITERATES, MIX, ONCE, PACK, SWEEP, SolverPass, shader
 from airlight.render.gpu.solver.plan import SolverPlan
 from airlight.render.pixels.render_tables import WAVELENGTHS
+from airlight.solver.moments.fixed_point import Backend
 
+FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 _FORMAT: Final = "rgba32float"
@@ -62,8 +64,8 @@ def pooled_iteration(device: Device) -> Iterator[GpuIteration]:
                 pool.append(iteration)
 
 
-class GpuIteration:
-    """Iteration of successive orders of scattering by fragment passes; reusable for any plan.
+class GpuIteration(Backend):
+    """Successive orders of scattering by fragment passes; reusable for any plan.
 
     Parameters
     ----------
@@ -83,6 +85,7 @@ class GpuIteration:
         self._textures: dict[str, Any] = {}
         self._views: dict[str, Any] = {}
         self._iterates: deque[str] = deque(ITERATES)
+        self._brightest = np.zeros((2, WAVELENGTHS), np.float32)
         self._mix = self._uniform(np.zeros((len(ITERATES) + 2, 4), np.float32))
         self._solve: Any = None
         self._spans: dict[tuple[int, int, int], Any] = {}
@@ -193,31 +196,28 @@ class GpuIteration:
         )
         self.device.device.queue.submit([encoder.finish()])
 
-    def sweep(self) -> tuple[Float32Array, Float32Array, Float32Array]:
-        """Compute the next iterate by one sweep of the current guess.
-
-        Returns
-        -------
-        mean, sky, before : array, shape (r, s, 4)
-            Mean radiance and irradiance of the iterate; mean radiance of the guess.
-        """
+    def sweep(self) -> None:
+        """Compute the next iterate by one sweep of the current guess."""
         self._iterates.rotate(1)
         self.run((*PACK, *SWEEP))
+
+    def reduce(self) -> tuple[Float32Array, Float32Array]:
+        """Mean radiances (r, s, 4) of the guess and of its iterate."""
         n = self.plan.sizes
         means = read_flat(self.device, self._textures["means"], 4 * self.plan.nodes)
         means = means.reshape(4, n["radii"], n["sun_angles"], WAVELENGTHS)
-        return means[0], means[1], means[2]
+        self._brightest = means[:2].max(axis=(1, 2))
+        return means[2], means[0]
 
-    def combine(self, weights: Float32Array) -> None:
-        """Compute the next guess: an Anderson step over the last iterates.
+    def combine(self, weights: FloatArray, *, best: bool) -> None:
+        """Compute the next guess: the uniform ``mix`` has the weights, the latest first.
 
-        Parameters
-        ----------
-        weights : array, shape (7, 4)
-            Anderson weights of the iterates, the latest first; then the largest mean radiance and
-            irradiance.
+        After them it has the largest mean radiance and irradiance.
         """
-        self.device.device.queue.write_buffer(self._mix, 0, np.ascontiguousarray(weights))
+        mix = np.zeros((len(ITERATES) + 2, WAVELENGTHS), np.float32)
+        mix[: weights.shape[0]] = weights[::-1]
+        mix[-2:] = self._brightest
+        self.device.device.queue.write_buffer(self._mix, 0, mix)
         self.run(MIX)
 
     def texture(self, name: str) -> Any:

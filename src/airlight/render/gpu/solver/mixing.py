@@ -28,19 +28,19 @@ def mean(index, sizes, iterate, guess):
 
 
 @inlined
-def mixed(index, weights, iterates):
-    """Component of the linear combination of iterates.
+def mixed(index, first, step, weights, iterates):
+    """Linear combination of iterates: texel, or component if these are read as scalars.
 
-    ``weights`` and ``iterates`` are read as scalars.
+    Parameters
+    ----------
+    first, step : int
+        Index of the weight of ``iterate_0``, and step to the next weight.
     """
-    lane = index % WAVELENGTHS
-    return (
-        weights[lane] * iterates.iterate_0[index]
-        + weights[WAVELENGTHS + lane] * iterates.iterate_1[index]
-        + weights[2 * WAVELENGTHS + lane] * iterates.iterate_2[index]
-        + weights[3 * WAVELENGTHS + lane] * iterates.iterate_3[index]
-        + weights[4 * WAVELENGTHS + lane] * iterates.iterate_4[index]
-    )
+    total = weights[first] * iterates.iterate_0[index]
+    total = total + weights[first + step] * iterates.iterate_1[index]
+    total = total + weights[first + 2 * step] * iterates.iterate_2[index]
+    total = total + weights[first + 3 * step] * iterates.iterate_3[index]
+    return total + weights[first + 4 * step] * iterates.iterate_4[index]
 
 
 @inlined
@@ -56,7 +56,8 @@ def sound(index, sizes, weights, iterates):
     if index >= numbers:
         brightest = weights[WAVELENGTHS * (PASS_ITERATES + 1) + lane]
         at = numbers * sizes.terms + index - numbers
-    near = is_near(mixed(at, weights, iterates), iterates.iterate_0[at], brightest)
+    combined = mixed(at, lane, WAVELENGTHS, weights, iterates)
+    near = is_near(combined, iterates.iterate_0[at], brightest)
     return 1.0 if near else 0.0
 
 
@@ -71,7 +72,4 @@ def next_guess(index, sizes, weights, iterates, sounds):
     if index >= nodes * sizes.terms:
         node = nodes + index - nodes * sizes.terms
     last = iterates.iterate_0[index]
-    total = weights[0] * last + weights[1] * iterates.iterate_1[index]
-    total = total + weights[2] * iterates.iterate_2[index] + weights[3] * iterates.iterate_3[index]
-    total = total + weights[4] * iterates.iterate_4[index]
-    return last + sounds[node] * (total - last)
+    return last + sounds[node] * (mixed(index, 0, 1, weights, iterates) - last)

@@ -23,7 +23,7 @@ from airlight.solver.moments.harmonics import (
     POLARISED,
     degree_of,
     legendre_function,
-    polarised_functions,
+    polarised_function,
 )
 from airlight.solver.moments.opaque_culling import ray_norm
 from airlight.solver.moments.ray_optics import (
@@ -156,17 +156,9 @@ def projection(index, sizes, tables):
     i, a = ray // sizes.angles, ray % sizes.angles
     which = term - (sizes.terms - POLARISED)
     if which >= 0:
-        a0, a1, a2, b1, b2 = polarised_functions(tables.mu[i, a])
-        value = a0
-        if which == 1:
-            value = a1
-        if which == 2:
-            value = a2
-        if which == 3:
-            value = b1
-        if which == 4:
-            value = b2
-        return tables.weight[i, a] * value
+        even, _ = polarised_function(tables.mu[i, a], which)
+        _, odd = polarised_function(tables.mu[i, a], which - EVEN + 1)
+        return tables.weight[i, a] * (even if which < EVEN else odd)
     l = degree_of(term)
     m = term - l * (l + 1) // 2
     function = legendre_function(tables.mu[i, a], l, m, tables.harmonic, tables.ahead, tables.back)

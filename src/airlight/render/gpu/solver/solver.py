@@ -12,26 +12,22 @@ from typing import Any, Final
 from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
-from airlight.errors import AirlightError, Cancelled
+from airlight.errors import AirlightError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.render.gpu.device.device import Device
-from airlight.render.gpu.solver.gpu_iteration import GpuIteration, pooled_iteration
-from airlight.render.gpu.solver.passes import ITERATES
+from airlight.render.gpu.solver.gpu_iteration import pooled_iteration
 from airlight.render.gpu.solver.planning import plan_for
 from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.solver.moments.delta_m import Optics
 from airlight.solver.moments.energy_balance import energy_error, violates_energy_balance
+from airlight.solver.moments.fixed_point import iterate
 from airlight.solver.moments.iterate import Moments
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.stopping import Iteration, Stopping
 from airlight.solver.refracted_geometry import RefractedGeometry
-
-FloatArray = NDArray[np.float64]
-Float32Array = NDArray[np.float32]
 
 #: Largest vertical transport optical depth, (1 - g) times scattering. [1]
 THICKEST: Final = 2.5
@@ -81,9 +77,18 @@ def solve_on(
         raise ThickAir
     plan = plan_for(geometry, settings)
     count = medium.wavelengths.size
+
+    def report(state: Iteration) -> None:
+        if progress is not None:
+            error = float(state.remaining_error.max())
+            message = f"orders of scattering: remaining error {error:.1e}"
+            progress(round(100 * state.progress), 100, message)
+
     with pooled_iteration(device) as gpu:
         gpu.load(plan)
-        sweeps, residual = _iterate(gpu, progress, cancel)
+        gpu.begin()
+        iteration = Iteration(Stopping.of_passes(settings), plan.thick, WAVELENGTHS)
+        iterate(gpu, iteration, report=report, cancel=cancel)
         field, sky = gpu.light()
         fields = gpu.packed_copy()
     moments = Moments(
@@ -93,8 +98,8 @@ def solve_on(
         field=np.ascontiguousarray(field[..., :count]),
         sky=np.ascontiguousarray(sky[..., :count]),
         columns=plan.setup.table.values,
-        sweeps=sweeps,
-        residual=residual[:count],
+        sweeps=iteration.sweeps,
+        residual=iteration.remaining_error[:count],
         energy=energy_error(plan.setup, field[..., :count]),
     )
     if violates_energy_balance(moments.energy, settings.energy_tolerance):
@@ -114,34 +119,3 @@ def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
     """
     found = _fields.get(solution)
     return found[1] if found is not None and found[0] is device else None
-
-
-def _iterate(
-    gpu: GpuIteration, progress: Progress | None, cancel: Cancel | None
-) -> tuple[int, FloatArray]:
-    """Sweep until convergence; return the number of sweeps and the remaining change."""
-    plan = gpu.plan
-    iteration = Iteration(Stopping.of_passes(plan.setup.settings), plan.thick, WAVELENGTHS)
-    gpu.begin()
-    while iteration.unfinished():
-        if cancel is not None and cancel():
-            raise Cancelled("cancelled")
-        mean, sky, before = gpu.sweep()
-        if not (mean > 0.0).any():
-            return 0, np.zeros(WAVELENGTHS)
-        iteration.update(before, mean)
-        gpu.combine(_weights(iteration.weights(), mean, sky))
-        if progress is not None:
-            error = float(iteration.remaining_error.max())
-            message = f"orders of scattering: remaining error {error:.1e}"
-            progress(round(100 * iteration.progress), 100, message)
-    return iteration.sweeps, iteration.remaining_error
-
-
-def _weights(weights: FloatArray, mean: Float32Array, sky: Float32Array) -> Float32Array:
-    """Arrange weights for ``combine``: the latest iterate's first, then two largest values."""
-    taken = np.zeros((len(ITERATES) + 2, WAVELENGTHS), np.float32)
-    taken[: weights.shape[0]] = weights[::-1]
-    taken[-2] = mean.max(axis=(0, 1))
-    taken[-1] = sky.max(axis=(0, 1))
-    return taken

@@ -1,18 +1,92 @@
 /**
- * Convergence test and acceleration of the orders of scattering.
+ * Convergence test and acceleration of the orders of scattering, by formulas and loops emitted from
+ * solver/moments/convergence.py, iterate_update.py, stopping.py and acceleration.py.
  *
- * Arrays of light have shape (node, wavelength), with four wavelengths per node. The formulas per
- * node or wavelength are those of solver/moments/convergence.py and acceleration.py.
+ * Arrays of light have shape (node, wavelength), with four wavelengths per node.
  */
 import {
-  change_at,
-  combine,
-  count_at,
-  is_near,
   acceleration_weight,
+  add_weighted,
+  combine,
+  counted_changes,
+  damp_towards,
   geometric_tail,
+  is_converged,
+  is_near,
+  logarithmic_progress,
+  replace_unsound,
+  stricter_tolerance,
+  tail_steps,
 } from "../generated/formulas.js";
 import { LANES } from "../generated/sizes.js";
+
+/** Table as emitted functions read and write it. */
+export const table = (values, ...shape) => ({ values, shape });
+
+/** Decisions of the iteration: `Iteration` of solver/moments/stopping.py, without restarts. */
+export class Iteration {
+  /**
+   * @param {object} stopping Fields of `Stopping`.
+   * @param {number[]} thick Weight of optically thick media, by wavelength.
+   */
+  constructor(stopping, thick) {
+    this.stopping = stopping;
+    this.thick = table(thick, LANES);
+    this.tolerance = stricter_tolerance(stopping.tolerance, stopping.stricter, Math.max(...thick));
+    this.sweeps = 0;
+    this.remainingError = Infinity;
+    this.residuals = [];
+  }
+
+  get isUnfinished() {
+    return !is_converged(this.sweeps, 2, this.remainingError, this.tolerance);
+  }
+
+  get progress() {
+    return logarithmic_progress(this.remainingError, this.tolerance);
+  }
+
+  /** Update the remaining error by the quantities of a guess and of its iterate. */
+  update(before, after) {
+    const nodes = after.length / LANES;
+    const [changes, largest] = [new Float64Array(after.length), new Float64Array(LANES)];
+    counted_changes(
+      table(before, 1, nodes, LANES),
+      table(after, 1, nodes, LANES),
+      this.thick,
+      this.stopping.night,
+      table(brightest(after), LANES),
+      table(changes, nodes, LANES),
+      table(largest, LANES),
+    );
+    this.residuals.push(changes);
+    if (this.residuals.length > this.stopping.iterates) this.residuals.shift();
+    this.remainingError = Math.max(...largest.map((size, lane) => size * this.tail(lane)));
+    this.sweeps += 1;
+  }
+
+  /** Sum of all further changes over the last, of a wavelength. */
+  tail(lane) {
+    const size = (one) => Math.sqrt(product(one, one, lane));
+    const steps = tail_steps(this.residuals.length);
+    return geometric_tail(size(this.residuals.at(-1)), size(this.residuals.at(-1 - steps)), steps);
+  }
+
+  /** Anderson weights, by iterate, the latest last, and wavelength. */
+  weights() {
+    const { residuals } = this;
+    const last = residuals.at(-1);
+    const changes = residuals.slice(1).map((one, i) => one.map((x, k) => x - residuals[i][k]));
+    const found = residuals.map(() => new Float64Array(LANES));
+    const weights = new Float64Array(residuals.length);
+    for (let lane = 0; lane < LANES; lane++) {
+      const products = changes.flatMap((a) => [...changes, last].map((b) => product(a, b, lane)));
+      combine(products, residuals.length, weights);
+      found.forEach((one, i) => (one[lane] = weights[i]));
+    }
+    return found;
+  }
+}
 
 /** Largest value of each wavelength. */
 export function brightest(light) {
@@ -23,121 +97,49 @@ export function brightest(light) {
   return most;
 }
 
-/** Relative change; 0 below the threshold of darkness. */
-export function relativeChange(before, after) {
-  const most = brightest(after);
-  return Float64Array.from(after, (value, i) => change_at(before[i], value, most[i % LANES]));
-}
-
-/** Weight of a relative change, which is smaller on the night side of a thick atmosphere. */
-export function counts(mean, thick) {
-  const most = brightest(mean);
-  return Float64Array.from(mean, (value, i) => count_at(value, most[i % LANES], thick[i % LANES]));
-}
-
-/** Geometric tail: sum of all later changes over the last, from `back` steps, by wavelength. */
-export function estimatedTail(residuals, back) {
-  const size = (one, lane) => Math.sqrt(product(one, one, lane));
-  const steps = Math.min(residuals.length, back + 1) - 1;
-  const [before, last] = [residuals.length - 1 - steps, residuals.length - 1];
-  return Array.from({ length: LANES }, (_, lane) =>
-    geometric_tail(size(residuals[last], lane), size(residuals[before], lane), steps),
-  );
-}
-
-/**
- * Weights of the last iterates that minimise the combined residual, the latest last.
- *
- * @param {Float64Array[]} residuals
- * @param {number} lane Index of the wavelength.
- */
-export function mixingWeights(residuals, lane) {
-  const weights = new Float64Array(residuals.length);
-  const last = residuals[residuals.length - 1];
-  const changes = residuals.slice(1).map((one, i) => one.map((x, k) => x - residuals[i][k]));
-  const products = changes.flatMap((a) => [...changes, last].map((b) => product(a, b, lane)));
-  combine(products, residuals.length, weights);
-  return [...weights];
-}
-
-/**
- * Weights of synthetic acceleration, by node and wavelength; see `acceleration_weights` in
- * solver/moments/convergence.py.
- *
- * @param {Float32Array} mean Mean radiance, by radius, sun and wavelength.
- * @param {number} sun_angles
- * @param {number[]} thresholds Fraction of the largest mean radiance below which lateral transport
- *   dominates, by wavelength.
- */
+/** Weights of synthetic acceleration: `acceleration_weights` of mean radiances (radius, sun). */
 export function accelerationWeights(mean, sun_angles, thresholds) {
   const most = brightest(mean).map((x) => Math.max(x, 1e-30));
   const column = new Float64Array(sun_angles * LANES).fill(-Infinity);
   mean.forEach((value, i) => {
     column[i % column.length] = Math.max(column[i % column.length], value);
   });
-  return Float64Array.from(mean, (value, i) => {
+  return Float32Array.from(mean, (value, i) => {
     const lane = i % LANES;
     const bright = (value / most[lane]) * (column[i % column.length] / most[lane]);
     return acceleration_weight(Math.max(bright, 0), thresholds[lane]);
   });
 }
 
-/**
- * Values at the nodes of a light: an array of moments (node, term), then irradiances (node).
- *
- * @param {Float32Array} light
- * @param {number} nodes
- * @param {number} terms
- * @param {number} term Number of the moment.
- */
-export function momentOf(light, nodes, terms, term) {
-  const values = new Float32Array(nodes * LANES);
-  for (let i = 0; i < values.length; i++) {
-    values[i] = light[(Math.floor(i / LANES) * terms + term) * LANES + (i % LANES)];
-  }
-  return values;
+/** Replace moments (node, term) of a part of the light where a test of their means fails. */
+export function replaceUnless(test, light, other) {
+  const [, nodes, terms] = light.shape;
+  const [here, there] = [light, other].map((one) => meanOf(one));
+  const sound = Float32Array.from(here, (value, i) => test(value, there[i], i % LANES));
+  replace_unsound(light, other, table(sound, 1, nodes, LANES));
 }
 
-/** Replace the moments or the irradiance of nodes by others, where a test of both fails. */
-export function replaceUnless(test, light, other, nodes, terms) {
-  for (let node = 0; node < nodes; node++) {
-    for (let lane = 0; lane < LANES; lane++) {
-      const mean = node * terms * LANES + lane;
-      const sky = (nodes * terms + node) * LANES + lane;
-      if (!test(light[sky], other[sky], lane, "sky")) light[sky] = other[sky];
-      if (test(light[mean], other[mean], lane, "mean")) continue;
-      for (let term = 0; term < terms; term++) light[mean + term * LANES] = other[mean + term * LANES];
-    }
-  }
-}
-
-/**
- * Next guess by Anderson acceleration: each wavelength has its own combination of iterates.
- *
- * @param {Float32Array[]} iterates The latest last.
- * @param {number[][]} weights Weights of the iterates, by wavelength.
- * @param {Float64Array} damping From `accelerationWeights`.
- * @param {number} nodes
- * @param {number} terms
- */
-export function andersonStep(iterates, weights, damping, nodes, terms) {
-  const last = iterates[iterates.length - 1];
-  const most = {
-    mean: brightest(momentOf(last, nodes, terms, 0)),
-    sky: brightest(last.subarray(nodes * terms * LANES)),
-  };
-  const light = last.map((value, i) => {
-    const texel = Math.floor(i / LANES);
-    const node = texel < nodes * terms ? Math.floor(texel / terms) : texel - nodes * terms;
-    let total = 0;
-    iterates.forEach((iterate, k) => {
-      total += weights[i % LANES][k] * iterate[i];
-    });
-    return value + damping[node * LANES + (i % LANES)] * (total - value);
+/** Mean radiances, or irradiances, of a part of the light. */
+export function meanOf({ values, shape: [, nodes, terms] }) {
+  return Float32Array.from({ length: nodes * LANES }, (_, i) => {
+    return values[Math.floor(i / LANES) * terms * LANES + (i % LANES)];
   });
-  const near = (value, computed, lane, part) => is_near(value, computed, most[part][lane]);
-  replaceUnless(near, light, last, nodes, terms);
-  return light;
+}
+
+/**
+ * Next guess of a part of the light, by Anderson acceleration.
+ *
+ * @param {object[]} iterates Tables, the latest last.
+ * @param {Float64Array[]} weights From `Iteration.weights`.
+ * @param {object} damping Table from `accelerationWeights`.
+ * @param {object} mixed Table that receives the guess; 0 before.
+ */
+export function andersonStep(iterates, weights, damping, mixed) {
+  const last = iterates.at(-1);
+  iterates.forEach((one, k) => add_weighted(mixed, one, table(weights[k], LANES)));
+  damp_towards(mixed, last, damping);
+  const most = brightest(meanOf(last));
+  replaceUnless((value, computed, lane) => is_near(value, computed, most[lane]), mixed, last);
 }
 
 function product(a, b, lane) {

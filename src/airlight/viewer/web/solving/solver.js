@@ -6,18 +6,9 @@
  * stopping criteria. In thick air, where successive orders converge too slowly, the iteration has
  * synthetic acceleration (synthetic_acceleration.js), as in solver/moments/iterate.py.
  */
+import { AcceleratedLight } from "./accelerated_light.js";
+import { Iteration, brightest } from "./convergence.js";
 import { SyntheticAcceleration } from "./synthetic_acceleration.js";
-import {
-  accelerationWeights,
-  brightest,
-  counts,
-  andersonStep,
-  mixingWeights,
-  momentOf,
-  relativeChange,
-  replaceUnless,
-  estimatedTail,
-} from "./convergence.js";
 import { numbersOf, textOf } from "../drawing/package.js";
 import { LANES, ROW } from "../generated/sizes.js";
 
@@ -50,8 +41,6 @@ export class Solver {
     this.textures = new Map();
     this.passes = new Map();
     this.ring = [...this.plan.iterates];
-    this.sweeps = 0;
-    this.residual = 0;
   }
 
   async build(shaders) {
@@ -86,113 +75,67 @@ export class Solver {
     this.load(air);
     this.guess = "first";
     this.run("once");
-    const thick = Math.max(...air.transport) > this.fixed.synthetic.thicker;
-    const solved = await (thick ? this.accelerate(air, stale, onProgress) : this.sum(air, stale, onProgress));
-    if (!solved) return null;
-    if (this.sweeps > this.fixed.most_sweeps) {
-      const most = this.fixed.most_sweeps;
-      throw new Error(`after ${most} orders light still changes: less air is needed`);
-    }
+    const { fixed } = this;
+    const thick = Math.max(...air.transport) > fixed.synthetic.thicker;
+    const backend = thick ? await AcceleratedLight.make(this, air) : this;
+    this.iteration = new Iteration((thick ? fixed.synthetic : fixed).stopping, air.thick);
+    if (!(await this.iterate(backend, stale, onProgress))) return null;
     this.run("pack");
     const packed = this.textures.get("packed");
     this.textures.set("packed", this.device.target(FORMAT, ROW, packed.height));
     return packed;
   }
 
-  /** Sum order after order; false if stale. */
-  async sum(air, stale, onProgress) {
-    const { fixed } = this;
-    const tolerance = fixed.tolerance * (1 - fixed.stricter * Math.max(...air.thick));
-    const residuals = [];
-    for (this.sweeps = 1; this.sweeps <= fixed.most_sweeps; this.sweeps++) {
+  /** Sweep until convergence, as solver/moments/fixed_point.py does; false if stale. */
+  async iterate(backend, stale, onProgress) {
+    const { iteration } = this;
+    const most = iteration.stopping.most_sweeps;
+    while (iteration.isUnfinished) {
+      if (iteration.sweeps >= most) {
+        throw new Error(`after ${most} orders light still changes: less air is needed`);
+      }
+      await breath();
       if (stale()) return false;
-      this.ring.unshift(this.ring.pop());
-      this.run("pack");
-      this.run("sweep");
-      const [mean, sky, before] = await this.means();
-      if (!mean.some((x) => x > 0)) break;
-      const change = relativeChange(before, mean);
-      const counted = counts(mean, air.thick);
-      residuals.push(change.map((x, i) => x * counted[i]));
-      if (residuals.length > this.ring.length) residuals.shift();
-      this.residual = this.remainingError(change, mean, residuals, air.thick, fixed.night);
-      onProgress(shareOf(this.residual, tolerance));
-      this.updateWeights(residuals, mean, sky);
-      this.run("mix");
-      this.guess = "light";
-      if (this.residual <= tolerance && this.sweeps > 1) break;
+      await backend.sweep();
+      iteration.update(...(await backend.reduce()));
+      if (!Number.isFinite(iteration.remainingError)) {
+        throw new Error("this air's light is not a finite number");
+      }
+      onProgress(iteration.progress);
+      backend.combine(iteration.weights());
     }
     return true;
   }
 
-  /** Iterate with synthetic acceleration; false if stale. */
-  async accelerate(air, stale, onProgress) {
-    const { fixed, plan } = this;
-    const { over_relaxation, iterates: most, least, tolerance } = fixed.synthetic;
-    const { lateral_threshold, transport_depth_scale } = fixed.synthetic;
-    const { radii, sun_angles, terms } = plan.sizes;
-    const nodes = radii * sun_angles;
-    const polarised = over_relaxation.map((_, i) => terms - over_relaxation.length + i);
-    const synthetic = await this.synthetic(air);
-    const first = await this.numbers("first");
-    const [shallow, deep] = lateral_threshold;
-    const thresholds = air.transport.map((x, w) => {
-      const ratio = Math.max(x / transport_depth_scale, 1);
-      return air.thick[w] * Math.min(shallow * ratio ** 3, deep);
-    });
-    const lit = (guess, swept) => guess > least * swept;
-    let light = synthetic.apply(first);
-    replaceUnless(lit, light, first, nodes, terms);
-    const residuals = [];
-    const iterates = [];
-    for (this.sweeps = 1; this.sweeps <= fixed.most_sweeps; this.sweeps++) {
-      await breath();
-      if (stale()) return false;
-      this.put("given", FORMAT, light);
-      this.guess = "given";
-      this.run("pack");
-      this.run("sweep");
-      const swept = await this.numbers(this.ring[0], plan.textures.light);
-      const mean = momentOf(swept, nodes, terms, 0);
-      if (!mean.some((x) => x > 0)) break;
-      const acceleration = accelerationWeights(mean, sun_angles, thresholds);
-      const residual = swept.map((x, i) => x - light[i]);
-      const accelerated = synthetic.apply(residual, swept);
-      const iterate = light.map((value, i) => {
-        const texel = Math.floor(i / LANES);
-        const [node, term] =
-          texel < nodes * terms
-            ? [Math.floor(texel / terms), texel % terms]
-            : [texel - nodes * terms, 0];
-        const weight = acceleration[node * LANES + (i % LANES)];
-        const change = residual[i] + weight * (accelerated[i] - residual[i]);
-        return value + change * (over_relaxation[term - polarised[0]] ?? 1);
-      });
-      replaceUnless(lit, iterate, swept, nodes, terms);
-      iterates.push(iterate);
-      if (iterates.length > most) iterates.shift();
-      // Mean radiances, and mean radiances that differ by the change of each polarised moment.
-      const after = momentOf(iterate, nodes, terms, 0);
-      const steps = [0, ...polarised].map((term) => {
-        const [old, now] = [light, iterate].map((one) => momentOf(one, nodes, terms, term));
-        const before = after.map((x, i) => x - (now[i] - old[i]));
-        return relativeChange(before, after);
-      });
-      const counted = counts(after, air.thick);
-      residuals.push(Float64Array.from(steps.flatMap((one) => [...one.map((x, i) => x * counted[i])])));
-      if (residuals.length > most) residuals.shift();
-      this.residual = Math.max(
-        ...steps.map((step) => this.remainingError(step, after, residuals, air.thick, 1)),
-      );
-      if (!Number.isFinite(this.residual)) throw new Error("this air's light is not a finite number");
-      onProgress(shareOf(this.residual, tolerance));
-      const weights = Array.from({ length: LANES }, (_, lane) => mixingWeights(residuals, lane));
-      light = andersonStep(iterates, weights, acceleration, nodes, terms);
-      if (this.residual <= tolerance && this.sweeps > 1) break;
-    }
+  /** Compute the next iterate by one sweep of the guess. */
+  sweep() {
+    this.ring.unshift(this.ring.pop());
+    this.run("pack");
+    this.run("sweep");
+  }
+
+  /** Mean radiances of the guess and of its iterate. */
+  async reduce() {
+    const { radii, sun_angles } = this.plan.sizes;
+    const length = radii * sun_angles * LANES;
+    const numbers = await this.device.read(this.textures.get("means"));
+    const [mean, sky, before] = [0, 1, 2].map((k) => numbers.slice(k * length, (k + 1) * length));
+    this.brightest = [...brightest(mean), ...brightest(sky)];
+    return [before, mean];
+  }
+
+  /** Compute the next guess; the uniform `mix` has the weights, the latest first, and maxima. */
+  combine(weights) {
+    this.mix.fill(0);
+    [...weights].reverse().forEach((one, i) => this.mix.set(one, i * LANES));
+    this.mix.set(this.brightest, this.ring.length * LANES);
+    this.run("mix");
+    this.guess = "light";
+  }
+
+  setGuess(light) {
     this.put("given", FORMAT, light);
     this.guess = "given";
-    return true;
   }
 
   /** Synthetic acceleration in an atmosphere, from the textures of its rays. */
@@ -223,7 +166,7 @@ export class Solver {
 
   /** Promise of the numbers of a texture. */
   async numbers(name, texels = this.plan.textures[name]) {
-    return (await this.device.read(this.textures.get(name))).subarray(0, texels * LANES);
+    return (await this.device.read(this.texture(name))).subarray(0, texels * LANES);
   }
 
   /** Replace the tables of the atmosphere. */
@@ -267,38 +210,6 @@ export class Solver {
     const iterate = this.plan.iterates.indexOf(name);
     return this.textures.get(iterate < 0 ? name : this.ring[iterate]);
   }
-
-  /** Promise of mean radiance and irradiance of the last iterate, and mean radiance of the guess. */
-  async means() {
-    const { radii, sun_angles } = this.plan.sizes;
-    const length = radii * sun_angles * LANES;
-    const numbers = await this.device.read(this.textures.get("means"));
-    return [0, 1, 2].map((part) => numbers.slice(part * length, (part + 1) * length));
-  }
-
-  /** Largest remaining change, estimated. [1] */
-  remainingError(change, mean, residuals, thick, share) {
-    const { fixed } = this;
-    const night = counts(mean, thick.map((x) => share * x));
-    const largest = brightest(change.map((x, i) => Math.abs(x * night[i])));
-    const follows = estimatedTail(residuals, fixed.back);
-    return Math.max(...largest.map((x, lane) => x * follows[lane]));
-  }
-
-  /** Set the inputs of the pass `next_guess`: weights, last iterate first, and two largest values. */
-  updateWeights(residuals, mean, sky) {
-    this.mix.fill(0);
-    const iterates = this.ring.length;
-    for (let lane = 0; lane < LANES; lane++) {
-      mixingWeights(residuals, lane)
-        .reverse()
-        .forEach((weight, i) => {
-          this.mix[i * LANES + lane] = weight;
-        });
-    }
-    this.mix.set(brightest(mean), iterates * LANES);
-    this.mix.set(brightest(sky), (iterates + 1) * LANES);
-  }
 }
 
 /** Promise of the ratios of the columns towards the star, from a picture's tables. */
@@ -306,11 +217,6 @@ async function columnsOf({ tables, uniforms }) {
   const [start, ...shape] = uniforms.table_columns;
   const count = shape.reduce((all, n) => all * n, 2);
   return (await numbersOf(tables.scalars.data)).subarray(start, start + count);
-}
-
-/** Progress by logarithm: 0 at a change of 1, 1 at the tolerance. */
-function shareOf(change, tolerance) {
-  return Math.log(Math.max(Math.min(change, 1), tolerance)) / Math.log(tolerance);
 }
 
 /** Promise of a moment in which the page answers. */

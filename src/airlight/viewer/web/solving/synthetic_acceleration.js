@@ -1,6 +1,6 @@
 /**
- * Synthetic acceleration of the iteration in optically thick air: see
- * solver/moments/synthetic_acceleration.py, whose elimination and lateral diffusion are emitted.
+ * Synthetic acceleration of the iteration in optically thick air, by loops emitted from
+ * solver/moments/synthetic_acceleration.py, synthetic_operator.py and elimination.py.
  *
  * The operator K is assembled from the textures of each ray that the passes have filled: `factors`
  * of the moments at its points, `shares`, `bounces` and `projections`, see gpu/solver/passes.py.
@@ -10,22 +10,32 @@
 import {
   factorise,
   floor_below,
+  gather_levels,
   lateral_diffusion_equations,
+  multiply,
   node_value,
+  project_radii,
+  spread_onto,
   substitute,
+  take_terms,
 } from "../generated/formulas.js";
 import { LANES } from "../generated/sizes.js";
+import { table } from "./convergence.js";
+
+/** Table of one wavelength, and the table of one wavelength among four. */
+const alone = (values, ...shape) => ({ values, shape, step: 1, at: 0 });
+const lane = (at, values, ...shape) => ({ values, shape, step: LANES, at });
 
 export class SyntheticAcceleration {
   /**
    * @param {object} plan Plan of the solver.
-   * @param {(name: string) => object} table Table of the plan, as emitted functions read it.
+   * @param {(name: string) => object} tableOf Table of the plan, as emitted functions read it.
    * @param {object} fixed Largest `degree` and `order` of the moments in K, and `cubics`.
    * @param {Object<string, Float32Array>} rays Contents of the four textures.
    * @param {{diffusion_length: number, grid_diffusion: number, deep: boolean}} diffusion Lengths of
    *   lateral and numerical diffusion [rad], and whether the air is optically deep.
    */
-  constructor(plan, table, fixed, rays, diffusion) {
+  constructor(plan, tableOf, fixed, rays, diffusion) {
     const { degree, order, cubics } = fixed;
     this.sizes = plan.sizes;
     this.pairs = [];
@@ -34,16 +44,16 @@ export class SyntheticAcceleration {
       this.blocks.push({ m, first: this.pairs.length, width: degree + 1 - m });
       for (let l = m; l <= degree; l++) this.pairs.push((l * (l + 1)) / 2 + m);
     }
-    this.cubics = sparse(cubics, this.sizes.radii);
+    this.degree = degree;
+    this.cubics = table(cubics, this.sizes.levels, this.sizes.radii);
     const { diffusion_length, grid_diffusion, deep } = diffusion;
-    const cosines = table("sun_cosines");
+    const cosines = tableOf("sun_cosines");
     this.deep = deep;
     this.both = lateralDiffusionMatrix(cosines, diffusion_length, grid_diffusion);
-    this.diffusion = lateralDiffusionMatrix(cosines, diffusion_length, 0);
+    this.diffusion = transposed(lateralDiffusionMatrix(cosines, diffusion_length, 0));
     this.gridDiffusion = lateralDiffusionMatrix(cosines, 0, grid_diffusion);
-    this.points = pointsOf(plan.sizes, table);
-    this.rays = rays;
-    this.start = table("start");
+    this.rays = { ...rays, start: tableOf("start").values, radius: tableOf("radius").values };
+    this.nodes = [tableOf("first_nodes"), tableOf("row")];
   }
 
   /**
@@ -54,85 +64,75 @@ export class SyntheticAcceleration {
    */
   async eliminate(breathe) {
     this.lanes = [];
-    for (let lane = 0; lane < LANES; lane++) {
+    for (let at = 0; at < LANES; at++) {
       await breathe();
-      this.lanes.push(this.equations(lane));
+      this.lanes.push(this.equations(at));
     }
-    this.rays = this.points = null;
+    this.rays = null;
     return this;
   }
 
   /** Factors of 1 - K for each order in azimuth, and rows that give the irradiances. */
-  equations(lane) {
+  equations(at) {
     const { radii, angles, terms } = this.sizes;
     const { bounces, projections } = this.rays;
+    // The ground's irradiance is one more unknown beside the moments of m = 0.
     const sizes = this.blocks.map(({ m, width }) => radii * width + (m === 0 ? 1 : 0));
     const factors = sizes.map((size) => new Float64Array(size * size));
-    const toSky = new Float64Array(radii * radii * this.blocks[0].width);
+    const columns = radii * this.blocks[0].width;
+    const toSky = alone(new Float64Array(radii * columns), radii, columns);
     for (let i = 0; i < radii; i++) {
-      const seen = Array.from({ length: angles }, (_, a) => this.seen(i * angles + a, lane));
+      const seen = this.seen(i, at);
       this.blocks.forEach(({ m, first, width }, block) => {
-        const turn = m === 0 ? 2 * Math.PI : Math.PI;
-        const size = sizes[block];
-        const target = factors[block];
-        for (let a = 0; a < angles; a++) {
-          const ray = i * angles + a;
-          const flux = turn * projections[radii * angles * terms + ray];
-          for (let l = 0; l < width; l++) {
-            const weight = turn * projections[ray * terms + this.pairs[first + l]];
-            const row = (i * width + l) * size;
-            for (let r = 0; r < radii; r++) {
-              for (let k = 0; k < width; k++) {
-                target[row + r * width + k] -= weight * seen[a][r * this.pairs.length + first + k];
-              }
-            }
-            if (m === 0) target[row + size - 1] -= weight * bounces[ray * LANES + lane];
-          }
-          if (m > 0 || flux === 0) continue;
-          const sky = i * radii * width;
-          for (let r = 0; r < radii; r++) {
-            for (let k = 0; k < width; k++) {
-              toSky[sky + r * width + k] += flux * seen[a][r * this.pairs.length + first + k];
-            }
-          }
-        }
+        const [turn, size] = [m === 0 ? 2 * Math.PI : Math.PI, sizes[block]];
+        const rows = factors[block].subarray(i * width * size, (i + 1) * width * size);
+        const weights = Float64Array.from({ length: width * angles }, (_, k) => {
+          const ray = i * angles + (k % angles);
+          return turn * projections[ray * terms + this.pairs[first + Math.floor(k / angles)]];
+        });
+        project_radii(table(weights, width, angles), seen, first, width, alone(rows, width, size));
+        if (m > 0) return;
+        weights.forEach((weight, k) => {
+          const row = Math.floor(k / angles);
+          rows[(row + 1) * size - 1] += weight * bounces[(i * angles + (k % angles)) * LANES + at];
+        });
+        const start = radii * angles * terms + i * angles;
+        const flux = projections.slice(start, start + angles).map((x) => turn * x);
+        const sky = alone(toSky.values.subarray(i * columns, (i + 1) * columns), 1, columns);
+        project_radii(table(flux, 1, angles), seen, 0, width, sky);
       });
     }
-    // The ground's irradiance is one more unknown beside the moments of m = 0.
-    const moments = sizes[0] - 1;
-    for (let k = 0; k < moments; k++) factors[0][moments * sizes[0] + k] -= toSky[k];
+    factors[0].set(toSky.values.subarray(0, columns), columns * sizes[0]);
     factors.forEach((matrix, block) => {
-      for (let k = 0; k < sizes[block]; k++) matrix[k * sizes[block] + k] += 1;
-      factorise(matrix, sizes[block]);
+      const size = sizes[block];
+      matrix.forEach((x, k) => (matrix[k] = (k % (size + 1) === 0 ? 1 : 0) - x));
+      factorise(matrix, size);
     });
     return { sizes, factors, toSky };
   }
 
-  /** Weights of the moments at all radii in the radiance of a ray. */
-  seen(ray, lane) {
-    const { radii, angles, terms, levels } = this.sizes;
-    const { factors, shares } = this.rays;
+  /** Weights of the moments at all radii in the radiances of the rays from a radius. */
+  seen(i, at) {
+    const { radii, angles, terms, levels, bottom, top } = this.sizes;
+    const { factors, shares, start, radius } = this.rays;
     const { length } = this.pairs;
-    const row = Math.floor(ray / angles) * (angles + 1) + (ray % angles);
-    const fine = new Float64Array(levels * length);
-    const share = shares[ray * LANES + lane];
-    for (let k = this.start.values[row]; k < this.start.values[row + 1]; k++) {
-      const level = this.points.levels[k];
-      const f = this.points.fractions[k];
-      for (let pair = 0; pair < length; pair++) {
-        const value = share * factors[(k * (terms + 1) + this.pairs[pair]) * LANES + lane];
-        fine[level * length + pair] += (1 - f) * value;
-        fine[(level + 1) * length + pair] += f * value;
+    const fine = new Float64Array(angles * levels * length);
+    for (let a = 0; a < angles; a++) {
+      const share = shares[(i * angles + a) * LANES + at];
+      const row = i * (angles + 1) + a;
+      for (let k = start[row]; k < start[row + 1]; k++) {
+        const x = node_value(radius[k], bottom, top, ...this.nodes);
+        const level = Math.min(Math.trunc(x), levels - 2);
+        const [below, f] = [(a * levels + level) * length, x - level];
+        this.pairs.forEach((pair, n) => {
+          const value = share * factors[(k * (terms + 1) + pair) * LANES + at];
+          fine[below + n] += (1 - f) * value;
+          fine[below + length + n] += f * value;
+        });
       }
     }
-    const found = new Float64Array(radii * length);
-    this.cubics.forEach((weights, level) => {
-      for (const [r, weight] of weights) {
-        for (let pair = 0; pair < length; pair++) {
-          found[r * length + pair] += weight * fine[level * length + pair];
-        }
-      }
-    });
+    const found = alone(new Float64Array(angles * radii * length), angles, radii, length);
+    gather_levels(this.cubics, alone(fine, angles, levels, length), found);
     return found;
   }
 
@@ -144,122 +144,75 @@ export class SyntheticAcceleration {
    * @returns {Float32Array}
    */
   apply(change, light = null) {
-    const { radii, sun_angles, terms } = this.sizes;
-    const nodes = radii * sun_angles;
+    const { radii, sun_angles: suns } = this.sizes;
     const all = change.slice();
-    for (let lane = 0; lane < LANES; lane++) {
-      const { sizes, factors, toSky } = this.lanes[lane];
-      const once = this.deep && !light;
-      const diffused = (more) => (once ? this.spread(more, this.diffusion) : more);
-      const around = once ? this.gridDiffusion : this.both;
-      const known = light ?? change;
-      let scale;
-      this.blocks.forEach((block, index) => {
-        const before = this.unknowns(change, block, lane);
+    this.lanes.forEach(({ sizes, factors, toSky }, at) => {
+      const given = this.parts(change, at);
+      let sky = alone(new Float64Array(radii * suns), radii, suns);
+      let more = this.blocks.map(({ m }, block) => {
+        const before = new Float64Array(sizes[block] * suns);
+        take_terms(...given, m, this.degree, 0, alone(before, sizes[block], suns));
         const after = before.slice();
-        substitute(factors[index], sizes[index], after, sun_angles);
-        const more = diffused(after.map((x, i) => x - before[i]));
-        // With the star in the zenith or the nadir no light depends on azimuth.
-        const inner = block.m > 0 ? 1 : 0;
-        const { first, width } = block;
-        if (block.m === 0) {
-          scale = this.scaleOf((i, s) => more[i * width * sun_angles + s], known, terms, 0, lane);
-        }
-        const shares = more
-          .subarray(0, radii * width * sun_angles)
-          .map((x, k) => x / scale[Math.floor(k / (width * sun_angles)) * sun_angles + (k % sun_angles)]);
-        this.spread(shares, around, inner).forEach((x, k) => {
-          const [row, s] = [Math.floor(k / sun_angles), k % sun_angles];
-          const node = Math.floor(row / width) * sun_angles + s;
-          all[(node * terms + this.pairs[first + (row % width)]) * LANES + lane] += x * scale[node];
-        });
-        if (block.m > 0) return;
-        const sky = diffused(this.irradiances(toSky, after));
-        const received = this.scaleOf((i, s) => sky[i * sun_angles + s], known, 1, nodes * terms, lane);
-        this.spread(sky.map((x, k) => x / received[k]), around).forEach((x, k) => {
-          all[(nodes * terms + k) * LANES + lane] += x * received[k];
-        });
+        substitute(factors[block], sizes[block], after, suns);
+        if (m === 0) multiply(toSky, alone(after, sizes[block], suns), sky);
+        return alone(after.map((x, i) => x - before[i]), sizes[block], suns);
       });
-    }
+      let matrix = this.both;
+      if (this.deep && !light) {
+        [sky, ...more] = [sky, ...more].map((one) => {
+          const spread = { ...one, values: new Float64Array(one.values.length) };
+          multiply(one, this.diffusion, spread);
+          return spread;
+        });
+        matrix = this.gridDiffusion;
+      }
+      const [known, knownSky] = this.parts(light ?? change, at);
+      const [out, outSky] = this.parts(all, at);
+      const mean = this.scaleOf(known, more[0], this.blocks[0].width);
+      const received = this.scaleOf(knownSky, sky, 1);
+      for (let i = 0; i < radii; i++) {
+        this.blocks.forEach(({ m, first, width }, block) => {
+          // With the star in the zenith or the nadir no light depends on azimuth.
+          const terms = this.pairs.slice(first, first + width);
+          move(matrix, more[block], i, terms, m > 0 ? 1 : 0, mean, out);
+        });
+        move(matrix, sky, i, [0], 0, received, outSky);
+      }
+    });
     return all;
   }
 
+  /** Tables (radius, sun, term) of the moments and (radius, sun) of the irradiances of a light. */
+  parts(light, at) {
+    const { radii, sun_angles, terms } = this.sizes;
+    const moments = radii * sun_angles * terms * LANES;
+    return [
+      lane(at, light.subarray(0, moments), radii, sun_angles, terms),
+      lane(at, light.subarray(moments), radii, sun_angles, 1),
+    ];
+  }
+
   /** Light plus the magnitude of its change, by node: the scale of ratios in deep air, otherwise 1. */
-  scaleOf(more, light, step, first, lane) {
-    const { radii, sun_angles } = this.sizes;
-    const scale = new Float64Array(radii * sun_angles);
+  scaleOf({ values, shape: [radii, suns, terms], step, at }, more, rows) {
+    const scale = new Float64Array(radii * suns);
     if (!this.deep) return scale.fill(1);
-    for (let i = 0; i < radii; i++) {
-      for (let s = 0; s < sun_angles; s++) {
-        const node = i * sun_angles + s;
-        const here = light[(first + node * step) * LANES + lane];
-        scale[node] = Math.max(here, 0) + Math.abs(more(i, s));
-      }
-    }
+    scale.forEach((_, node) => {
+      const added = more.values[Math.floor(node / suns) * rows * suns + (node % suns)];
+      scale[node] = Math.max(values[node * terms * step + at], 0) + Math.abs(added);
+    });
     const floor = floor_below(scale.reduce((most, x) => Math.max(most, x), 0));
     return scale.map((x) => Math.max(x, floor));
   }
-
-  /** Rows of values by sun, multiplied by a matrix, but for so many sun_angles at either end: 0. */
-  spread(values, matrix, inner = 0) {
-    const { sun_angles } = this.sizes;
-    const found = new Float64Array(values.length);
-    for (let row = 0; row < values.length; row += sun_angles) {
-      for (let t = inner; t < sun_angles - inner; t++) {
-        let sum = 0;
-        for (let s = 0; s < sun_angles; s++) sum += matrix[t * sun_angles + s] * values[row + s];
-        found[row + t] = sum;
-      }
-    }
-    return found;
-  }
-
-  /** Horizontal irradiances from the moments of m = 0. */
-  irradiances(toSky, moments) {
-    const { radii, sun_angles } = this.sizes;
-    const count = toSky.length / radii;
-    const more = new Float64Array(radii * sun_angles);
-    for (let i = 0; i < radii; i++) {
-      for (let k = 0; k < count; k++) {
-        const weight = toSky[i * count + k];
-        for (let s = 0; s < sun_angles; s++) more[i * sun_angles + s] += weight * moments[k * sun_angles + s];
-      }
-    }
-    return more;
-  }
-
-  /** Moments of one order in azimuth, and the ground's irradiance, by sun. */
-  unknowns(light, { m, first, width }, lane) {
-    const { radii, sun_angles, terms } = this.sizes;
-    const values = new Float64Array((radii * width + (m === 0 ? 1 : 0)) * sun_angles);
-    for (let i = 0; i < radii; i++) {
-      for (let l = 0; l < width; l++) {
-        for (let s = 0; s < sun_angles; s++) {
-          const at = (i * sun_angles + s) * terms + this.pairs[first + l];
-          values[(i * width + l) * sun_angles + s] = light[at * LANES + lane];
-        }
-      }
-    }
-    if (m > 0) return values;
-    for (let s = 0; s < sun_angles; s++) {
-      values[radii * width * sun_angles + s] = light[(radii * sun_angles * terms + s) * LANES + lane];
-    }
-    return values;
-  }
 }
 
-/** Level of the table below each point of the rays, and the point's fraction of the step above. */
-function pointsOf({ levels: count, bottom, top }, table) {
-  const radius = table("radius").values;
-  const levels = new Int32Array(radius.length);
-  const fractions = new Float64Array(radius.length);
-  const [nodes, rows] = [table("first_nodes"), table("row")];
-  radius.forEach((q, k) => {
-    const x = node_value(q, bottom, top, nodes, rows);
-    levels[k] = Math.min(Math.trunc(x), count - 2);
-    fractions[k] = x - levels[k];
-  });
-  return { levels, fractions };
+/** Add ratios to the light at a radius, multiplied by a matrix over sun angles and by the scale. */
+function move(matrix, more, i, terms, inner, scale, { values, shape, step, at }) {
+  const [, suns, count] = shape;
+  const here = scale.subarray(i * suns, (i + 1) * suns);
+  const rows = more.values.subarray(i * terms.length * suns, (i + 1) * terms.length * suns);
+  const shares = alone(rows.map((x, k) => x / here[k % suns]), terms.length, suns);
+  const out = lane(at, values.subarray(i * suns * count * step), suns, count);
+  spread_onto(matrix, shares, table(terms, terms.length), inner, alone(here, suns), out);
 }
 
 /** Matrix between sun elevations, rows first: `lateral_diffusion_matrix` of synthetic_acceleration.py. */
@@ -274,14 +227,9 @@ function lateralDiffusionMatrix(cosines, diffusionLength, gridDiffusion) {
   });
   factorise(spread, sun_angles);
   substitute(spread, sun_angles, matrix, sun_angles);
-  return matrix;
+  return alone(matrix, sun_angles, sun_angles);
 }
 
-/** Non-zero columns and values of each row of a matrix. */
-function sparse(values, columns) {
-  const rows = Array.from({ length: values.length / columns }, () => []);
-  values.forEach((value, at) => {
-    if (value) rows[Math.floor(at / columns)].push([at % columns, value]);
-  });
-  return rows;
+function transposed({ values, shape: [rows, columns] }) {
+  return alone(values.map((_, k) => values[(k % rows) * columns + Math.floor(k / rows)]), columns, rows);
 }
