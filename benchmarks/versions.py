@@ -4,11 +4,14 @@
     python benchmarks/versions.py ../before                    # all cases, and a table
     python benchmarks/versions.py ../before --only solve --turns 7
 
-Each version runs in a process of its own that waits while the other works. A case is made ready in
-both, with its tables in memory and its loops compiled, before it is timed; nothing is read from the
-solutions on disk. The ratio is the median over the turns of this version's time over the other's
-just before it, with the least and the largest: a shared machine changes its speed, and neighbours
-in time change together. Each version keeps its compiled code in a folder of its own.
+Each version runs in two processes of its own that wait while the others work: one started before
+and one after the other version's, as the one started later was up to 1.16 times slower with the
+same code. A case is made ready in all, with its tables in memory and its loops compiled, before it
+is timed; nothing is read from the solutions on disk. The ratio is the median over the turns of this
+version's time over the other's just before it, its geometric mean over both orders, with the least
+and the largest: a shared machine changes its speed, and neighbours in time change together. Each
+version keeps its compiled code in a folder of its own; compiled again, the same source was up to
+1.4 times slower where each pixel is marched, so such a ratio needs several runs.
 """
 
 from __future__ import annotations
@@ -19,8 +22,9 @@ import os
 import subprocess
 import sys
 import tempfile
+from itertools import chain
 from pathlib import Path
-from statistics import median
+from statistics import geometric_mean, median
 from time import perf_counter, process_time
 from typing import Any
 
@@ -147,11 +151,17 @@ class Version:
         self._process.wait()
 
 
+def ratio_of(turns: list[list[list[list[float]]]], kind: int) -> list[float]:
+    """Median ratio of the two versions' times, by pair of processes; wall (0) or CPU (1)."""
+    pairs = zip(*turns, strict=True)
+    return [median(now[kind] / before[kind] for before, now in some) for some in pairs]
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("other", type=Path, nargs="?", help="folder of the other checkout")
     parser.add_argument("--only", default="", help="cases whose name has this")
-    parser.add_argument("--turns", type=int, default=5)
+    parser.add_argument("--turns", type=int, default=5, help="of each pair of processes")
     parser.add_argument("--cache", type=Path, help="folder that keeps both versions' compiled code")
     parser.add_argument("--child", action="store_true", help=argparse.SUPPRESS)
     given = parser.parse_args()
@@ -163,25 +173,31 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as temporary:
         cache = given.cache or Path(temporary)
         roots = given.other.resolve(), ROOT
-        versions = [Version(root, cache / name) for root, name in zip(roots, "ab", strict=True)]
+        both = list(zip(roots, "ab", strict=True))
+        started = [
+            [Version(root, cache / name) for root, name in some] for some in (both, both[::-1])
+        ]
+        pairs = [started[0], started[1][::-1]]
         print("| case | before [s] | now [s] | ratio, least to largest | processor |")
         print("|---|---|---|---|---|", flush=True)
         for name, function, arguments in CASES:
             if given.only not in name:
                 continue
-            for version in versions:
-                version.ask(json.dumps([function, arguments]))
-            turns = [[version.ask("") for version in versions] for _ in range(given.turns)]
-            before, now = ([pair[k][0] for pair in turns] for k in (0, 1))
+            for pair in pairs:
+                for version in pair:
+                    version.ask(json.dumps([function, arguments]))
+            turns = [[[one.ask("") for one in pair] for pair in pairs] for _ in range(given.turns)]
+            before, now = ([pair[k][0] for pair in chain(*turns)] for k in (0, 1))
             ratios = [b / a for a, b in zip(before, now, strict=True)]
-            busy = median(pair[1][1] / pair[0][1] for pair in turns)
+            wall, busy = (geometric_mean(ratio_of(turns, kind)) for kind in (0, 1))
             print(
-                f"| {name} | {median(before):.3g} | {median(now):.3g} | {median(ratios):.2f} "
+                f"| {name} | {median(before):.3g} | {median(now):.3g} | {wall:.2f} "
                 f"({min(ratios):.2f} to {max(ratios):.2f}) | {busy:.2f} |",
                 flush=True,
             )
-        for version in versions:
-            version.end()
+        for pair in pairs:
+            for version in pair:
+                version.end()
 
 
 if __name__ == "__main__":

@@ -5,9 +5,9 @@
     python builders/review_sheets.py after --against before --seed 7
 
 Renders the scenes of ``review_scenes.toml`` that the folder lacks, by ``airlight render``, and
-writes one sheet per subject. ``--against`` writes sheets of pairs instead, left and right drawn by
-lot, for readers who must not know which is which, and ``key.json``, which says it. ``--only``
-renders subjects or scenes anew.
+writes one sheet per subject. ``--against`` writes sheets of pairs in random order instead, for
+readers who must not know which version is which, and ``key.json``, which says it. ``--only``
+renders the named subjects or scenes again.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ from PIL import Image, ImageDraw
 from airlight.cli.app import main as airlight
 
 #: Subjects, names and arguments of the scenes.
-SCENES = tomllib.loads(Path(__file__).with_name("review_scenes.toml").read_text("utf-8"))
+SOURCE = Path(__file__).with_name("review_scenes.toml")
+SCENES = tomllib.loads(SOURCE.read_text("utf-8"))
 #: Pictures in a row of a sheet, their height there, and the height of a label. [pixel]
 COLUMNS, HIGH, LABEL = 3, 360, 22
 #: Size of a picture whose scene states none.
@@ -83,12 +84,15 @@ def main() -> None:
     """Render the scenes and write the sheets."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--only", nargs="*", default=[], help="subjects or subject-name, anew")
+    parser.add_argument("--only", nargs="*", default=[], help="subjects, or scenes as SUBJECT-NAME")
     parser.add_argument("--against", type=Path, help="folder of the other version's pictures")
-    parser.add_argument("--seed", type=int, default=0, help="of the lot")
+    parser.add_argument("--seed", type=int, default=0, help="of the random order")
     given = parser.parse_args()
+    known = {*SCENES, *(f"{subject}-{name}" for subject, some in SCENES.items() for name in some)}
+    if unknown := set(given.only) - known:
+        parser.error(f"--only: unknown {', '.join(sorted(unknown))}; see {SOURCE.name}")
     given.folder.mkdir(parents=True, exist_ok=True)
-    lot, key = random.Random(given.seed), {}
+    order, key = random.Random(given.seed), {}
     for subject, scenes in SCENES.items():
         shown = []
         for name, arguments in scenes.items():
@@ -106,7 +110,7 @@ def main() -> None:
                 shown.append((label, file))
                 continue
             pair = [("after", file), ("before", other)]
-            lot.shuffle(pair)
+            order.shuffle(pair)
             key[label] = [version for version, _ in pair]
             shown += [(f"{label}, {side}", at) for side, (_, at) in zip("AB", pair, strict=True)]
         columns = COLUMNS if given.against is None else 2

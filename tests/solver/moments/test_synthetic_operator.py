@@ -19,9 +19,9 @@ def test_weights_at_levels_go_to_the_radii_that_these_are_interpolated_from(part
     rng = np.random.default_rng(1)
     cubics = finer_weights(RADII, parts)
     weights = rng.uniform(0.5, 1.0, (ANGLES, len(cubics), PAIRS, LANES)).astype(np.float32)
-    out = np.full((ANGLES, RADII, PAIRS, LANES), np.nan, np.float32)
+    out = np.ones((ANGLES, RADII, PAIRS, LANES), np.float32)  # to which the weights are added
     gather_levels(cubics.astype(np.float32), weights, out)
-    wanted = np.einsum("fr,afkw->arkw", cubics, weights)
+    wanted = 1.0 + np.einsum("fr,afkw->arkw", cubics, weights)
     assert_allclose(out, wanted, rtol=1e-6)
 
 

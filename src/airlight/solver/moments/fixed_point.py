@@ -59,13 +59,21 @@ def iterate(
 
     Parameters
     ----------
+    backend : Backend
+        Fields, which hold the initial guess, and receive the solution.
+    iteration : Iteration
+        Decisions, from the first sweep on.
     report : callable
         Called after each sweep.
+    cancel : callable, optional
+        Asked before each sweep whether to stop.
 
     Raises
     ------
     ConvergenceError
         If ``iteration`` stalls, or reaches its largest number of sweeps.
+    Cancelled
+        If ``cancel`` says so.
     """
     while iteration.unfinished():
         if iteration.diverging:

@@ -84,7 +84,7 @@ def gather_levels(cubics, weights, out):
     weights : array, shape (a, f, pairs, 8)
         Weights from ``synthetic_rows``, at f levels. [1]
     out : array, shape (a, r, pairs, 8)
-        Receives the weights at r radii; 0 before. [1]
+        Array to which the weights at r radii are added. [1]
     """
     levels, radii = cubics.shape[0], cubics.shape[1]
     given, found = lane_view(weights), lane_view(out)
