@@ -35,14 +35,15 @@ def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any])
     camera = Camera(width=320, height=180, look_zenith=100.0)
     renderer = CpuRenderer(solution, Scene(altitude=400e3, camera=camera))
     renderer.fill_sky_view()
-    fill, draw, _ = _arguments()
+    fill, mirrored, draw, _ = _arguments()
     points = np.zeros(4)
     frame, work = renderer._frame(renderer._view), new_workspace(renderer._tables)
     real = points, points, frame, work, renderer._weights
     for made, one in zip(draw[:5], real, strict=True):
         assert numba.typeof(made) == numba.typeof(one)
     read = frame.window, frame.observer, frame.tables, work
-    assert [numba.typeof(one) for one in fill[2:6]] == [numba.typeof(one) for one in read]
+    for made in (fill, mirrored):
+        assert [numba.typeof(one) for one in made[2:6]] == [numba.typeof(one) for one in read]
 
 
 def test_the_count_of_a_solve_knows_the_loops_that_it_runs() -> None:

@@ -51,10 +51,13 @@ def rendered(renderer: CpuRenderer) -> np.ndarray:
     return rgb
 
 
-@pytest.mark.parametrize(("altitude", "look_zenith"), [(2.0, 85.0), (400e3, 115.0)])
+@pytest.mark.parametrize(
+    ("altitude", "look_zenith", "error"), [(2.0, 85.0, 1e-3), (400e3, 115.0, 6e-3)]
+)
 def test_a_tiny_moon_leaves_the_picture(
-    earth: MomentsSolution, altitude: float, look_zenith: float
+    earth: MomentsSolution, altitude: float, look_zenith: float, error: float
 ) -> None:
+    # In the shadow the sea mirrors one direction of the sky, by day the mean over its facets.
     camera = Camera(width=WIDTH, height=HEIGHT, field_of_view=60.0, look_zenith=look_zenith,
                     look_azimuth=70.0, roll=10.0)  # fmt: skip
     scene = Scene(camera=camera, altitude=altitude, sun_zenith=65.0, latitude=44.0,
@@ -62,7 +65,7 @@ def test_a_tiny_moon_leaves_the_picture(
     tiny = eclipsed(earth, 65.0, 0.005)
     got = rendered(EclipseRenderer(tiny, scene, np.eye(3)))
     expected = rendered(CpuRenderer(earth, scene, exact=True, disc=False))
-    assert_allclose(got, expected, rtol=1e-3, atol=1e-4 * expected.max())
+    assert_allclose(got, expected, rtol=error, atol=1e-4 * expected.max())
 
 
 def test_a_filter_and_q_and_u_are_refused_in_the_shadow(earth: MomentsSolution) -> None:

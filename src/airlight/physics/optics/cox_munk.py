@@ -73,7 +73,8 @@ def glint_factor(mu_s, mu_r, nu, wind):
     """Reflectance factor of sun glint. [1]
 
     π F(ω) p S/(4 μ₀ μ cos⁴β) with the facet tilt β, the slope density p = exp(-tan²β/s²)/(π s²),
-    the Fresnel reflectance F, and the shadowing-masking factor S.
+    the Fresnel reflectance F, and the shadowing-masking factor S. A star at or below the horizon is
+    raised to ``LEVEL`` in its vertical plane.
 
     Parameters
     ----------
@@ -92,9 +93,10 @@ def glint_factor(mu_s, mu_r, nu, wind):
     slope = sqrt(square)
     sun, eye = max(mu_s, LEVEL), max(mu_r, 0.0)
     cosine = sqrt(min(max(0.5 * (1.0 - nu), 1e-8), 1.0))
-    tilt = min((sun + eye) / (2.0 * cosine), 1.0)
-    upright = tilt * tilt
-    density = exp(-(1.0 - upright) / (upright * square)) / (square * upright * upright)
+    # |s + v|² less its vertical part, for which the star is not raised
+    level = max(4.0 * cosine * cosine - (mu_s + eye) * (mu_s + eye), 0.0)
+    steep = level / ((sun + eye) * (sun + eye))
+    density = exp(-steep / square) * (1.0 + steep) * (1.0 + steep) / square
     r_s, r_p = fresnel_reflectances(SEA_WATER, cosine)
     seen = sun * eye + sun * hidden_slopes(eye, slope) + eye * hidden_slopes(sun, slope)
     return 0.125 * (r_s + r_p) * density / seen
@@ -234,14 +236,14 @@ def facing_slope(normal, limit):
 
 @kernel
 def facing_normal(slope, limit):
-    """Inverse of ``facing_slope``: the normal variable. [1]
+    """Inverse of ``facing_slope``: the normal variable, -4.8 at least at grazing incidence. [1]
 
     Examples
     --------
     >>> round(facing_normal(facing_slope(-0.7, 1.5), 1.5), 12)
     -0.7
     """
-    above = max(slope + limit, 1e-3)
+    above = max(slope + limit, 0.1)
     return above - 0.25 * _bend(limit) / above - limit - _shift(limit)
 
 

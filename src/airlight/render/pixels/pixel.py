@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from airlight.geometry.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
-from airlight.geometry.vectors import Vec3, plus
+from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture, scalars
@@ -404,6 +404,8 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
         refraction = sky_lookup(ray, found, exact, frame, work)
         if to_ground:
             factors = ground_reflectances(ray, found.sine, refraction, frame, work, color)
+            if view.clouded:
+                glow = scaled(glow, 1.0 - color[9])
             if view.overlaid or dark:
                 columns_to_ground(
                     ray.z, found.sine, observer, tables, work.columns_total, work.columns_so_far
