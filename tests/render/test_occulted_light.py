@@ -25,7 +25,7 @@ from airlight.solver.moments.solution import MomentsSolution
 
 NM = (680.0, 550.0, 440.0)
 #: Radiance of the new moon over the sun's, at most: the Earth's light is 1.2e-4 of the sun's
-#: (Mallama & Hilton 2018), the full Moon 2.5e-6 of the sun, its brightest ground 2.5 times the mean.
+#: (Mallama & Hilton 2018), the full Moon 2.5e-6 of the sun, bright ground 2.5 times the mean.
 EARTHSHINE = 1e-9
 
 

