@@ -267,8 +267,8 @@ class Star(TomlModel):
         Examples
         --------
         >>> dwarf = Star(spectrum="astm-g173").of_temperature(2886.0)  # half that of the sun
-        >>> f"{dwarf.angular_radius_degrees / 0.266568:.3f}"
-        '4.000'
+        >>> round(dwarf.angular_radius_degrees / 0.266568, 2)  # the angle of four solar radii
+        4.0
         """
         if self.known_distance is None or self.irradiance is not None:
             raise ConflictError("star.temperature", "cannot be combined with a given irradiance")

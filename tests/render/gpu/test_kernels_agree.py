@@ -36,7 +36,16 @@ from airlight.image.encoding import ENCODINGS
 from airlight.image.floating import physical_light
 from airlight.image.gamut import in_gamut
 from airlight.image.tone_maps import TONE_MAPS
-from airlight.physics.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
+from airlight.physics.optics import (
+    clouds,
+    cox_munk,
+    fresnel,
+    hapke,
+    moon_phase,
+    phase_functions,
+    reflection,
+    water,
+)
 from airlight.physics.optics.reflection import LAWS, Reflection
 from airlight.render.gpu.emit.shader_types import Constant, ShaderTable, StructValue
 from airlight.render.gpu.solver import ray_sums
@@ -399,6 +408,24 @@ STEPS = [
     # An angle less a radius, divided by the pixel.
     # a quotient of two cosines of which one may vanish: the shade is at most 2.65, its slope 300
     Case(disc_shading.moon_shade, (0.01 + 0.99 * UNIT, 0.9 * MU, LIT), atol=300 * EPS),
+    Case(hapke.grain_phase, (MU, 0.24, 0.33), rtol=POWER),
+    Case(hapke.multiple_scattering, (UNIT, 0.6), rtol=POWER),
+    Case(hapke.tilted, (0.02 + 0.96 * UNIT, 0.43), atol=16 * EPS, rtol=POWER),
+    # away from the surge, whose slope at opposition is infinite
+    Case(
+        hapke.hapke_reflectance,
+        (0.1 + 0.8 * UNIT, 0.1 + 0.8 * UNITS[0], 0.3 * MU, hapke.MOON),
+        rtol=300 * EPS,
+        atol=30 * EPS,
+    ),
+    Case(
+        moon_phase.moon_reflectance,
+        (0.1 + 0.8 * UNIT, 0.1 + 0.8 * UNITS[0], 0.3 * MU),
+        rtol=300 * EPS,
+        atol=30 * EPS,
+    ),
+    Case(disc_shading.face_level, (0.001 + 0.2 * UNIT, 128)),
+    Case(disc_shading.face_place, (1.2 * MU, 64), atol=64 * EPS),
     # without a phase, and with one where the shade is smooth; μ loses half its digits at the rim
     Case(
         disc_shading.disc_powers,

@@ -187,7 +187,7 @@ def facing_limit(cosine, deviation):
 
     Examples
     --------
-    >>> facing_limit(0.6, 0.25)
+    >>> round(facing_limit(0.6, 0.25), 12)
     3.0
     """
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 1e-8))
