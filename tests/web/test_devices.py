@@ -175,7 +175,7 @@ def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
         for entry, text in one["glsl"].items()
         if entry != CORNERS
     ]
-    # sky, its peaks and polarisation, that over the sea, pixels, glare down and up, sum of lights, display
+    # sky, its peaks and polarisation, sea, pixels, glare down and up, sum of lights, display
     assert len(pairs) == 9 + len(PASSES)
     page = modules({"devices/device": ("openDevice",)})
     shaders = [

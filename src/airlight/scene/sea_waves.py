@@ -32,6 +32,10 @@ SHARE: Final = 0.97
 #: Width of the pixel's filter over its footprint: waves of four pixels keep three quarters of their
 #: amplitude, of two a tenth. [1]
 _FILTER: Final = 0.6
+#: Filter width times wavenumber of waves that are left out: a hundredth of their amplitude is left.
+_LOST: Final = 2.34
+#: Shortest waves of an octave that is left out, over the peak's wavenumber. [1]
+_FIRST: Final = 0.5
 #: Footprint times the peak's wavenumber beyond which nothing is resolved. [1]
 COARSEST: Final = 18.0
 
@@ -208,15 +212,15 @@ def sea_slopes(place, along, across, footprint, wind, cell, whole, part):
     slope_along, slope_across, share : float
         Rise of the sea in both directions; share of the variance, 0 to 1. [1]
     """
-    peak, level = peak_wavenumber(wind), saturation(wind)
+    peak, level = peak_wavenumber(wind), sqrt(saturation(wind))
     x, y, z = part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell
     slope, variance, scale, inverse = Vec3(0.0, 0.0, 0.0), 0.0, LONGEST, 1.0 / LONGEST
     for octave in range(OCTAVES):
         # of waves in the plane: √(2/3) of those in space
         unit = 5.130199 * inverse / cell
-        if 7.0 * unit > SLOWEST or _FILTER * 7.0 * unit * footprint > 2.828427:
+        if 7.0 * unit > SLOWEST or _FILTER * 7.0 * unit * footprint > _LOST:
             break
-        if 11.0 * unit > 0.4 * peak:
+        if 11.0 * unit > _FIRST * peak:
             spot = Vec3(
                 lattice_turns(whole.x, x, scale, inverse),
                 lattice_turns(whole.y, y, scale, inverse),
@@ -226,23 +230,24 @@ def sea_slopes(place, along, across, footprint, wind, cell, whole, part):
             for which in range(3):
                 length = 7.0 + 2.0 * which
                 wavenumber = length * unit
-                kept = resolved(wavenumber, footprint)
-                if wavenumber < SLOWEST and kept > 0.0:
-                    # ln k halfway to both neighbours
-                    interval = 0.2462
+                if wavenumber < SLOWEST and _FILTER * wavenumber * footprint < _LOST:
+                    # root of ln k halfway to both neighbours, over the length
+                    interval = 0.07088
                     if which == 1:
-                        interval = 0.2260
+                        interval = 0.05282
                     if which == 2:
-                        interval = 0.2209
+                        interval = 0.04273
                     ratio = peak / wavenumber
-                    power = level * interval
-                    if ratio > 0.03:
-                        power *= exp(-1.25 * ratio * ratio)
-                    amplitude = kept * sqrt(power)
+                    amplitude = level * interval * resolved(wavenumber, footprint)
+                    power = 0.625 * ratio * ratio
+                    if power < 0.01:
+                        amplitude *= 1.0 - power
+                    else:
+                        amplitude *= exp(-power)
                     turns = triad_products(which, spot)
                     waves = Vec3(wave(turns.x), wave(turns.y), wave(turns.z))
-                    tilt = plus(tilt, scaled(triad_sum(which, waves), amplitude / length))
-                    variance += amplitude * amplitude
+                    tilt = plus(tilt, scaled(triad_sum(which, waves), amplitude))
+                    variance += length * length * amplitude * amplitude
             slope = plus(slope, turned_back(tilt, octave))
         scale *= 0.5
         inverse *= 2.0
