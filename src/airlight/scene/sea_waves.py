@@ -8,8 +8,7 @@ resolved by its attenuation over a pixel's footprint; the rest of its variance s
 that the sum is the same at all distances and far waters are those of ``cox_munk``.
 
 Three orthogonal plane waves in space have isotropic slopes on any plane through them. Each octave
-has three such triads of 7, 9 and 11 wavelengths per period, whose directions are Pythagorean
-quadruples: phases are exact in single precision, from lattice coordinates as of ``ground_detail``.
+has two such triads of 7 and 11 wavelengths per period, whose directions are Pythagorean quadruples: phases are exact in single precision, from lattice coordinates as of ``ground_detail``.
 The waves are frozen, and the same for each time and wind direction.
 """
 
@@ -137,27 +136,25 @@ def turned_back(vector, octave):
 
 @kernel
 def triad_products(which, v):
-    """Products of a vector and three orthogonal ones of length 7, 9 or 11.
+    """Products of a vector and three orthogonal ones of length 7 or 11.
 
     Parameters
     ----------
     which : int
-        0, 1 or 2.
+        0 or 1.
     v : Vec3
         Vector.
 
     Examples
     --------
-    >>> tuple(triad_products(1, Vec3(8.0, 1.0, 4.0)))
-    (81.0, 0.0, 0.0)
+    >>> tuple(triad_products(1, Vec3(6.0, 9.0, 2.0)))
+    (121.0, 0.0, 0.0)
     """
     x, y, z = v.x, v.y, v.z
     if which == 0:
         return Vec3(
             2.0 * x + 3.0 * y + 6.0 * z, 3.0 * x - 6.0 * y + 2.0 * z, 6.0 * x + 2.0 * y - 3.0 * z
         )
-    if which == 1:
-        return Vec3(8.0 * x + y + 4.0 * z, 4.0 * x - 4.0 * y - 7.0 * z, x + 8.0 * y - 4.0 * z)
     return Vec3(
         6.0 * x + 9.0 * y + 2.0 * z, 6.0 * x - 2.0 * y - 9.0 * z, 7.0 * x - 6.0 * y + 6.0 * z
     )
@@ -169,7 +166,7 @@ def triad_sum(which, v):
 
     Examples
     --------
-    >>> tuple(triad_sum(2, Vec3(0.0, 1.0, 0.0)))
+    >>> tuple(triad_sum(1, Vec3(0.0, 1.0, 0.0)))
     (6.0, -2.0, -9.0)
     """
     x, y, z = v.x, v.y, v.z
@@ -177,8 +174,6 @@ def triad_sum(which, v):
         return Vec3(
             2.0 * x + 3.0 * y + 6.0 * z, 3.0 * x - 6.0 * y + 2.0 * z, 6.0 * x + 2.0 * y - 3.0 * z
         )
-    if which == 1:
-        return Vec3(8.0 * x + 4.0 * y + z, x - 4.0 * y + 8.0 * z, 4.0 * x - 7.0 * y - 4.0 * z)
     return Vec3(
         6.0 * x + 6.0 * y + 7.0 * z, 9.0 * x - 2.0 * y - 6.0 * z, 2.0 * x - 9.0 * y + 6.0 * z
     )
@@ -227,18 +222,13 @@ def sea_slopes(place, along, across, footprint, wind, cell, whole, part):
                 lattice_turns(whole.z, z, scale, inverse),
             )
             spot, tilt = turned(spot, octave), Vec3(0.0, 0.0, 0.0)
-            for which in range(3):
-                length = 7.0 + 2.0 * which
+            for which in range(2):
+                length = 7.0 + 4.0 * which
                 wavenumber = length * unit
                 if wavenumber < SLOWEST and _FILTER * wavenumber * footprint < _LOST:
-                    # root of ln k halfway to both neighbours, over the length
-                    interval = 0.07088
-                    if which == 1:
-                        interval = 0.05282
-                    if which == 2:
-                        interval = 0.04273
                     ratio = peak / wavenumber
-                    amplitude = level * interval * resolved(wavenumber, footprint)
+                    # each of two has half of ln 2
+                    amplitude = level * 0.588705 / length * resolved(wavenumber, footprint)
                     power = 0.625 * ratio * ratio
                     if power < 0.01:
                         amplitude *= 1.0 - power
