@@ -36,7 +36,15 @@ from airlight.image.encoding import ENCODINGS
 from airlight.image.floating import physical_light
 from airlight.image.gamut import in_gamut
 from airlight.image.tone_maps import TONE_MAPS
-from airlight.physics.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
+from airlight.physics.optics import (
+    clouds,
+    cox_munk,
+    fresnel,
+    moon_phase,
+    phase_functions,
+    reflection,
+    water,
+)
 from airlight.physics.optics.reflection import LAWS, Reflection
 from airlight.render.gpu.emit.shader_types import Constant, ShaderTable, StructValue
 from airlight.render.gpu.solver import ray_sums
@@ -398,6 +406,13 @@ STEPS = [
     ),
     # An angle less a radius, divided by the pixel.
     # a quotient of two cosines of which one may vanish: the shade is at most 2.65, its slope 300
+    Case(
+        moon_phase.moon_reflectance,
+        (0.01 + 0.99 * UNIT, 0.05 + 0.95 * UNIT[::-1], 0.9 * MU),
+        atol=300 * EPS,
+    ),
+    Case(disc_shading.face_level, (0.2 * UNIT, 128)),
+    Case(disc_shading.face_place, (MU, np.exp2(np.arange(COUNT) % 6 + 2.0)), atol=64 * EPS),
     Case(disc_shading.moon_shade, (0.01 + 0.99 * UNIT, 0.9 * MU, LIT), atol=300 * EPS),
     # without a phase, and with one where the shade is smooth; μ loses half its digits at the rim
     Case(
@@ -435,7 +450,7 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
     others = {"meets_ground", "panel_leg", "apparent_sun", "refraction_table_index",
               "apparent_sun_cosine", "star_points", "direct_horizontal_weights", "shown_light",
               "insert_edge", "place_edges",
-              "place_nodes", "map_color", "add_texel", "encoded"}  # fmt: skip
+              "place_nodes", "map_color", "map_channel", "map_value", "add_texel", "encoded"}  # fmt: skip
     rooms = [
         shell,
         path,

@@ -149,7 +149,7 @@ def sea_sky_texel(number, shown, window, air, peaks, observer, tables, work):
         root = splat(0.0)
         if shown and which < slices.number:
             root = fourth_root(found[0])
-        for layer in range(4):
+        for layer in range(MIRRORED):
             found[layer] = splat(0.0)
         found[0] = root
 
