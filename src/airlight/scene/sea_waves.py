@@ -8,7 +8,8 @@ resolved by its attenuation over a pixel's footprint; the rest of its variance s
 that the sum is the same at all distances and far waters are those of ``cox_munk``.
 
 Three orthogonal plane waves in space have isotropic slopes on any plane through them. Each octave
-has two such triads of 7 and 11 wavelengths per period, whose directions are Pythagorean quadruples: phases are exact in single precision, from lattice coordinates as of ``ground_detail``.
+has two such triads of 7 and 11 wavelengths per period, whose directions are Pythagorean
+quadruples: phases are exact in single precision, from lattice coordinates as of ``ground_detail``.
 The waves are frozen, and the same for each time and wind direction.
 """
 
