@@ -21,6 +21,8 @@ from airlight.planets import load_planet
 from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture import solution_textures
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
+from airlight.render.pixels import view_uniforms
+from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import SurfaceMap, from_pixels, surface_map
 from airlight.viewer.browser.package import ground_map
 from airlight.viewer.browser.page import page_data, page_text
@@ -118,23 +120,37 @@ def solutions(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Any]:
 
 @pytest.fixture(scope="module")
 def native(gpu: Any) -> Iterator[GpuRenderer]:
-    """Renderer of pictures without a browser, with the map that a page carries."""
+    """Renderer of pictures without a browser, with the maps that a page carries."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(solution_textures, "surface_map", page_map)
+        for module in (solution_textures, view_uniforms):
+            patch.setattr(module, "surface_map", page_map)
+        patch.setattr(solution_textures, "ground_overlay", page_overlay)
         yield GpuRenderer(gpu, SKY)
 
 
 @cache
 def page_map(name: str) -> SurfaceMap:
     """Map of the ground as a page has it: smaller than the package's."""
-    data = ground_map(surface_map(name))
+    return decoded(name, ground_map(surface_map(name)))
+
+
+@cache
+def page_overlay(*names: str | None) -> SurfaceMap | None:
+    """City lights, clouds and heights as a page has them."""
+    found = ground_overlay(*names)
+    return None if found is None else decoded("overlay", ground_map(found, overlay=True))
+
+
+def decoded(name: str, data: dict[str, Any] | None) -> SurfaceMap:
+    """Map of a page from its images."""
     assert data is not None
 
-    def pixels(address: str) -> np.ndarray:
+    def pixels(address: str, kind: str) -> np.ndarray:
         content = base64.b64decode(address.partition(",")[2])
-        return np.asarray(Image.open(io.BytesIO(content)))
+        return np.asarray(Image.open(io.BytesIO(content)).convert(kind))
 
-    return from_pixels(name, pixels(data["image"]), data["water"] and pixels(data["water"]))
+    water = data["water"] and pixels(data["water"], "L")
+    return from_pixels(name, pixels(data["image"], "RGB"), water)
 
 
 def drawn(native: GpuRenderer, values: dict[str, Any], primaries: str = "srgb") -> np.ndarray:
