@@ -332,7 +332,7 @@ def test_page_draws_what_the_native_device_draws(
     assert wanted.std() > 5.0  # there is something to compare
     off = np.abs(got - wanted)
     tell(f"{view}, {device}: at most {off.max():.1f}/255, in the mean {off.mean():.3f}/255")
-    # detail near the observer has slopes that magnify rounding: 2.6 was seen; the edges of sparkles,
+    # detail near the observer has slopes that magnify rounding: 2.6 was seen; edges of sparkles,
     # steeper still, are a hundredth of the values
     if "waves" in view:
         off = np.minimum(off, np.quantile(off, 0.99))
