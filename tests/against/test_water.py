@@ -12,28 +12,30 @@ from airlight.solver.montecarlo.settings import MonteCarloSettings
 
 SEA = {"ground.law": "water", "ground.albedo": 0.02, "ground.wind": "5 m/s"}
 #: Altitude, zenith angle and azimuth of lines that end on the sea, away from the glitter.
-LINES = [(2.0, 92.0, 90.0), (2.0, 100.0, 90.0), (2.0, 120.0, 120.0), (2.0, 95.0, 180.0),
-         (2.0, 160.0, 180.0), (400e3, 150.0, 180.0), (400e3, 112.0, 90.0)]  # fmt: skip
+LINES = [(200.0, 92.0, 90.0), (200.0, 100.0, 90.0), (200.0, 120.0, 120.0), (200.0, 95.0, 180.0),
+         (200.0, 160.0, 180.0), (400e3, 150.0, 180.0), (400e3, 112.0, 90.0)]  # fmt: skip
+#: Footprint of a pixel that resolves no waves of this wind. [m]
+FOOTPRINT = 70.0
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("sun", "most"), [(50.0, 0.10), (85.0, 0.20)])
-def test_the_sea_is_as_bright_as_by_monte_carlo(sun: float, most: float) -> None:
-    # The second method draws directions: no fit, no mean direction, no uniform sky. One direction
-    # stands for all in the picture: within a tenth by day and a fifth under a low sun, whose glow
-    # is narrower than what the facets mirror. A uniform sky would be half as bright.
+@pytest.mark.parametrize("sun", [50.0, 85.0])
+def test_the_sea_is_as_bright_as_by_monte_carlo(sun: float) -> None:
+    # The second method draws directions: no fit, no table of the sky. Its rare bright paths leave
+    # an error of 8 % near the horizon, 2 % elsewhere.
     planet, nm = load_planet("earth-atmosphere-plus", SEA), (550.0,)
     solution = solve(planet, nm, quality="default")
     judge = solve(
         planet, nm, solver="montecarlo",
-        quality=MonteCarloSettings(relative_error=0.02, most_histories=100_000),
+        quality=MonteCarloSettings(relative_error=0.02, most_histories=200_000),
     )  # fmt: skip
     green = float(solution.lights[0].colors()[0, 1])
     for altitude, view, azimuth in LINES:
-        camera = Camera(width=4, height=4, field_of_view=0.2, look_zenith=view,
+        pixel = np.degrees(FOOTPRINT * np.cos(np.radians(view)) ** 2 / altitude)
+        camera = Camera(width=1, height=1, field_of_view=max(pixel, 0.05), look_zenith=view,
                         look_azimuth=azimuth)  # fmt: skip
         scene = Scene(camera=camera, altitude=altitude, sun_zenith=sun)
         wanted = judge.relative_radiance(judge.lines_of_sight(
             altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth)[0])  # fmt: skip
-        seen = render(solution, scene, exact=True).rgb[1:3, 1:3, 1].mean()
-        assert_allclose(seen / green, np.ravel(wanted)[0], rtol=most)
+        seen = render(solution, scene, exact=True).rgb[0, 0, 1]
+        assert_allclose(seen / green, np.ravel(wanted)[0], rtol=0.1)

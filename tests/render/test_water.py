@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from scipy.special import erfc
 
 from airlight import Camera, Ground, Scene, load_planet
 from airlight.geometry.mappings.sky_view import direction_from_row
+from airlight.kernel.lanes import LANES
 from airlight.physics.optics.cox_munk import (
     SEA_WATER,
     glint_factor,
@@ -24,7 +26,16 @@ from airlight.physics.optics.fresnel import fresnel_reflectances
 from airlight.planets.medium import Medium
 from airlight.render import render
 from airlight.render.cpu_renderer import CpuRenderer
+from airlight.render.pixels.sea_sky import (
+    AZIMUTHS,
+    ELEVATIONS,
+    MirrorPlace,
+    mean_facet,
+    mirrored_sky,
+)
+from airlight.render.pixels.sea_surface import Waves, mirror_waves
 from airlight.scene.surface_map import surface_map
+from airlight.solver.moments.march_tables import FACETS, MIRRORED
 from airlight.solver.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
@@ -36,6 +47,23 @@ FROM_SPACE = Scene(
     sun_zenith=40.0,
     camera=Camera(width=200, height=150, field_of_view=80.0, look_zenith=150.0),
 )
+
+
+class Wind(NamedTuple):
+    wind: float
+
+
+class Sea(NamedTuple):
+    """What the mirrored sky reads of ``MarchTables``."""
+
+    lanes: int
+    ground: Wind
+
+
+class Radiance(NamedTuple):
+    """What it uses of ``MarchWorkspace``."""
+
+    radiance: np.ndarray
 
 
 def at(altitude: float, sun: float, view: float, azimuth: float = 0.0, field: float = 1.0) -> Scene:
@@ -143,6 +171,32 @@ def test_the_mirrored_sky_is_the_integral_over_the_facets(
     glint = glint_factor(mu_s, cosine, nu, WIND) / mirrored_fraction(cosine, WIND)
     star = beam / solution.lights[0].irradiance * glint
     assert_allclose(found + star, expected + star, rtol=0.01)
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.95])
+@pytest.mark.parametrize("cosine", [0.03, 0.1, 0.3, 0.7])
+def test_the_mean_over_waves_is_the_mean_over_slopes(cosine: float, share: float) -> None:
+    # A second method: resolved slopes on a fine grid with their normal density, under a sky that is
+    # ten times as bright at the horizon as overhead, and brighter on one side.
+    row, column = np.meshgrid(
+        *(np.arange(n) / (n - 1) for n in (ELEVATIONS, AZIMUTHS)), indexing="ij"
+    )
+    bright = (1.0 - 0.5 * column) / (row**2 + 0.1)
+    sky = np.tile(np.float32(bright.ravel() ** 0.25)[:, None], (2, LANES))
+    place = MirrorPlace(cosine, 0.3, 0.6, 0.7, 0, 0.5)
+    tables, work = Sea(LANES, Wind(WIND)), Radiance(np.zeros((FACETS + 1, LANES), np.float32))
+    mirrored_sky(place, sky, tables, work)
+    mean_facet(place, sky, tables, work)
+    whole, total, weights = work.radiance.copy(), 0.0, 0.0
+    for along in np.arange(-4.0, 4.1, 0.25):
+        for across in np.arange(-4.0, 4.1, 0.5):
+            weight = np.exp(-0.5 * (along**2 + across**2))
+            work.radiance[:] = whole
+            waves = Waves(np.sqrt(share) * along, np.sqrt(share) * across, share)
+            mirror_waves(waves, place, sky, tables, work)
+            total += weight * work.radiance[MIRRORED, 0]
+            weights += weight
+    assert_allclose(total / weights, whole[MIRRORED, 0], rtol=0.01)
 
 
 def test_waves_keep_the_sea_s_mean(wet: Wet) -> None:

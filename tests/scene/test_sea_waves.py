@@ -52,7 +52,7 @@ def test_resolved_and_other_slopes_have_cox_and_munk_s_variance(wind, footprint)
 
 @pytest.mark.parametrize("wind", [0.5, 5.0, 25.0])
 def test_all_waves_together_are_the_sea(wind):
-    # The steps of ln k leave an error of half a step of three in an octave.
+    # The steps of ln k leave an error of half a step of two in an octave.
     assert_allclose(slopes(wind, 1e-4, count=2)[:, 2], SHARE, atol=0.06)
     assert_allclose(slopes(wind, COARSEST / peak_wavenumber(wind), count=2), 0.0, atol=1e-12)
 
@@ -70,7 +70,7 @@ def test_waves_of_two_pixels_are_gone():
 
 
 def test_triads_are_orthogonal_and_a_wave_is_a_sine():
-    for which, length in enumerate((7.0, 9.0, 11.0)):
+    for which, length in enumerate((7.0, 11.0)):
         rows = np.array([tuple(triad_products(which, Vec3(*one))) for one in np.eye(3)])
         assert_allclose(rows @ rows.T, length**2 * np.eye(3), atol=1e-12)
     turns = np.linspace(-3.0, 3.0, 301)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.vectors import Vec3, combined, dot
+from airlight.image.white_balance import WHITE_BALANCES
 from airlight.kernel.lanes import LANES, load
 from airlight.render.gpu.emit.dialect import ShaderDialect
 from airlight.render.gpu.emit.emitter import Emitter
@@ -98,6 +99,7 @@ def program() -> dict[str, Any]:
     sky = [(name, FLAT_WIDTH, 1) for name in LAYERS[:2]]
     peaks = [(name, FLAT_WIDTH, 1) for name in LAYERS[2:4]]
     polarised = [(name, FLAT_WIDTH, 1) for name in LAYERS[4:6]]
+    mirrored = [(name, FLAT_WIDTH, 1) for name in LAYERS[6:]]
     return {
         "plan": {
             "layout": places,
@@ -106,11 +108,13 @@ def program() -> dict[str, Any]:
                 one("sky_air", "sky_air", {"0/1": "fields"}, *sky),
                 one("sky_peaks", "sky_air", {"0/1": "fields"}, *peaks),
                 one("sky_polarised", "sky_air", {"0/1": "fields"}, *polarised),
+                one("sky_mirrored", "sky_air", {"0/1": "fields"}, *mirrored),
                 one("metering", "linear_picture", {"0/2": "air"}, ("metering", 64, 64)),
                 one("picture", "linear_picture", {"0/2": "air"}, ("picture", 1, 1)),
                 one("sky_air_2", "sky_air", {"0/1": "fields"}, *second(sky)),
                 one("sky_peaks_2", "sky_air", {"0/1": "fields"}, *second(peaks)),
                 one("sky_polarised_2", "sky_air", {"0/1": "fields"}, *second(polarised)),
+                one("sky_mirrored_2", "sky_air", {"0/1": "fields"}, *second(mirrored)),
                 # the sky of the first light stands for the sum of both
                 *(
                     one(f"{name}_{part}", "linear_picture", {"0/2": air}, (target, 1, 1))
@@ -128,9 +132,11 @@ def program() -> dict[str, Any]:
         "sky": {"full": [64, 64], "medium": [64, 32], "quick": [64, 16]},
         "layers": list(LAYERS),
         "metering": 64,
+        "filter_exposure": 1.0,
         "projections": {"perspective": [1e-3, 170.0]},
         "display": {"encoding": 0.0},
         "primaries": ["srgb", "display-p3"],
+        "white_balances": list(WHITE_BALANCES),
         "orders": {"all": 2, "single": 1, "multiple": 0},
         "view_uniforms": {"tone_map": {"path": "display.tone_map", "options": ["hable"]}},
         "xyz": [[0.4, 0.2, 0.0], [0.4, 0.7, 0.1], [0.2, 0.1, 0.9]],
@@ -144,7 +150,7 @@ def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
         "uniforms": {
             "separated_1": -1.0,
             "star_radius": 0.0,
-            **dict.fromkeys((f"lamp_{one}" for one in CHANNELS), 0.0),
+            **dict.fromkeys((*(f"lamp_{one}" for one in CHANNELS), "airglow", "skyglow"), 0.0),
             **{f"{one}_{i}": x for one in CHANNELS for i, x in enumerate(paint)},
         },
         "second": {
@@ -165,6 +171,7 @@ def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
         "radius": 6360e3,
         "thickness": 60e3,
         "star": 0.0,
+        "star_white": [0.3127, 0.329],
         "geometry": None,
     }
 

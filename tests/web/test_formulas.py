@@ -149,6 +149,7 @@ CASES: dict[str, tuple[Any, ...]] = {
         RNG.integers(0, 90, COUNT), numbers(-1.0, 9.0), numbers(0.0, 1.0),
     ),
     "adapted_key": (np.geomspace(1e-6, 1e5, COUNT),),
+    "shown_key": (np.geomspace(1e-6, 1e5, COUNT),),
     "eased": (*SPEEDS, numbers(0.0, 1.0), numbers(-0.1, 0.5)),
     "disc_factor": (numbers(1e-5, 1.0),),
     "light_left": (numbers(1e-3, 0.1), numbers(0.0, 0.3), numbers(1e-3, 0.1)),

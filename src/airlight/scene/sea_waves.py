@@ -8,7 +8,7 @@ resolved by its attenuation over a pixel's footprint; the rest of its variance s
 that the sum is the same at all distances and far waters are those of ``cox_munk``.
 
 Three orthogonal plane waves in space have isotropic slopes on any plane through them. Each octave
-has three such triads of 7, 9 and 11 wavelengths per period, whose directions are Pythagorean
+has two such triads of 7 and 11 wavelengths per period, whose directions are Pythagorean
 quadruples: phases are exact in single precision, from lattice coordinates as of ``ground_detail``.
 The waves are frozen, and the same for each time and wind direction.
 """
@@ -32,6 +32,10 @@ SHARE: Final = 0.97
 #: Width of the pixel's filter over its footprint: waves of four pixels keep three quarters of their
 #: amplitude, of two a tenth. [1]
 _FILTER: Final = 0.6
+#: Filter width times wavenumber of waves that are left out: a hundredth of their amplitude is left.
+_LOST: Final = 2.34
+#: Shortest waves of an octave that is left out, over the peak's wavenumber. [1]
+_FIRST: Final = 0.5
 #: Footprint times the peak's wavenumber beyond which nothing is resolved. [1]
 COARSEST: Final = 18.0
 
@@ -133,27 +137,25 @@ def turned_back(vector, octave):
 
 @kernel
 def triad_products(which, v):
-    """Products of a vector and three orthogonal ones of length 7, 9 or 11.
+    """Products of a vector and three orthogonal ones of length 7 or 11.
 
     Parameters
     ----------
     which : int
-        0, 1 or 2.
+        0 or 1.
     v : Vec3
         Vector.
 
     Examples
     --------
-    >>> tuple(triad_products(1, Vec3(8.0, 1.0, 4.0)))
-    (81.0, 0.0, 0.0)
+    >>> tuple(triad_products(1, Vec3(6.0, 9.0, 2.0)))
+    (121.0, 0.0, 0.0)
     """
     x, y, z = v.x, v.y, v.z
     if which == 0:
         return Vec3(
             2.0 * x + 3.0 * y + 6.0 * z, 3.0 * x - 6.0 * y + 2.0 * z, 6.0 * x + 2.0 * y - 3.0 * z
         )
-    if which == 1:
-        return Vec3(8.0 * x + y + 4.0 * z, 4.0 * x - 4.0 * y - 7.0 * z, x + 8.0 * y - 4.0 * z)
     return Vec3(
         6.0 * x + 9.0 * y + 2.0 * z, 6.0 * x - 2.0 * y - 9.0 * z, 7.0 * x - 6.0 * y + 6.0 * z
     )
@@ -165,7 +167,7 @@ def triad_sum(which, v):
 
     Examples
     --------
-    >>> tuple(triad_sum(2, Vec3(0.0, 1.0, 0.0)))
+    >>> tuple(triad_sum(1, Vec3(0.0, 1.0, 0.0)))
     (6.0, -2.0, -9.0)
     """
     x, y, z = v.x, v.y, v.z
@@ -173,8 +175,6 @@ def triad_sum(which, v):
         return Vec3(
             2.0 * x + 3.0 * y + 6.0 * z, 3.0 * x - 6.0 * y + 2.0 * z, 6.0 * x + 2.0 * y - 3.0 * z
         )
-    if which == 1:
-        return Vec3(8.0 * x + 4.0 * y + z, x - 4.0 * y + 8.0 * z, 4.0 * x - 7.0 * y - 4.0 * z)
     return Vec3(
         6.0 * x + 6.0 * y + 7.0 * z, 9.0 * x - 2.0 * y - 6.0 * z, 2.0 * x - 9.0 * y + 6.0 * z
     )
@@ -208,41 +208,37 @@ def sea_slopes(place, along, across, footprint, wind, cell, whole, part):
     slope_along, slope_across, share : float
         Rise of the sea in both directions; share of the variance, 0 to 1. [1]
     """
-    peak, level = peak_wavenumber(wind), saturation(wind)
+    peak, level = peak_wavenumber(wind), sqrt(saturation(wind))
     x, y, z = part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell
     slope, variance, scale, inverse = Vec3(0.0, 0.0, 0.0), 0.0, LONGEST, 1.0 / LONGEST
     for octave in range(OCTAVES):
         # of waves in the plane: √(2/3) of those in space
         unit = 5.130199 * inverse / cell
-        if 7.0 * unit > SLOWEST or _FILTER * 7.0 * unit * footprint > 2.828427:
+        if 7.0 * unit > SLOWEST or _FILTER * 7.0 * unit * footprint > _LOST:
             break
-        if 11.0 * unit > 0.4 * peak:
+        if 11.0 * unit > _FIRST * peak:
             spot = Vec3(
                 lattice_turns(whole.x, x, scale, inverse),
                 lattice_turns(whole.y, y, scale, inverse),
                 lattice_turns(whole.z, z, scale, inverse),
             )
             spot, tilt = turned(spot, octave), Vec3(0.0, 0.0, 0.0)
-            for which in range(3):
-                length = 7.0 + 2.0 * which
+            for which in range(2):
+                length = 7.0 + 4.0 * which
                 wavenumber = length * unit
-                kept = resolved(wavenumber, footprint)
-                if wavenumber < SLOWEST and kept > 0.0:
-                    # ln k halfway to both neighbours
-                    interval = 0.2462
-                    if which == 1:
-                        interval = 0.2260
-                    if which == 2:
-                        interval = 0.2209
+                if wavenumber < SLOWEST and _FILTER * wavenumber * footprint < _LOST:
                     ratio = peak / wavenumber
-                    power = level * interval
-                    if ratio > 0.03:
-                        power *= exp(-1.25 * ratio * ratio)
-                    amplitude = kept * sqrt(power)
+                    # each of two has half of ln 2
+                    amplitude = level * 0.588705 / length * resolved(wavenumber, footprint)
+                    power = 0.625 * ratio * ratio
+                    if power < 0.01:
+                        amplitude *= 1.0 - power
+                    else:
+                        amplitude *= exp(-power)
                     turns = triad_products(which, spot)
                     waves = Vec3(wave(turns.x), wave(turns.y), wave(turns.z))
-                    tilt = plus(tilt, scaled(triad_sum(which, waves), amplitude / length))
-                    variance += amplitude * amplitude
+                    tilt = plus(tilt, scaled(triad_sum(which, waves), amplitude))
+                    variance += length * length * amplitude * amplitude
             slope = plus(slope, turned_back(tilt, octave))
         scale *= 0.5
         inverse *= 2.0

@@ -25,11 +25,11 @@ from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer, view_uniforms
 from airlight.render.gpu.picture.shaders import assembled, filled_by, march_workspace
 from airlight.render.gpu.picture.uniforms import FRAME
-from airlight.render.pixels.sky_view_lut import phases_towards
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.moments.march import march
 from airlight.solver.moments.march_tables import MarchTables, MarchTerms, Segment
 from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.source import read_phase
 
 NM = (440.0, 500.0, 560.0, 620.0)
 
@@ -104,7 +104,7 @@ def test_the_top_of_the_air_is_crossed_without_a_jump(
 
 def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
     """Light of the air between an observer and an object, as the shaders march it."""
-    phases_towards(half_sine, True, light.phase, light, work.phase)
+    read_phase(half_sine, light.phase, work.phase)
     segment = Segment(r, mu, mu_s, nu, half_sine, length)
     march(segment, 2, MarchTerms(True, False, False), light, work, result)
 

@@ -407,6 +407,13 @@ STEPS = [
     ),
     # An angle less a radius, divided by the pixel.
     # a quotient of two cosines of which one may vanish: the shade is at most 2.65, its slope 300
+    Case(
+        moon_phase.moon_reflectance,
+        (0.01 + 0.99 * UNIT, 0.05 + 0.95 * UNIT[::-1], 0.9 * MU),
+        atol=300 * EPS,
+    ),
+    Case(disc_shading.face_level, (0.2 * UNIT, 128)),
+    Case(disc_shading.face_place, (MU, np.exp2(np.arange(COUNT) % 6 + 2.0)), atol=64 * EPS),
     Case(disc_shading.moon_shade, (0.01 + 0.99 * UNIT, 0.9 * MU, LIT), atol=300 * EPS),
     Case(hapke.grain_phase, (MU, 0.24, 0.33), rtol=POWER),
     Case(hapke.multiple_scattering, (UNIT, 0.6), rtol=POWER),
@@ -418,14 +425,6 @@ STEPS = [
         rtol=300 * EPS,
         atol=30 * EPS,
     ),
-    Case(
-        moon_phase.moon_reflectance,
-        (0.1 + 0.8 * UNIT, 0.1 + 0.8 * UNITS[0], 0.3 * MU),
-        rtol=300 * EPS,
-        atol=30 * EPS,
-    ),
-    Case(disc_shading.face_level, (0.001 + 0.2 * UNIT, 128)),
-    Case(disc_shading.face_place, (1.2 * MU, 64), atol=64 * EPS),
     # without a phase, and with one where the shade is smooth; μ loses half its digits at the rim
     Case(
         disc_shading.disc_powers,

@@ -136,15 +136,14 @@ def ground_color(ray, sine, angle, frame, color):
     cosine = ground_cosine(ray.z, sine, observer, tables)
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
-    noise, width, lit = 0.0, 1.0, 1.0
+    noise, width = 0.0, 1.0
+    place, footprint = Vec3(0.0, 0.0, 0.0), 1.0
     if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
         place, footprint = ground_spot(reach, end, cosine, view, tables)
         noise = ground_detail(
             place, footprint, view.detail_cell, view.whole, view.part, view.grain_fall
         )
         color[8] = 1.0 + view.grain.x * noise
-        if view.overlaid:
-            lit = lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
     end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
         components(end, view.ground_x, view.ground_y, view.ground_z)
@@ -171,13 +170,15 @@ def ground_color(ray, sine, angle, frame, color):
             cloud_cover(end, ray, cosine, level, beside, frame, color)
             color[9] = shown * grained_cover(color[9], width, noise)
             color[10] *= shown
-        if view.relieved and view.detailed:
+        if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
             color[11] = relief_light(end, latitude, longitude, level, frame)
         lamps = map_channel(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, 0,
         )  # fmt: skip
-        color[4] = lamps * lit * (1.0 - color[9])
+        if view.detailed and lamps > 0.0:
+            lamps *= lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
+        color[4] = lamps * (1.0 - color[9])
         color[5] = color[4]
         color[6] = color[4]
 

@@ -27,12 +27,12 @@ from airlight.render.pixels.ground_angles import (
     refraction_to_ground,
 )
 from airlight.render.pixels.polarising_filter import filter_shares
-from airlight.render.pixels.sea_sky import mirror_place, mirrored_sky
+from airlight.render.pixels.sea_sky import mean_facet, mirror_place, mirrored_sky
 from airlight.render.pixels.sky_view_lut import Observer, SightLine, half_sine_between, look
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.skyglow import skyglow_color
 from airlight.render.pixels.star_disc import star_disc
-from airlight.solver.moments.march_tables import MIRRORED, MarchTables
+from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchTables
 from airlight.solver.moments.source import transmittance_columns
 from airlight.solver.stokes_frame import star_plane
 
@@ -323,8 +323,8 @@ def sky_lookup(ray, found, exact, frame, work):
         Its direction in the observer's frame, and its classification. [1]
     exact, frame, work :
         Arguments of ``pixel_light``; ``work.radiance`` receives path radiance, radiance of a white
-        Lambert ground, of the mirrored sky at ``MIRRORED`` and, with a filter, Q and U as from
-        ``march``. [sr⁻¹]
+        Lambert ground, of the mirrored sky at ``MIRRORED`` and ``FACETS`` and, with a filter, Q
+        and U as from ``march``. [sr⁻¹]
 
     Returns
     -------
@@ -346,8 +346,13 @@ def sky_lookup(ray, found, exact, frame, work):
             mu_s, mu_r, nu = ground_angles(ray.x, ray.z, found.sine, refraction, observer, tables)
             end = mirror_place(mu_s, mu_r, nu, 1.0, observer, window)
             mirrored_sky(end, view.sky_air, tables, work)
+            mean_facet(end, view.sky_air, tables, work)
     else:
         place = sky_view_place(ray, found, window)
+        stride = place.stride
+        below = TexelPlace(
+            place.near + stride * window.ground_count, stride, place.right, place.down
+        )
         turn_cosine, turn_sine = 1.0, 0.0
         if view.filter > 0:
             nu = min(max(ray.x * observer.sun_x + ray.z * observer.sun_z, -1.0), 1.0)
@@ -366,6 +371,7 @@ def sky_lookup(ray, found, exact, frame, work):
                 if observer.orders != 1:
                     mirrored = lane_view(view.sky_mirrored, at)
                     radiance[MIRRORED] = between_texels(mirrored, place)
+                    radiance[FACETS] = between_texels(mirrored, below)
         if found.to_ground and tables.refraction_strength > 0.0:
             refraction = refraction_to_ground(
                 ray.z, found.sine, observer, tables, work.columns_total

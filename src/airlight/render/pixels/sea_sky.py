@@ -3,7 +3,8 @@
 The table has the radiance of the sky at the ground by the star's zenith cosine, elevation and
 azimuth from the star; it follows sky and ground in the sky-view LUT. The mean over the facets of a
 line of sight, weighted by their visible area, Fresnel reflectance and visibility of the sky, is a
-layer of the LUT with the texels of its ground.
+layer of the LUT with the texels of its ground; the mean of what the facets of resolved waves show
+follows there, so that waves have the sea's mean.
 """
 
 from __future__ import annotations
@@ -18,12 +19,14 @@ from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, fourth_root, lane_view, splat
 from airlight.physics.optics.cox_munk import (
+    facing_limit,
+    facing_slope,
     mean_square_slope,
     mirrored_by,
     steepest_mirror,
 )
 from airlight.solver.moments.march import march
-from airlight.solver.moments.march_tables import MIRRORED, MarchTerms, Segment
+from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchTerms, Segment
 from airlight.solver.moments.source import read_phase
 
 #: Elevations, as squares of the cosine of the zenith angle, and azimuths, by sin(φ/2).
@@ -37,6 +40,10 @@ DARKEST: Final = -0.35
 ALONG: Final = 9
 ACROSS: Final = 7
 SPACING: Final = 0.85
+#: Spacing along it of the facets of resolved waves, and width of the horizon's edge that one
+#: mirrors, as it stands for shorter waves too, in standard deviations. [1]
+WAVE_SPACING: Final = 0.75
+WAVE_BLUR: Final = 1.2
 #: Largest slope along the line of sight, in standard deviations. [1]
 STEEPEST: Final = 3.6
 #: Square of sin(θ/2) by which phase functions are blurred, over the mean-square slope. Facets of
@@ -172,7 +179,7 @@ def mirror_place(mu_s, mu_r, nu, side, observer, window):
 
 
 @inlined
-def add_mirrored(share, ray, place, sky, tables, work):
+def add_mirrored(share, ray, layer, place, sky, tables, work):
     """Add the light of one facet to the mirrored sky.
 
     Parameters
@@ -182,12 +189,14 @@ def add_mirrored(share, ray, place, sky, tables, work):
     ray : Vec3
         Direction that the facet mirrors: along the horizontal direction of the line of sight,
         across it and upwards. [1]
+    layer : int
+        Index in ``work.radiance`` of the sum that it is added to.
     place : MirrorPlace
         End of the line of sight.
     sky : array, shape (texels, w)
         Layer of the sky-view LUT with the table. [sr^-¼]
     tables, work : MarchTables, MarchWorkspace
-        Tables; workspace, whose ``radiance`` at ``MIRRORED`` is added to. [sr⁻¹]
+        Tables; workspace. [sr⁻¹]
     """
     if share > 0.0:
         level = ray.x * ray.x + ray.y * ray.y
@@ -218,7 +227,7 @@ def add_mirrored(share, ray, place, sky, tables, work):
                 + roots[near + SLICE + AZIMUTHS + 1] * far_right
             )
             square = root * root
-            total[MIRRORED] = total[MIRRORED] + square * square * np.float32(share)
+            total[layer] = total[layer] + square * square * np.float32(share)
 
 
 @kernel
@@ -273,9 +282,66 @@ def mirrored_sky(place, sky, tables, work):
         found[MIRRORED] = splat(0.0)
     for number in range(ALONG * ACROSS):
         share, ray = mirror_facet(number, place.cosine, tables.ground.wind)
-        add_mirrored(share, ray, place, sky, tables, work)
+        add_mirrored(share, ray, MIRRORED, place, sky, tables, work)
         total += share
     inverse = np.float32(1.0 / max(total, 1e-30))
     for at in range(0, tables.lanes, LANES):
         found = lane_view(work.radiance, at)
         found[MIRRORED] = found[MIRRORED] * inverse
+
+
+@inlined
+def wave_facet(along, across, cosine, wind):
+    """Facet of resolved waves: shares of its light from the sky and from other facets.
+
+    Parameters
+    ----------
+    along, across : float
+        Normal variables of its slopes along the line of sight and across. [1]
+    cosine, wind : float
+        Arguments of ``mirrored_by``.
+
+    Returns
+    -------
+    share, rest, ray : float, float, Vec3
+        Shares [1]; direction as in ``add_mirrored`` [1].
+    """
+    deviation = sqrt(0.5 * mean_square_slope(wind))
+    tilt = deviation * facing_slope(along, facing_limit(cosine, deviation))
+    share, rest, ahead, aside, up = mirrored_by(
+        tilt, deviation * across, cosine, wind, WAVE_BLUR * deviation
+    )
+    return share, rest, Vec3(ahead, aside, up)
+
+
+@inlined
+def mean_facet(place, sky, tables, work):
+    r"""Mean light of the facets of resolved waves, to ``work.radiance`` at ``FACETS``. [sr⁻¹]
+
+    .. math:: B = \langle s L \rangle + \langle r \rangle B
+
+    over normal slopes, with the shares s and r of ``wave_facet``: facets that mirror other facets
+    show their mean. The trapezoidal rule of a normal density is exact to its ends.
+
+    Parameters
+    ----------
+    place, sky, tables, work :
+        Arguments of ``add_mirrored``.
+    """
+    total, others = 0.0, 0.0
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(work.radiance, at)
+        found[FACETS] = splat(0.0)
+    for number in range(ALONG * ACROSS):
+        row = number // ACROSS
+        along = WAVE_SPACING * (row - 0.5 * (ALONG - 1))
+        across = SPACING * (number - ACROSS * row - 0.5 * (ACROSS - 1))
+        weight = exp(-0.5 * (along * along + across * across))
+        share, rest, ray = wave_facet(along, across, place.cosine, tables.ground.wind)
+        add_mirrored(weight * share, ray, FACETS, place, sky, tables, work)
+        total += weight
+        others += weight * rest
+    inverse = np.float32(1.0 / (total - others))
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(work.radiance, at)
+        found[FACETS] = found[FACETS] * inverse

@@ -14,19 +14,16 @@ import numpy as np
 
 from airlight.geometry.vectors import Vec3, components
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, lane_view
+from airlight.kernel.lanes import LANES, lane_view, maximum, splat
 from airlight.physics.optics.cox_munk import (
     LEVEL,
     facing_limit,
     facing_normal,
-    facing_slope,
     mean_square_slope,
-    mirrored_by,
-    mirrored_fraction,
 )
-from airlight.render.pixels.sea_sky import add_mirrored
+from airlight.render.pixels.sea_sky import add_mirrored, wave_facet
 from airlight.scene.sea_waves import sea_slopes
-from airlight.solver.moments.march_tables import MIRRORED
+from airlight.solver.moments.march_tables import FACETS, MIRRORED
 
 #: Result of ``disc_spread`` that is neglected.
 SMALL: Final = 1e-3
@@ -137,29 +134,32 @@ def spread_glint(waves, place, tables):
 
 @inlined
 def mirror_waves(waves, place, sky, tables, work):
-    """Add what the resolved waves mirror to the mirrored sky at ``MIRRORED``.
+    r"""What the resolved waves mirror, in place of the mean at ``MIRRORED``.
 
-    A facet of the resolved slopes, scaled to the whole variance, has the weight √share, the mean
-    over all facets the rest: the mean over waves is kept, and their contrast to first order. A
-    facet that mirrors other facets shows their mean.
+    .. math:: L = M \left(1 - w + w \, (s L(\omega) + r B)/B\right)
+
+    with the mean M over all facets, the light of a facet of the resolved slopes, scaled to the
+    whole variance, over its mean B (``sea_sky.mean_facet``), and the weight w = √share: the mean
+    over waves is M, and their contrast kept to first order.
 
     Parameters
     ----------
     waves : Waves
         Resolved waves.
     place, sky, tables, work :
-        Arguments of ``sea_sky.add_mirrored``.
+        Arguments of ``sea_sky.add_mirrored``; ``work.radiance`` has M at ``MIRRORED`` and B at
+        ``FACETS``, which is lost. [sr⁻¹]
     """
-    wind = tables.ground.wind
-    deviation, weight = sqrt(0.5 * mean_square_slope(wind)), sqrt(waves.share)
-    along = facing_slope(waves.along / weight, facing_limit(place.cosine, deviation))
-    blur = 2.0 * deviation * sqrt(max(1.0 - waves.share, 0.0))
-    share, rest, ahead, aside, up = mirrored_by(
-        deviation * along, deviation * waves.across / weight, place.cosine, wind, blur
+    weight = sqrt(waves.share)
+    share, rest, ray = wave_facet(
+        waves.along / weight, waves.across / weight, place.cosine, tables.ground.wind
     )
     others = np.float32(1.0 - weight + weight * rest)
     for at in range(0, tables.lanes, LANES):
         found = lane_view(work.radiance, at)
-        found[MIRRORED] = found[MIRRORED] * others
-    share *= weight / mirrored_fraction(place.cosine, wind)
-    add_mirrored(share, Vec3(ahead, aside, up), place, sky, tables, work)
+        found[MIRRORED] = found[MIRRORED] / maximum(found[FACETS], splat(1e-30))
+        found[FACETS] = found[FACETS] * others
+    add_mirrored(weight * share, ray, FACETS, place, sky, tables, work)
+    for at in range(0, tables.lanes, LANES):
+        found = lane_view(work.radiance, at)
+        found[MIRRORED] = found[MIRRORED] * found[FACETS]

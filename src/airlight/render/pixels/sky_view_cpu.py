@@ -40,7 +40,8 @@ class SkyViewLayers(NamedTuple):
     stokes_q, stokes_u : array
         I + Q and I + U of the other path radiance; one texel if not requested. [sr^-¼]
     mirrored : array
-        Mean sky that the sea mirrors at the end of each line to the ground. [sr^-¼]
+        Mean sky that the sea mirrors at the end of each line to the ground, and following the
+        ground, mean light there of the facets of resolved waves. [sr^-¼]
     """
 
     air: Float32Array
@@ -93,8 +94,11 @@ def fill_texels(begin, end, window, observer, tables, work, layers):
 def fill_mirrored(begin, end, window, observer, tables, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of the mirrored sky, once the table is filled."""
     tables, work, layers = without_refcount((tables, work, layers))
+    ground = window.ground_count * window.column_count
     for texel in range(begin, end):
-        column, row = _indices(texel, window)
+        third = (texel - window.sky_count * window.column_count) // ground
+        column, row = _indices(texel - third * ground, window)
+        row += third * window.rows
         mirrored_texel(column, row, window, layers.air, observer, tables, work)
         layers.mirrored[texel] = work.radiance[0]
 
@@ -124,7 +128,7 @@ def fill_sky_view(
     SkyViewLayers
         Layers with the lanes of ``tables``.
     """
-    seen = window.texels
+    seen, ground = window.texels, window.ground_count * window.column_count
     wet = tables.ground.wet and observer.orders != 1
     texels = seen + (sea_sky_size(observer, window) if wet else 0)
 
@@ -138,7 +142,7 @@ def fill_sky_view(
         second=layer(kept=tables.separated_2 >= 0),
         stokes_q=layer(kept=polarised),
         stokes_u=layer(kept=polarised),
-        mirrored=layer(max(seen, 1), kept=wet),
+        mirrored=layer(max(seen + ground, 1), kept=wet),
     )
 
     def filled(loop: Any, first: int, count: int, progress: Progress | None) -> None:
@@ -151,6 +155,5 @@ def fill_sky_view(
 
     filled(fill_texels, 0, texels, progress)
     if wet:
-        sky = window.sky_count * window.column_count
-        filled(fill_mirrored, sky, seen - sky, None)
+        filled(fill_mirrored, seen - ground, 2 * ground, None)
     return layers

@@ -16,10 +16,15 @@ from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_view, maximum, splat
 from airlight.render.pixels.ground_angles import ground_angles, refraction_to_ground, star_from
-from airlight.render.pixels.sea_sky import mirror_place, mirrored_sky, sea_sky_texel
+from airlight.render.pixels.sea_sky import (
+    mean_facet,
+    mirror_place,
+    mirrored_sky,
+    sea_sky_texel,
+)
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march import march
-from airlight.solver.moments.march_tables import MIRRORED, MarchTerms, Segment
+from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchTerms, Segment
 from airlight.solver.moments.source import read_phase
 
 #: Offset of the last sky row from the top of the shell, from outside. [rows]
@@ -305,20 +310,23 @@ def sky_view_texel(column, row, window, air, peaks, polarised, observer, tables,
 
 @inlined
 def mirrored_texel(column, row, window, sky, observer, tables, work):
-    """Texel of the mean sky that the sea mirrors, a fourth root, in ``work.radiance``.
+    """Texel of the sky that the sea mirrors, a fourth root, in ``work.radiance``.
 
     Parameters
     ----------
     column, row : int
-        Indices as in ``sky_view_texel``; only those of the ground are filled.
+        Indices as in ``sky_view_texel``: the second third has the mean sky at the end of each line
+        to the ground, the last one the mean light there of the facets of resolved waves.
     sky : array, shape (texels, w)
         Layer ``air`` of the LUT, with the table of ``sea_sky``. [sr^-¼]
     window, observer, tables, work :
         Arguments of ``sky_view_texel``.
     """
-    filled = row >= window.rows and row < 2 * window.rows
-    if filled and tables.ground.wet and observer.orders != 1:
-        line = line_of_texel(column, row, window, observer, tables)
+    filled = row >= window.rows and tables.ground.wet and observer.orders != 1
+    facets = row >= 2 * window.rows
+    if filled:
+        ground = row - window.rows if facets else row
+        line = line_of_texel(column, ground, window, observer, tables)
         angle = 0.0
         if tables.refraction_strength > 0.0:
             angle = refraction_to_ground(line.mu, line.sine, observer, tables, work.columns_total)
@@ -326,10 +334,15 @@ def mirrored_texel(column, row, window, sky, observer, tables, work):
             line.sine * line.cos_azimuth, line.mu, line.sine, angle, observer, tables
         )
         place = mirror_place(mu_s, mu_r, nu, 1.0, observer, window)
-        mirrored_sky(place, sky, tables, work)
+        if facets:
+            mean_facet(place, sky, tables, work)
+        else:
+            mirrored_sky(place, sky, tables, work)
     for at in range(0, tables.lanes, LANES):
         found = lane_view(work.radiance, at)
         root = splat(0.0)
-        if filled and tables.ground.wet and observer.orders != 1:
+        if filled and facets:
+            root = fourth_root(found[FACETS])
+        elif filled:
             root = fourth_root(found[MIRRORED])
         found[0] = root

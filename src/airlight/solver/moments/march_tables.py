@@ -29,8 +29,10 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 
-#: Index, in units of w, of the mirrored sky's radiance after the result of a march.
+#: Indices, in units of w, after the result of a march: mean radiance of the sky that a sea mirrors,
+#: and mean light of the facets of its resolved waves.
 MIRRORED: Final = 6
+FACETS: Final = 7
 
 
 class Segment(NamedTuple):
@@ -227,8 +229,8 @@ class MarchWorkspace(NamedTuple):
         Phase functions and elements F₁₂ of a line. [sr⁻¹]
     peaks : array, shape (3, w)
         Sums over a line from ``forward_peak.add_peaks``.
-    radiance : array, shape (7, w)
-        Result of a march, and radiance of the mirrored sky, at ``MIRRORED``.
+    radiance : array, shape (8, w)
+        Result of a march, and that of the mirrored sky at ``MIRRORED`` and ``FACETS``.
     """
 
     edges: FloatArray
@@ -292,7 +294,7 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
         Number of constituents, or an upper limit.
     """
     each = dict.fromkeys(("phase", "phase_f12"), constituents)
-    return {"irradiance": 2, **each, "peaks": 3, "radiance": MIRRORED + 1}
+    return {"irradiance": 2, **each, "peaks": 3, "radiance": FACETS + 1}
 
 
 def new_workspace(tables: MarchTables) -> MarchWorkspace:
