@@ -60,14 +60,15 @@ def test_a_full_moon_s_sky_is_a_day_four_hundred_thousand_times_darker(
 
 
 def test_half_moon_lights_a_tenth_of_a_moon_past_its_surge(earth: MomentsSolution) -> None:
-    # Hapke's disc, which test_moon_phase.py compares with the integral over the face, and earthshine.
+    # Hapke's disc, which test_moon_phase.py compares with the integral over the face, and light of
+    # the Earth.
     # Krisciunas & Schaefer (1991), eq. 9, between 7° and 90°: 2.42 mag, Hapke's law within 0.1
     full, half = (
         MoonLight(zenith=40.0, phase=phase).source(earth.lights).irradiance
         for phase in (7.0, 90.0)
     )  # fmt: skip
-    disc = moon_phase([7.0, 90.0]) + [earthlight(7.0), earthlight(90.0)]
-    assert_allclose(full / half, disc[0] / disc[1], rtol=1e-6)
+    past, quarter = (moon_phase(phase) + earthlight(phase) for phase in (7.0, 90.0))
+    assert_allclose(full / half, past / quarter, rtol=1e-6)
     assert_allclose(2.5 * np.log10(full / half), 2.42, atol=0.1)
 
 
