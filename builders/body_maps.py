@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageFilter
 
 from airlight.image.encoding import srgb_decode, srgb_encode
 from airlight.image.xyz import luminance
@@ -39,9 +39,15 @@ QUALITY = {"moon": 85, "mars": 97}
 #: (2001), JGR 106, 23823, Thermal Emission Spectrometer, 0.10 and 0.30 from above the dust, of
 #: which its optical depth of 0.5 adds about 0.04 over dark ground. [1]
 DARK, BRIGHT = 0.06, 0.30
-#: Contrast of these in red, green and blue; it nearly vanishes below 450 nm (McCord & Westphal
-#: 1971, Astrophysical Journal 168, 141).
-CONTRAST = np.array([1.1, 1.0, 0.3])
+#: Place of the step between both kinds of ground in the picture's tones, from 0 to 1, and its
+#: sharpness: Mars is either dark or bright, the picture, made for the eye, mostly in between.
+STEP, SHARPNESS = 0.42, 1.7
+#: Contrast of the albedos in red, green and blue; those of dark and bright ground cross between 400
+#: and 500 nm (McCord 1969, Science 163, 1058; McCord & Westphal 1971, Astrophysical Journal 168,
+#: 141).
+CONTRAST = np.array([1.1, 0.9, 0.4])
+#: Latitude beyond which ground under ice is like the rest. [deg]
+POLAR = 70.0
 #: Albedo of Mars' residual polar cap, neutral: Kieffer (1990), JGR 95, 1481, 0.4 to 0.5. [1]
 ICE = np.array([0.47, 0.45, 0.40])
 #: Wavelengths of colours. [nm]
@@ -85,7 +91,7 @@ def main() -> None:
     if name == "mars":
         linear, ice = mars_ground(srgb_decode(linear))
     linear = np.stack([resized(linear[..., c], rows) for c in range(3)], axis=-1)
-    ice = resized(ice, rows)[..., None]
+    ice = np.minimum(resized(ice, rows), 1.0)[..., None]
     weights = np.sin(np.pi * (np.arange(rows) + 0.5) / rows)
     weights /= weights.sum() * linear.shape[1]
     color = moon_color() if name == "moon" else mars_color()
@@ -108,9 +114,17 @@ def mars_ground(linear: FloatArray) -> tuple[FloatArray, FloatArray]:
     light = np.maximum(luminance(linear), 1e-4)
     ice = np.clip((linear[..., 2] / np.maximum(linear[..., 0], 1e-4) - 0.6) / 0.2, 0.0, 1.0)
     ice *= light > 0.2
-    low, high = np.percentile(light[ice == 0.0], [2.0, 98.0])
-    power = np.log(BRIGHT / DARK) / np.log(high / low)
-    return light[..., None] ** (power * CONTRAST), ice
+    low, high = np.log(np.percentile(light[ice == 0.0], [2.0, 98.0]))
+    tone = (np.log(light) - low) / (high - low)
+    # pixels beside ice are a mixture
+    near = Image.fromarray(np.uint8(255 * (ice > 0.0))).filter(ImageFilter.MaxFilter(3))
+    hidden = np.asarray(near) > 0
+    rows = np.abs(90.0 - 180.0 * (np.arange(len(tone)) + 0.5) / len(tone)) > POLAR
+    tone[hidden] = np.median(tone[rows][~hidden[rows]])
+    start, end = np.tanh(-SHARPNESS * STEP), np.tanh(SHARPNESS * (1.0 - STEP))
+    share = (np.tanh(SHARPNESS * (tone - STEP)) - start) / (end - start)
+    albedo = np.maximum(DARK + (BRIGHT - DARK) * share, 0.5 * DARK)
+    return albedo[..., None] ** CONTRAST, ice
 
 
 def resized(values: FloatArray, rows: int) -> FloatArray:

@@ -264,3 +264,21 @@ def test_titans_haze_is_the_probes():
     above, between, below = (medium.extinction[i, 1] for i in (1, 2, 3))
     assert_allclose([above / between, between / below], 1.0, rtol=0, atol=1.0 / 3.0)
     assert_allclose(medium.density.at([29e3, 31e3, 79e3, 81e3])[haze].sum(axis=0), 1.0, rtol=0.02)
+
+
+def test_titans_detached_haze_is_cassinis():
+    # Light at the limb of image N1551888681 at 338 nm (Seignovert et al. 2021), where it is optically
+    # thin and so goes with the haze along the ray: I/F 0.0137 at 499 km, 0.0082 at 464 km, 0.0151 at
+    # 444 km; and the top of the shell is no edge.
+    medium = medium_of("titan", [355.0])
+
+    def along(altitude):
+        lowest = medium.bottom_radius + 1e3 * altitude
+        s = np.linspace(0.0, np.sqrt(medium.top_radius**2 - lowest**2), 20001)
+        density = medium.density.at(np.hypot(lowest, s) - medium.bottom_radius)[1]
+        return 2.0 * medium.extinction[1, 0] * np.trapezoid(density, s)
+
+    layer, gap, below, top = (along(altitude) for altitude in (499.0, 464.0, 444.0, 590.0))
+    # a fifth is the images' spread around the limb
+    assert_allclose([layer / gap, below / layer], [0.0137 / 0.0082, 0.0151 / 0.0137], rtol=0.2)
+    assert top < 1e-3

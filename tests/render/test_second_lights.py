@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, MoonLight, ParameterError, Scene, StarLight, load_planet, solve
 from airlight.image.xyz import luminance
+from airlight.physics.optics.moon_phase import earthlight, moon_phase
 from airlight.render import render
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene.light_position import LightPosition
@@ -59,11 +60,15 @@ def test_a_full_moon_s_sky_is_a_day_four_hundred_thousand_times_darker(
 
 
 def test_half_moon_lights_a_tenth_of_a_moon_past_its_surge(earth: MomentsSolution) -> None:
+    # Hapke's disc, which test_moon_phase.py compares with the integral over the face, and light of
+    # the Earth.
     # Krisciunas & Schaefer (1991), eq. 9, between 7° and 90°: 2.42 mag, Hapke's law within 0.1
     full, half = (
         MoonLight(zenith=40.0, phase=phase).source(earth.lights).irradiance
         for phase in (7.0, 90.0)
     )  # fmt: skip
+    past, quarter = (moon_phase(phase) + earthlight(phase) for phase in (7.0, 90.0))
+    assert_allclose(full / half, past / quarter, rtol=1e-6)
     assert_allclose(2.5 * np.log10(full / half), 2.42, atol=0.1)
 
 

@@ -38,7 +38,7 @@ EPILOG = examples(
     "airlight render earth --at 59.33N,18.07E --time 2026-06-21T22:10+02:00 --look-at sun "
     "-o stockholm.png",
     "airlight render earth --at 46.5N,8E,2km --time '2026-12-21 civil-dusk' --look-at W -o a.png",
-    "airlight render earth --at 54.5N,11E --time 2026-10-26T16:00Z --look-at moon --fov 20 "
+    "airlight render earth --at 54.5N,11E --time 2026-10-26T15:45Z --look-at moon --fov 10 "
     "-o rise.png",
     "airlight render earth --altitude 2m --sun-zenith 75 --look-at sun "
     "--second-star 80,12,3500K,0.4deg -o two.png",
