@@ -454,7 +454,7 @@ WHOLE = {
     ),
     "test_glare.py::test_beyond_the_circle_of_a_dome_a_device_shows_no_glare": ("beyond_circle",),
     "test_ground_detail.py::test_the_ground_before_a_low_observer_is_that_of_the_cpu": (
-        "ground_cosine",
+        "ground_cosine", "land_texture", "along_lattice", "texture_light",
     ),
     "test_ground_detail.py::test_detail_near_the_observer_is_that_of_the_cpu": (
         "ground_detail", "smooth_noise", "lattice_value", "quintic", "shuffled", "below_289",
@@ -475,7 +475,7 @@ WHOLE = {
     "test_ground_detail.py::test_decorated_ground_from_orbit_is_that_of_the_cpu": (
         "clouds_shown", "detailed_land", "displacement", "grained_cover", "height_at",
         "level_ground", "map_channel", "map_value", "pixel_width", "relief_light", "sharper_share",
-        "slope_light", "unmixed", "unshaded",
+        "slope_light", "texture_footprint", "textured", "unmixed", "unshaded",
     ),
     "test_clouds.py::test_a_device_solves_for_the_mean_ground": ("_with_clouds",),
     "test_lights.py::test_lights_by_night_are_those_of_the_cpu": (

@@ -32,6 +32,7 @@ from airlight.render.pixels.sea_surface import (
     spread_glint,
 )
 from airlight.scene.ground_detail import (
+    STEP,
     displacement,
     grained_cover,
     ground_detail,
@@ -47,6 +48,13 @@ from airlight.scene.ground_place import (
     moved_on,
 )
 from airlight.scene.lamps import lamp_pattern
+from airlight.scene.land_texture import (
+    FINEST_OF_MAP,
+    land_texture,
+    texture_footprint,
+    texture_light,
+    textured,
+)
 from airlight.scene.sea_waves import COARSEST, peak_wavenumber
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import MIRRORED
@@ -129,21 +137,21 @@ def ground_color(ray, sine, angle, frame, color):
     color : array, shape (12,)
         Receives linear sRGB reflectance and water fraction of the map, three colours of city
         lights, the noise factor of ground without a map (at 8), the cloud cover on the line of
-        sight and on the path to the star, and the factor of direct light by the relief; values of
+        sight and on the path to the star, and the factor of direct light by slopes; values of
         absent maps are unchanged. [1]
     """
     observer, view, tables = frame.observer, frame.camera, frame.tables
     cosine = ground_cosine(ray.z, sine, observer, tables)
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
+    # of the straight line: how much a near one is bent is lost in rounding
     noise, width = 0.0, 1.0
-    place, footprint = Vec3(0.0, 0.0, 0.0), 1.0
-    if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
-        place, footprint = ground_spot(reach, end, cosine, view, tables)
+    place, footprint = ground_spot(reach, end, cosine, view, tables)
+    if view.detailed:
         noise = ground_detail(
-            place, footprint, view.detail_cell, view.whole, view.part, view.grain_fall
-        )
-        color[8] = 1.0 + view.grain.x * noise
+            place, max(footprint, 0.5 * view.detail_cell * STEP**FINEST_OF_MAP),
+            view.detail_cell, view.whole, view.part, view.grain_fall,
+        )  # fmt: skip
     end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
         components(end, view.ground_x, view.ground_y, view.ground_z)
@@ -157,9 +165,10 @@ def ground_color(ray, sine, angle, frame, color):
             view.texels, view.map_rows, view.map_columns, view.map_levels, latitude + beside,
             longitude + beside, level, color, 0,
         )  # fmt: skip
-        color[8] = 1.0
-        if view.detailed:
-            detailed_land(width, noise, view, color)
+    if view.detailed:
+        mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
+        blur = texture_footprint(footprint, cosine)
+        detailed_land(place, blur, mu_s, width, noise, view, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         shown = 0.0
@@ -171,7 +180,7 @@ def ground_color(ray, sine, angle, frame, color):
             color[9] = shown * grained_cover(color[9], width, noise)
             color[10] *= shown
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
-            color[11] = relief_light(end, latitude, longitude, level, frame)
+            color[11] *= relief_light(end, latitude, longitude, level, frame)
         lamps = map_channel(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, 0,
@@ -184,11 +193,17 @@ def ground_color(ray, sine, angle, frame, color):
 
 
 @inlined
-def detailed_land(width, noise, view, color):
-    """Decorate map values below the map's resolution: coast between texels, and land with noise.
+def detailed_land(place, blur, mu_s, width, noise, view, color):
+    """Decorate land: coast and noise between texels, texture of reflectance and small slopes.
 
     Parameters
     ----------
+    place : Vec3
+        Result of ``ground_spot``. [m]
+    blur : float
+        Result of ``texture_footprint``. [m]
+    mu_s : float
+        Cosine of the star's zenith angle. [1]
     width : float
         Width of the pixel. [texel]
     noise : float
@@ -198,16 +213,27 @@ def detailed_land(width, noise, view, color):
     color : array, shape (12,)
         Values of the map, which are changed. [1]
     """
-    share = color[3]
+    share = color[3] if view.mapped else 0.0
     if share < NEARLY_WATER:
-        sharp = sharper_share(share, width)
-        red = unmixed(color[0], view.water.x, share) * max(1.0 + view.grain.x * noise, 0.0)
-        green = unmixed(color[1], view.water.y, share) * max(1.0 + view.grain.y * noise, 0.0)
-        blue = unmixed(color[2], view.water.z, share) * max(1.0 + view.grain.z * noise, 0.0)
-        color[0] = red + sharp * (view.water.x - red)
-        color[1] = green + sharp * (view.water.y - green)
-        color[2] = blue + sharp * (view.water.z - blue)
-        color[3] = sharp
+        # the star's azimuth is the observer's first axis
+        way = Vec3(view.ground_x.x, view.ground_y.x, view.ground_z.x)
+        texture = land_texture(place, blur, view.detail_cell, view.whole, view.part, way)
+        color[11] = texture_light(mu_s, texture.ascent)
+        tone, hue = texture.tone, texture.hue
+        if view.mapped:
+            sharp = sharper_share(share, width)
+            red = unmixed(color[0], view.water.x, share)
+            green = unmixed(color[1], view.water.y, share)
+            blue = unmixed(color[2], view.water.z, share)
+            red = textured(red * max(1.0 + view.grain.x * noise, 0.0), tone + hue)
+            green = textured(green * max(1.0 + view.grain.y * noise, 0.0), tone)
+            blue = textured(blue * max(1.0 + view.grain.z * noise, 0.0), tone - hue)
+            color[0] = red + sharp * (view.water.x - red)
+            color[1] = green + sharp * (view.water.y - green)
+            color[2] = blue + sharp * (view.water.z - blue)
+            color[3] = sharp
+        else:
+            color[8] = 1.0 + view.grain.x * noise + tone
 
 
 @inlined
@@ -268,7 +294,7 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
     else:
         level_ground(color)
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
-    if tables.ground.law != 0 or tables.ground.wet or view.clouded or view.relieved:
+    if tables.ground.law != 0 or tables.ground.wet or view.clouded or view.detailed:
         mu_s, mu_r, nu = ground_angles(ray.x, ray.z, sine, angle, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
         share = 0.0
@@ -385,7 +411,7 @@ def ground_factor(color, view, factors, tables, work, at):
         at ``MIRRORED``.
     """
     albedo = reflectance(color, view.mapped, tables, at)
-    plain = not view.clouded and not view.relieved
+    plain = not view.clouded and not view.detailed
     if tables.ground.law == 0 and not tables.ground.wet and plain:
         return albedo
     received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)

@@ -1,0 +1,169 @@
+"""Procedural texture of land between decimetres and fields of some hundred metres; it is not data.
+
+Tufts, stones, ripples, fields: octaves of equal contrast, since natural scenes have no scale of
+their own (Ruderman & Bialek 1994, Phys. Rev. Lett. 73, 814: power as the inverse square of the
+frequency). The same noise is the height of small relief, whose slopes sunlight shades. Means of
+reflectance and of sunlight remain.
+"""
+
+from __future__ import annotations
+
+from math import floor, sqrt
+from typing import Final, NamedTuple
+
+from airlight.kernel import kernel
+from airlight.scene.ground_detail import DEVIATION, PERIOD, STEP, smooth_noise
+
+#: Number of octaves, from the finest of ``ground_detail``: 0.11 m to 460 m on Earth.
+OCTAVES: Final = 7
+#: Octave of ``ground_detail`` below which the land has this texture instead.
+FINEST_OF_MAP: Final = 4
+#: Standard deviation of the reflectance over its mean in one octave of dark land. [1]
+CONTRAST: Final = 0.09
+#: Standard deviation of red over green, and of green over blue, in the coarsest octave; and ratio
+#: from an octave to the next finer one. [1]
+HUE: Final = 0.06
+HUE_FALL: Final = 0.7
+#: Distance of the two heights of a slope. [cell]
+STRIDE: Final = 0.5
+#: Standard deviation of the slope of one octave. [1]
+SLOPE: Final = 0.08
+#: Standard deviation of the difference of the noise over a stride, over that of the noise. [1]
+RISE: Final = 0.83
+#: Steepest slopes, about two and a half standard deviations of all octaves. [1]
+STEEPEST: Final = 0.45
+#: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
+LOWEST: Final = 0.06
+#: Largest blur of the far side of a pixel, in shares of its longer axis. [1]
+FORESHORTENED: Final = 0.5
+
+
+class LandTexture(NamedTuple):
+    """Texture at a place.
+
+    Attributes
+    ----------
+    tone, hue : float
+        Relative changes of the reflectance, and of its ratio of red to green. [1]
+    ascent : float
+        Tangent of the ascent towards the star's azimuth. [1]
+    """
+
+    tone: float
+    hue: float
+    ascent: float
+
+
+@kernel
+def texture_footprint(footprint, cosine):
+    """Footprint that blurs the texture, between the mean of a pixel's axes and half the longer. [m]
+
+    Parameters
+    ----------
+    footprint : float
+        Longer axis of the pixel footprint. [m]
+    cosine : float
+        Cosine of the zenith angle of the line of sight. [1]
+
+    Examples
+    --------
+    >>> texture_footprint(2.0, 1.0), texture_footprint(2.0, 0.01)
+    (2.0, 1.0)
+    """
+    return footprint * max(sqrt(min(max(cosine, 0.0), 1.0)), FORESHORTENED)
+
+
+@kernel
+def along_lattice(whole, part, component, cell, scale):
+    """Lattice coordinate of a place along one axis. [cell]
+
+    Parameters
+    ----------
+    whole, part : float
+        Results of ``lattice_origin``.
+    component : float
+        Component of the position relative to the point below the observer. [m]
+    cell : float
+        Size of the finest cells. [m]
+    scale : int
+        Size of the cells over that of the finest. [1]
+    """
+    period = float(PERIOD * scale)
+    return (whole - period * floor(whole / period)) / scale + (part + component / cell) / scale
+
+
+@kernel
+def land_texture(place, footprint, cell, whole, part, way):
+    """Result of ``LandTexture`` at a place.
+
+    Parameters
+    ----------
+    place, footprint, cell, whole, part :
+        Arguments of ``ground_detail``; footprint from ``texture_footprint``.
+    way : Vec3
+        Horizontal direction towards the star, in the planet's frame. [1]
+    """
+    tone, hue, ascent, scale = 0.0, 0.0, 0.0, 1
+    for _octave in range(OCTAVES):
+        hue *= HUE_FALL
+        shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            x = along_lattice(whole.x, part.x, place.x, cell, scale)
+            y = along_lattice(whole.y, part.y, place.y, cell, scale)
+            z = along_lattice(whole.z, part.z, place.z, cell, scale)
+            here = smooth_noise(x, y, z)
+            ahead = smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
+            tone += shown * here
+            hue += shown * ahead
+            ascent += shown * (ahead - here)
+        scale *= STEP
+    return LandTexture(
+        CONTRAST * tone / DEVIATION, HUE * hue / DEVIATION, SLOPE * ascent / (RISE * DEVIATION)
+    )
+
+
+@kernel
+def textured(reflectance, change):
+    """Reflectance with texture, in one channel. [1]
+
+    Light that is reflected several times fills the hollows of bright ground: the contrast is in
+    proportion to what one reflection absorbs.
+
+    Parameters
+    ----------
+    reflectance : float
+        Mean reflectance. [1]
+    change : float
+        Relative change of dark land. [1]
+
+    Examples
+    --------
+    >>> textured(0.5, 0.2), textured(1.0, 0.2), textured(0.5, -3.0)
+    (0.55, 1.0, 0.0)
+    """
+    return reflectance * max(1.0 + (1.0 - reflectance) * change, 0.0)
+
+
+@kernel
+def texture_light(mu_s, ascent):
+    """Direct irradiance of a slope of the texture over that of level ground. [1]
+
+    To first order 1 - ascent tan θ. Under a low star slopes shade one another, but all that the
+    ground receives remains: the contrast is limited to that at which the steepest slope is dark.
+
+    Parameters
+    ----------
+    mu_s : float
+        Cosine of the star's zenith angle. [1]
+    ascent : float
+        Tangent of the ascent towards the star. [1]
+
+    Examples
+    --------
+    >>> texture_light(1.0, 0.3), texture_light(-0.1, 0.3)
+    (1.0, 1.0)
+    """
+    sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    tangent = sine / max(mu_s, LOWEST) if mu_s > 0.0 else 0.0
+    limit = sqrt(1.0 + STEEPEST * STEEPEST * tangent * tangent)
+    return max(1.0 - ascent * tangent / limit, 0.0)
