@@ -32,8 +32,10 @@ D65 = chromaticity(RGB_TO_XYZ.sum(axis=1))
 SUN = star_white(None)
 
 
-def gains(name: str, star: tuple[float, float], kelvin: float = 5500.0) -> Any:
-    return white_gains(WHITE_BALANCES.index(name), kelvin, *star, 0.0, 0.0)
+def gains(
+    name: str, star: tuple[float, float], kelvin: float = 5500.0, exposure: float = -4.0
+) -> Any:
+    return white_gains(WHITE_BALANCES.index(name), kelvin, *star, 0.0, 0.0, 2.0**exposure)
 
 
 def uv(xyz: np.ndarray) -> np.ndarray:
@@ -85,6 +87,11 @@ def test_auto_is_daylight_under_a_sun_and_the_star_under_others() -> None:
     cool = black_body(3000.0)
     assert_allclose(gains("auto", SUN), gains("daylight", SUN), rtol=1e-12)
     assert_allclose(gains("auto", cool), gains("star", cool), rtol=1e-12)
+    # of the dusk's blue sky light nothing is taken away, by night moon and lamps are as the sun is
+    assert_allclose(gains("auto", SUN, exposure=2.0), 1.0, atol=1e-3)
+    assert_allclose(gains("auto", SUN, exposure=12.0), gains("daylight", SUN), rtol=1e-12)
+    fading = [gains("auto", SUN, exposure=one)[2] for one in np.linspace(-4.0, 2.0, 25)]
+    assert np.all(np.diff(fading) <= 0.0)
     assert gains("auto", (0.0, 0.0)) == gains("d65", SUN) == (1.0, 1.0, 1.0)
     assert_allclose(gains("kelvin", cool, 5500.0), gains("daylight", SUN), rtol=1e-12)
     assert abs(gains("star", SUN)[2] - gains("daylight", SUN)[2]) > 0.01

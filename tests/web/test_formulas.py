@@ -86,8 +86,9 @@ CASES: dict[str, tuple[Any, ...]] = {
     "mccamy_temperature": (numbers(0.25, 0.5), numbers(0.25, 0.45)),
     "white_gains": (
         RNG.integers(0, 6, COUNT), TEMPERATURES, numbers(0.25, 0.5), numbers(0.25, 0.45),
-        numbers(0.25, 0.5), numbers(0.25, 0.45),
+        numbers(0.25, 0.5), numbers(0.25, 0.45), 2.0 ** numbers(-8.0, 12.0),
     ),
+    "dusk_share": (2.0 ** numbers(-8.0, 12.0),),
     "scene_weight": (*(numbers(-0.1, 2.0) for _ in "rgb"), 0.3),
     "days_of_date": DATES,
     "date_after": (*DATES, numbers(-500.0, 500.0)),

@@ -8,10 +8,10 @@ from airlight.kernel import kernel
 from airlight.physics.constants import LUMINOUS_EFFICACY
 
 #: Displayed level of the key of a sunlit picture. [1]
-KEY: Final = 0.35
+KEY: Final = 0.42
 #: Luminance below which the exposure follows the eye's dark adaptation: that of a sky half an hour
 #: after sunset, which should look like dusk. [cd m⁻²]
-_PHOTOPIC: Final = 30.0
+_PHOTOPIC: Final = 34.0
 #: Exponent of brightness as a function of luminance. [Stevens & Stevens 1963]
 _BRIGHTNESS: Final = 1.0 / 3.0
 #: Luminance of a moonless, starless night; darker pictures are not brightened further. [cd m⁻²]

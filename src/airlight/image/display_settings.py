@@ -60,8 +60,8 @@ class DisplaySettings:
         Amount of glare, 0 to 10: 1 is that of a lens. [1]
     white_balance : str or float
         Light that is shown white, one of ``WHITE_BALANCES`` or its temperature, 5200 or
-        ``"5200 K"``; ``auto`` is daylight of 5500 K under a star like the sun, and the star's own
-        light under others.
+        ``"5200 K"``; ``auto`` is daylight of 5500 K under a star like the sun, the display's white
+        in its dusk, and the star's own light under others.
     white_temperature : float
         Temperature for the white balance ``"kelvin"``; a number as ``white_balance`` sets both. [K]
 
@@ -132,9 +132,10 @@ class DisplaySettings:
         """
         which = WHITE_BALANCES.index(str(self.white_balance))
         light, mean = star or UNKNOWN, scene or UNKNOWN
-        long, medium, short = white_gains(which, self.white_temperature, *light, *mean)
+        factor = exposure_factor(exposure)
+        long, medium, short = white_gains(which, self.white_temperature, *light, *mean, factor)
         return Display(
-            exposure=exposure_factor(exposure),
+            exposure=factor,
             eye=bool(self.eye),
             tone_map=list(TONE_MAPS).index(self.tone_map),
             style=style_number(self.style),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, NamedTuple
 
-from airlight.image.dither import dither_place, dithered
+from airlight.image.dither import dither_noise, dither_place, dithered
 from airlight.image.encoding import encoded
 from airlight.image.eye import cones_and_rods, with_rods
 from airlight.image.tone_maps import shown_light
@@ -92,9 +92,9 @@ def displayed(red, green, blue, px, py, display):
     blue = encoded(display.encoding, blue)
     if display.dither <= 0.0:
         return red, green, blue
-    place = dither_place(px, py)
+    for_red, for_green, for_blue = dither_noise(dither_place(px, py))
     return (
-        dithered(red, place, 0, display.dither),
-        dithered(green, place, 1, display.dither),
-        dithered(blue, place, 2, display.dither),
+        dithered(red, for_red, display.dither),
+        dithered(green, for_green, display.dither),
+        dithered(blue, for_blue, display.dither),
     )

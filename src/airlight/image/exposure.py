@@ -21,14 +21,14 @@ DEFAULT_EXPOSURE: Final = -4.0
 #: Largest magnitude of an exposure. [EV]
 MOST_EXPOSURE: Final = 100.0
 #: Largest displayed level of the bright quarter at its lower end, and of the highlights. [1]
-_BRIGHT: Final = 0.55
-HIGHLIGHT: Final = 1.5
+_BRIGHT: Final = 0.7
+_HIGHLIGHT: Final = 1.8
 #: Fractions of the lit part below the bright quarter and below the highlights, and between which it
-#: determines the key: without shade, and without glint.
+#: determines the key: without shade, and without glint or the glow of a low sun.
 _QUARTER: Final = 0.75
 _BRIGHT_SHARE: Final = 0.96
 _SHADE: Final = 0.25
-_GLINT: Final = 0.95
+_GLINT: Final = 0.8
 #: Largest reduction of the exposure for the bright quarter and the highlights. [EV]
 _PROTECTION: Final = 1.5
 #: Least displayed level of a white surface that faces the star, for highlights. [1]
@@ -49,8 +49,8 @@ _BODY: Final = 0.12
 _UNSEEN: Final = 5e-4
 #: Factor of the key where most of the picture is black space, and exponent of the fraction that is
 #: not: as photographers expose a planet, a mostly dark picture with bright parts. [1]
-_LOW_KEY: Final = 0.6
-_LIT_POWER: Final = 1.0 / 3.0
+_LOW_KEY: Final = 0.5
+_LIT_POWER: Final = 0.5
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768
 #: Rows that are sampled before the memory of a large picture is released.
@@ -275,7 +275,7 @@ def exposure_of(bright, weight, black, white):
     if white > 0.0:
         exposure = max(exposure, -log2(white))
         limited = max(limited, -log2(white))
-    limited = min(limited, log2(longer * shown / KEY * HIGHLIGHT / high))
+    limited = min(limited, log2(longer * shown / KEY * _HIGHLIGHT / high))
     limited = max(limited, exposure - _PROTECTION)
     if white > 0.0:
         limited = max(limited, log2(_WHITE / white))
@@ -336,19 +336,19 @@ def automatic_exposure(
     A pixel counts by its light :math:`L`, the larger of its luminance and 0.55 of its red. The lit
     part are the pixels brighter than about a hundredth of :math:`L_h`; those at least as bright as
     :math:`L_h` have half of the picture's light. Of the lit part :math:`\bar L` is the geometric
-    mean between the 25 and 95 % quantiles, without shade and glint, and :math:`L_{75}` and
+    mean between the 25 and 80 % quantiles, without shade and glint, and :math:`L_{75}` and
     :math:`L_{96}` are quantiles. With the luminance :math:`L_w` of a white surface that faces the
     star,
 
     .. math:: 2^\mathrm{EV} = \min\left(\max\left(
-              \min\left(\frac{0.35\,d\,a}{\bar L}, \frac{0.55\,a}{L_{75}}\right),
-              \frac{1}{L_w}\right), \frac{1.5\,a}{L_{96}}\right),
-              \quad a = \left(1 + \frac{30\ \mathrm{cd\,m^{-2}}}
+              \min\left(\frac{0.42\,d\,a}{\bar L}, \frac{0.7\,a}{L_{75}}\right),
+              \frac{1}{L_w}\right), \frac{1.8\,a}{L_{96}}\right),
+              \quad a = \left(1 + \frac{34\ \mathrm{cd\,m^{-2}}}
               {\max(\bar L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
 
     but at least :math:`0.75/L_w`, and at most 1.5 EV below the larger of the key's
-    :math:`0.35\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least 1e-4 cd m⁻², and
-    :math:`d` is the cube root of the lit fraction of the picture, at least 0.6. By day a is 1,
+    :math:`0.42\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least 1e-4 cd m⁻², and
+    :math:`d` is the square root of the lit fraction of the picture, at least 0.5. By day a is 1,
     independent of the light level; in the dark the picture darkens with the cube root of
     luminance. A white surface is thus shown as white, and clouds and snow brighter than soil,
     whatever a picture consists of.

@@ -221,13 +221,17 @@ def amount_of_share(primaries, lightness, up, by_long, by_medium, by_short, want
 
 
 @kernel
-def within_gamut(primaries, lightness, up, by_long, by_medium, by_short, red, green, blue, soft):
+def within_gamut(
+    primaries, lightness, bounded, by_long, by_medium, by_short, red, green, blue, soft
+):
     """Colour mapped into the gamut at constant hue and lightness.
 
     Parameters
     ----------
-    primaries, lightness, up, by_long, by_medium, by_short :
+    primaries, lightness, by_long, by_medium, by_short :
         Arguments of ``share_at``.
+    bounded : bool
+        Whether channels are bounded by 1.
     red, green, blue : float
         The colour, in linear light of the display's primaries. [1]
     soft : bool
@@ -236,10 +240,17 @@ def within_gamut(primaries, lightness, up, by_long, by_medium, by_short, red, gr
     Returns
     -------
     red, green, blue : float
-        Linear light of the primaries, not below 0; bounded by 1 unless ``up`` is 0. [1]
+        Linear light of the primaries, not below 0. [1]
     """
-    share = gamut_share(lightness * lightness * lightness, up, red, green, blue)
-    if share > (KNEE if soft else 1.0):
+    grey = lightness * lightness * lightness
+    knee = KNEE if soft else 1.0
+    # By multiplication: most colours need no division.
+    far = grey - min(red, min(green, blue)) > knee * max(grey, _LEAST)
+    if bounded:
+        far = far or max(red, max(green, blue)) - grey > knee * max(1.0 - grey, _LEAST)
+    if far:
+        up = to_white(grey, bounded)
+        share = gamut_share(grey, up, red, green, blue)
         wanted = softened(share) if soft else 1.0
         # The share grows about in proportion to the chroma.
         start = wanted / share
@@ -249,7 +260,7 @@ def within_gamut(primaries, lightness, up, by_long, by_medium, by_short, red, gr
         x, y = lightness + amount * by_long, lightness + amount * by_medium
         z = lightness + amount * by_short
         red, green, blue = light_of_cones(primaries, x * x * x, y * y * y, z * z * z)
-    most = 1.0 if up > 0.0 else BRIGHTEST
+    most = 1.0 if bounded else BRIGHTEST
     return min(max(red, 0.0), most), min(max(green, 0.0), most), min(max(blue, 0.0), most)
 
 
@@ -260,14 +271,13 @@ def into_gamut(primaries, bounded, soft, red, green, blue):
     lightness = lightness_of(long, medium, short)
     if not lightness > 0.0:
         return 0.0, 0.0, 0.0
-    up = to_white(lightness * lightness * lightness, bounded)
-    if bounded and up >= 1.0 / _LEAST:
+    if bounded and 1.0 - lightness * lightness * lightness <= _LEAST:
         return 1.0, 1.0, 1.0
     r, g, b = with_primaries(primaries, signed_light(red), signed_light(green), signed_light(blue))
     return within_gamut(
         primaries,
         lightness,
-        up,
+        bounded,
         long - lightness,
         medium - lightness,
         short - lightness,

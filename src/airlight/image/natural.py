@@ -32,13 +32,20 @@ SHOULDER: Final = 0.25
 #: Contrast of the toe by style: its largest slope, of logarithms. ``soft`` has no toe. [1]
 STYLES: Final[dict[str, float]] = {"neutral": 1.2, "punchy": 1.4, "soft": 1.0}
 _NEUTRAL, _PUNCHY, _SOFT = STYLES.values()
-#: Light at which the toe is steepest. [1]
-_TOE: Final = 0.06
+#: Light about which the toe darkens shadows, and about which it leaves deep shadows visible. [1]
+_TOE: Final = 0.07
+_DEEP: Final = 0.006
+#: Steepness of the toe per contrast above 1, within 0.1 % for ``STYLES``. [1]
+_STEEPNESS: Final = 0.4427
+#: Increase of the chroma over that of the contrast: curves of single channels increase both. [1]
+_CHROMA: Final = 0.5
 #: Light above the shoulder, relative to its range, at which the slope of the toe has faded, so that
 #: the glow of a sun keeps its size. [1]
 _FADE: Final = 0.3
 #: Smallest fraction left to the end of the gamut's soft boundary in the inverse. [1]
 _LEAST_KEPT: Final = 1e-6
+#: Steps of the inverse of the toe, which reduce the error at least to two fifths each.
+_INVERSE_STEPS: Final = 40
 #: Largest factor of the chroma in the inverse. [1]
 _MOST_CHROMA: Final = 64.0
 #: Displayed linear value that counts as white. [1]
@@ -46,10 +53,44 @@ _WHITEST: Final = 1.0 - 1e-9
 
 
 @kernel
-def toe_ends(contrast):
-    """Lights between which the toe is steep: shadows below the first are darker by a factor. [1]"""
-    ratio = contrast / (2.0 - contrast)
-    return _TOE / ratio, _TOE * ratio
+def toe_ratio(contrast):
+    """Ratio of the ends of the toe to its middle. [1]"""
+    return (1.0 + _STEEPNESS * (contrast - 1.0)) / (1.0 - _STEEPNESS * (contrast - 1.0))
+
+
+@kernel
+def toe(light, ratio):
+    """Displayed over exposed lightness of a grey in the toe, times a constant. [1]
+
+    Parameters
+    ----------
+    light : float
+        Exposed light. [1]
+    ratio : float
+        Result of ``toe_ratio``. [1]
+    """
+    darker = (light + _TOE / ratio) * (light + _DEEP * ratio)
+    return darker / ((light + _TOE * ratio) * (light + _DEEP / ratio))
+
+
+@kernel
+def shoulder_slope(ratio):
+    """Slope of the toe at the shoulder. [1]
+
+    Parameters
+    ----------
+    ratio : float
+        Result of ``toe_ratio``. [1]
+    """
+    by_toe = 1.0 / (SHOULDER + _TOE / ratio) - 1.0 / (SHOULDER + _TOE * ratio)
+    by_deep = 1.0 / (SHOULDER + _DEEP / ratio) - 1.0 / (SHOULDER + _DEEP * ratio)
+    return 1.0 + 3.0 * SHOULDER * (by_toe - by_deep)
+
+
+@kernel
+def vividness(contrast):
+    """Factor of the chroma. [1]"""
+    return 1.0 + _CHROMA * (contrast - 1.0)
 
 
 @kernel
@@ -63,10 +104,11 @@ def natural_curve(light, contrast):
     contrast : float
         Largest slope of the toe, of logarithms, 0.5 to 1.5; 1 for none. [1]
     """
-    low, high = toe_ends(contrast)
+    ratio = toe_ratio(contrast)
     if light <= SHOULDER:
-        return light * ((SHOULDER + high) / (SHOULDER + low)) * ((light + low) / (light + high))
-    slope = 1.0 + SHOULDER * (high - low) / ((SHOULDER + low) * (SHOULDER + high))
+        darker = toe(light, ratio) / toe(SHOULDER, ratio)
+        return light * darker * darker * darker
+    slope = shoulder_slope(ratio)
     over = (light - SHOULDER) / (1.0 - SHOULDER)
     rise = over * (over + slope * _FADE) / (over + _FADE)
     return SHOULDER + (1.0 - SHOULDER) * (1.0 - math.exp(-rise))
@@ -75,12 +117,14 @@ def natural_curve(light, contrast):
 @kernel
 def natural_curve_inverse(shown, contrast):
     """Exposed light of a grey from its displayed light, below 1. [1]"""
-    low, high = toe_ends(contrast)
+    ratio = toe_ratio(contrast)
     if shown <= SHOULDER:
-        scale = (SHOULDER + high) / (SHOULDER + low)
-        half = 0.5 * (shown - scale * low)
-        return (half + math.sqrt(half * half + scale * shown * high)) / scale
-    slope = 1.0 + SHOULDER * (high - low) / ((SHOULDER + low) * (SHOULDER + high))
+        # The slope of the logarithms is between 0.6 and 1.4: a fixed-point iteration converges.
+        light = shown
+        for _step in range(_INVERSE_STEPS):
+            light = light * shown / natural_curve(light, contrast)
+        return light
+    slope = shoulder_slope(ratio)
     rise = -math.log(1.0 - (shown - SHOULDER) / (1.0 - SHOULDER))
     half = 0.5 * (rise - slope * _FADE)
     over = half + math.sqrt(half * half + rise * _FADE)
@@ -124,17 +168,21 @@ def natural_shown(primaries, contrast, red, green, blue):
     light = lightness * lightness * lightness
     if light > SHOULDER or contrast != 1.0:
         # The lightness falls by the third power of the compression, the chroma of bright colours by
-        # its square; in the toe colours keep their chromaticity.
-        darker = cube_root(natural_curve(light, contrast) / light)
-        paler = darker * darker if light > SHOULDER else darker
+        # its square; in the toe chroma and lightness fall alike.
+        if light > SHOULDER:
+            darker = cube_root(natural_curve(light, contrast)) / lightness
+            paler = darker * darker * vividness(contrast)
+        else:
+            ratio = toe_ratio(contrast)
+            darker = toe(light, ratio) / toe(SHOULDER, ratio)
+            paler = darker * vividness(contrast)
         lightness = lightness * darker
         by_long, by_medium, by_short = by_long * paler, by_medium * paler, by_short * paler
         x, y, z = lightness + by_long, lightness + by_medium, lightness + by_short
         r, g, b = light_of_cones(primaries, x * x * x, y * y * y, z * z * z)
     else:
         r, g, b = with_primaries(primaries, r, g, b)
-    up = to_white(lightness * lightness * lightness, True)
-    return within_gamut(primaries, lightness, up, by_long, by_medium, by_short, r, g, b, True)
+    return within_gamut(primaries, lightness, True, by_long, by_medium, by_short, r, g, b, True)
 
 
 @kernel
@@ -176,7 +224,7 @@ def natural_light_pixels(colors, out, contrast):
                 amount = amount_of_share(0, lightness, up, x, y, z, wanted, 1.0, _MOST_CHROMA)
             brighter = cube_root(natural_curve_inverse(light, contrast) / light)
             lightness = lightness * brighter
-            amount = amount * brighter * (brighter if light > SHOULDER else 1.0)
+            amount *= brighter * (brighter if light > SHOULDER else 1.0) / vividness(contrast)
             x, y, z = cone_roots(lightness, amount * green_red, amount * blue_yellow)
             out[i, 0], out[i, 1], out[i, 2] = rgb_of_cones(x * x * x, y * y * y, z * z * z)
 
@@ -185,16 +233,18 @@ def natural(rgb: ArrayLike, contrast: float = _NEUTRAL) -> NDArray[Any]:
     r"""Natural tone map of exposed light.
 
     In OKLab, with the light :math:`x = L^3` of the grey of equal lightness, :math:`s = 0.25`,
-    :math:`a = 0.06\,(2 - c)/c` and :math:`b = 0.06\,c/(2 - c)` of the contrast c,
+    and of the contrast c the ratio :math:`r = (1 + 0.443\,(c - 1))/(1 - 0.443\,(c - 1))`,
 
-    .. math:: x_d &= x\,\frac{s + b}{s + a}\,\frac{x + a}{x + b} \text{ for } x \le s, \\
+    .. math:: x_d &= x\left(\frac{q(x)}{q(s)}\right)^3 \text{ for } x \le s, \quad
+              q(x) = \frac{(x + 0.07/r)(x + 0.006\,r)}{(x + 0.07\,r)(x + 0.006/r)}, \\
               x_d &= s + (1 - s)(1 - e^{-h}), \quad h = t\,\frac{t + 0.3\,m}{t + 0.3}, \quad
               t = \frac{x - s}{1 - s}
 
-    where m is the slope at s. The slope of ln x\ :sub:`d` by ln x is at most c, at 0.06; highlights
-    are those without contrast. In the toe colours keep their chromaticity; above s the chroma is
-    :math:`C_d = C\,(x_d/x)^{2/3}`, so that bright colours desaturate to white. Colours outside are
-    mapped into the gamut by ``in_gamut``.
+    where m is the slope at s. The slope of ln x\ :sub:`d` by ln x is at most c, at 0.1; shadows
+    below 0.002 and highlights are about those without contrast. The chroma is that of the exposed
+    light times :math:`v\,(x_d/x)^{1/3}`, :math:`v = (1 + c)/2`, and above s times
+    :math:`v\,(x_d/x)^{2/3}`, so that bright colours desaturate to white. Colours outside are mapped
+    into the gamut by ``in_gamut``.
 
     Parameters
     ----------

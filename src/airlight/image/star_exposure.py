@@ -6,19 +6,22 @@ import math
 from math import log2
 from typing import Final
 
-from airlight.image.exposure import HIGHLIGHT, MOST_EXPOSURE, exposure_of, unlit_exposure
+from airlight.image.exposure import MOST_EXPOSURE, exposure_of, unlit_exposure
 from airlight.image.glare import COARSEST, FINEST, TOTAL
 from airlight.kernel import compiled_loop, kernel
 
-#: Fraction of the picture that the glare of a star may fill with the level ``HIGHLIGHT``. [1]
+#: Displayed level that the glare of a star may have on a fraction of the picture. [1]
+_GLARING: Final = 1.5
 _GLOW: Final = 0.04
 #: Darkening of a star's surroundings from which on the star is the subject, further reduction of
 #: the exposure per stop of it, and the largest one. [EV]
 _SURROUNDINGS: Final = 2.0
 _PER_STOP: Final = 1.25
 _SUBJECT: Final = 8.0
-#: Displayed level of the brightest part of a disc that is the subject. [1]
+#: Displayed level of the brightest part of a disc that is the subject, on a black sky. [1]
 _DISC: Final = 0.8
+#: Least contrast of a disc that is not one with its sky. [1]
+_CONTRAST: Final = 1e-3
 #: Radiance that glare spreads at an angle, times its square, per irradiance, see ``glare``. [1]
 _SPREAD: Final = TOTAL / (2.0 * math.pi * math.log(COARSEST / FINEST))
 
@@ -50,7 +53,7 @@ def star_limited(exposure, brightest, irradiance, picture):
     >>> f"{2.0 ** star_limited(100.0, 2e6, 136.0, 1e-4) * 2e6:.2f}"  # the sun through a telescope
     '0.80'
     """
-    glow = log2(HIGHLIGHT * _GLOW * picture / (math.pi * _SPREAD * irradiance))
+    glow = log2(_GLARING * _GLOW * picture / (math.pi * _SPREAD * irradiance))
     lost = exposure - glow
     if lost <= 0.0:
         return exposure
@@ -64,7 +67,8 @@ def exposure_with_stars(bright, weight, near, light, lights, black, picture, whi
 
     Pixels away from stars are metered by ``exposure_of``, limited by each star (``star_limited``).
     If these are black, as in space, the star is the subject, beside bodies which space may hold; if
-    there are none, as in a telescope, all pixels are metered.
+    there are none, as in a telescope, all pixels are metered, and the brightest is at least 0.8
+    times its contrast to the darkest: a crescent leaves the sky of dusk its own exposure.
 
     Parameters
     ----------
@@ -89,7 +93,9 @@ def exposure_with_stars(bright, weight, near, light, lights, black, picture, whi
     if away > 0.0:
         exposure = exposure_of(bright, weight, black, white)
     elif black <= 0.0 or around <= 0.0:
-        exposure = max(exposure_of(bright, near, 0.0, 0.0), log2(_DISC / bright[bright.size - 1]))
+        most = bright[bright.size - 1]
+        contrast = max(1.0 - bright[0] / most, _CONTRAST)
+        exposure = max(exposure_of(bright, near, 0.0, 0.0), log2(_DISC * contrast / most))
     elif white > 0.0:
         exposure = unlit_exposure(white)
     limit = exposure

@@ -6,6 +6,7 @@ sun as grey. The adopted white is scaled to the display's, D65, in the cone spac
 
 from __future__ import annotations
 
+from math import log2
 from typing import Any, Final
 
 import numpy as np
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
 from airlight.image.floating import BRIGHTEST, each_pixel
-from airlight.image.gamut import signed_light
+from airlight.image.gamut import WHITE, signed_light
 from airlight.image.spectral import Irradiance, sun_color
 from airlight.image.xyz import RGB_TO_XYZ, chromaticity, luminance_of, rgb_to_xyz
 from airlight.kernel import compiled_loop, inlined, kernel
@@ -22,8 +23,9 @@ from airlight.physics.units import quantity
 #: Chromaticity x, y of a light.
 White = tuple[float, float]
 
-#: Names of the adopted white. ``auto`` is ``daylight`` under a star like the sun, ``star`` under
-#: others, and ``d65`` where no star is known; ``kelvin`` is that of a given temperature.
+#: Names of the adopted white. ``auto`` is ``daylight`` under a star like the sun and ``d65`` in its
+#: dusk, ``star`` under others, and ``d65`` where no star is known; ``kelvin`` is that of a given
+#: temperature.
 WHITE_BALANCES: Final = ("auto", "daylight", "star", "scene", "d65", "kelvin")
 #: Colour temperature of photographic daylight. [K; ISO 7589:2002, daylight: 5500 K]
 DAYLIGHT: Final = 5500.0
@@ -37,6 +39,9 @@ SCENE_HOTTEST: Final = 8000.0
 #: Range of temperatures of a star like the sun, the spectral types G and late F. [K]
 _LEAST_SUN: Final = 5200.0
 _MOST_SUN: Final = 6500.0
+#: Exposures between which ``auto`` passes from the sun's light to that of dusk, which comes from
+#: the sky and is bluer, and by night, of moonlight and lamps, back. [EV]
+_DAY, _DUSK, _DARK, _NIGHT = -2.5, 0.5, 5.0, 7.0
 #: Displayed light at which a pixel has half its weight in the mean of ``scene``. [1]
 _HALF: Final = 0.18
 #: Smallest cone response of a white relative to its luminance, which limits the gain of blue under
@@ -54,6 +59,7 @@ _RGB_TO_CONES: Final = XYZ_TO_CONES @ RGB_TO_XYZ
 _CONES_TO_RGB: Final = np.linalg.inv(_RGB_TO_CONES)
 
 # The same numbers as arguments of the kernels.
+_X, _Y = WHITE
 (_LX, _LY, _LZ), (_MX, _MY, _MZ), (_SX, _SY, _SZ) = XYZ_TO_CONES.tolist()
 (_LR, _LG, _LB), (_MR, _MG, _MB), (_SR, _SG, _SB) = _RGB_TO_CONES.tolist()
 (_RL, _RM, _RS), (_GL, _GM, _GS), (_BL, _BM, _BS) = _CONES_TO_RGB.tolist()
@@ -102,7 +108,16 @@ def mccamy_temperature(x, y):
 
 
 @kernel
-def white_gains(which, temperature, star_x, star_y, scene_x, scene_y):
+def dusk_share(factor):
+    """Share of the light of dusk in the white of ``auto``, by the factor of the exposure. [1]"""
+    stops = log2(factor)
+    evening = (stops - _DAY) / (_DUSK - _DAY)
+    night = (_NIGHT - stops) / (_NIGHT - _DARK)
+    return max(min(min(evening, night), 1.0), 0.0)
+
+
+@kernel
+def white_gains(which, temperature, star_x, star_y, scene_x, scene_y, factor):
     """Gains of the three cone responses that make an adopted white the display's. [1]
 
     Parameters
@@ -115,6 +130,8 @@ def white_gains(which, temperature, star_x, star_y, scene_x, scene_y):
         Chromaticity of the star's light outside the air; 0 if there is none. [1]
     scene_x, scene_y : float
         Chromaticity of the scene's mean light, see ``scene_weight``; 0 if there is none. [1]
+    factor : float
+        Factor of the exposure. [1]
 
     Returns
     -------
@@ -125,7 +142,9 @@ def white_gains(which, temperature, star_x, star_y, scene_x, scene_y):
     if which == 0 and star_y > 0.0:
         hot = mccamy_temperature(star_x, star_y)
         if _LEAST_SUN < hot < _MOST_SUN:
-            x, y = black_body_x(DAYLIGHT), black_body_y(DAYLIGHT)
+            dusk = dusk_share(factor)
+            x = black_body_x(DAYLIGHT) + dusk * (_X - black_body_x(DAYLIGHT))
+            y = black_body_y(DAYLIGHT) + dusk * (_Y - black_body_y(DAYLIGHT))
     if which == 1:
         x, y = black_body_x(DAYLIGHT), black_body_y(DAYLIGHT)
     if which == 3:
@@ -201,7 +220,7 @@ def adapt(rgb: ArrayLike, gains: tuple[float, float, float]) -> NDArray[Any]:
     --------
     >>> from airlight.image.xyz import xyz_to_rgb
     >>> warm = xyz_to_rgb([1.09850, 1.0, 0.35585])  # illuminant A
-    >>> adapt(warm, white_gains(2, 0.0, 0.44757, 0.40745, 0.0, 0.0)).round(3)
+    >>> adapt(warm, white_gains(2, 0.0, 0.44757, 0.40745, 0.0, 0.0, 1.0)).round(3)
     array([1., 1., 1.])
     """
     return each_pixel(adapted_pixels, rgb, *gains)

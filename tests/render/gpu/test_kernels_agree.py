@@ -261,7 +261,8 @@ COLORS = [
     Case(gamut.with_primaries, (1, *UNITS), atol=4 * EPS),
     Case(gamut.to_white, (uniform(0.0, 0.9, 31), True), rtol=16 * EPS),
     Case(natural.natural_curve, (*LIGHTS[:1], 1.4), atol=16 * EPS),
-    Case(natural.toe_ends, (uniform(0.5, 1.5, 31),), rtol=8 * EPS),
+    Case(natural.toe_ratio, (uniform(0.5, 1.5, 31),), rtol=8 * EPS),
+    Case(natural.shoulder_slope, (uniform(0.8, 1.5, 31),), rtol=64 * EPS),
     Case(natural.style_contrast, (np.arange(3),)),
     Case(gamut.softened, LIGHTS[:1], atol=8 * EPS),
     # Differences of the channels and the grey, over the grey's distance to 0 or 1, at least 0.05.
@@ -286,10 +287,10 @@ COLORS = [
         atol=10 * POWER,
     ),
     # Whole numbers, then a root of one of 4096 parts of 2.
-    Case(dither.hashed, (PIXELS[0].astype(int), PIXELS[1].astype(int), 17)),
-    Case(dither.quarter, (PIXELS[0].astype(int), PIXELS[1].astype(int), 17)),
+    Case(dither.hashed, (PIXELS[0].astype(int), PIXELS[1].astype(int))),
+    Case(dither.quarter, (PIXELS[0].astype(int), PIXELS[1].astype(int), 5)),
     Case(dither.dither_place, (PIXELS[0], PIXELS[1])),
-    Case(dither.dither_noise, (np.arange(4096), 1), atol=EPS * 64),
+    Case(dither.dither_noise, (np.arange(4096),), atol=EPS * 64),
     Case(natural.natural_color, LIGHTS, atol=10 * POWER),
     Case(natural.natural_shown, (1, 1.4, *LIGHTS), atol=10 * POWER),
     Case(encoding.srgb_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),

@@ -78,7 +78,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     unlit_exposure: (),
     eased: (),
     scene_weight: (),
-    white_gains: (I32, *(F32 for _ in range(5))),
+    white_gains: (I32, *(F32 for _ in range(6))),
     left_out: (),
     metering_weight: (I32, *(F32 for _ in range(5)), VEC3, F32),
     glare_levels: (),

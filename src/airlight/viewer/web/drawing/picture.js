@@ -299,7 +299,8 @@ export class Picture {
     }
     const which = fixed.white_balances.indexOf(name);
     const kelvin = values["display.white_temperature"];
-    const [long, medium, short] = white_gains(which, kelvin, ...planet.star_white, ...mean);
+    const whites = [...planet.star_white, ...mean];
+    const [long, medium, short] = white_gains(which, kelvin, ...whites, factor);
     return { gain_long: long, gain_medium: medium, gain_short: short };
   }
 
