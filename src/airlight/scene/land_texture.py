@@ -11,31 +11,40 @@ from __future__ import annotations
 from math import floor, sqrt
 from typing import Final, NamedTuple
 
+from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import DEVIATION, PERIOD, STEP, smooth_noise
 
-#: Number of octaves, from the finest of ``ground_detail``: 0.11 m to 460 m on Earth.
-OCTAVES: Final = 7
-#: Octave of ``ground_detail`` below which the land has this texture instead.
-FINEST_OF_MAP: Final = 4
+#: Number of octaves, and sizes of the cells of the coarsest and of the finest over the finest of
+#: ``ground_detail``: 460 m to 3 cm on Earth.
+OCTAVES: Final = 8
+COARSEST: Final = 4096.0
+#: Octave of ``ground_detail``, from the finest, below which the land has this texture instead.
+FINEST_OF_MAP: Final = 5
 #: Standard deviation of the reflectance over its mean in one octave of dark land. [1]
-CONTRAST: Final = 0.09
-#: Standard deviation of red over green, and of green over blue, in the coarsest octave; and ratio
-#: from an octave to the next finer one. [1]
-HUE: Final = 0.06
-HUE_FALL: Final = 0.7
+CONTRAST: Final = 0.1
+#: Standard deviation of red over green, and of green over blue, in one octave. [1]
+HUE: Final = 0.03
 #: Distance of the two heights of a slope. [cell]
 STRIDE: Final = 0.5
 #: Standard deviation of the slope of one octave. [1]
 SLOPE: Final = 0.08
+#: Standard deviation of the heights of one octave that displace finer ones: less than slopes
+#: state, so that no far side is seen through a near one. [cell]
+HEIGHT: Final = 0.014
+#: Largest cells with such heights over the finest of ``ground_detail``: 7 m on Earth.
+HIGHEST: Final = 64.0
 #: Standard deviation of the difference of the noise over a stride, over that of the noise. [1]
 RISE: Final = 0.83
 #: Steepest slopes, about two and a half standard deviations of all octaves. [1]
 STEEPEST: Final = 0.45
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
 LOWEST: Final = 0.06
-#: Largest blur of the far side of a pixel, in shares of its longer axis. [1]
-FORESHORTENED: Final = 0.5
+#: Cosine of the zenith angle of a line of sight below which heights are displaced as at it. [1]
+GRAZING: Final = 0.12
+#: Least blur of a pixel seen at a grazing angle over its longer axis: relief shows more than the
+#: level ground would. [1]
+FORESHORTENED: Final = 0.35
 
 
 class LandTexture(NamedTuple):
@@ -56,7 +65,7 @@ class LandTexture(NamedTuple):
 
 @kernel
 def texture_footprint(footprint, cosine):
-    """Footprint that blurs the texture, between the mean of a pixel's axes and half the longer. [m]
+    """Footprint that blurs the texture: mean of a pixel's axes, at least a third of the longer. [m]
 
     Parameters
     ----------
@@ -68,33 +77,34 @@ def texture_footprint(footprint, cosine):
     Examples
     --------
     >>> texture_footprint(2.0, 1.0), texture_footprint(2.0, 0.01)
-    (2.0, 1.0)
+    (2.0, 0.7)
     """
     return footprint * max(sqrt(min(max(cosine, 0.0), 1.0)), FORESHORTENED)
 
 
 @kernel
-def along_lattice(whole, part, component, cell, scale):
-    """Lattice coordinate of a place along one axis. [cell]
+def along_lattice(whole, beyond, inverse):
+    """Lattice coordinate along one axis, to a period; exact products, as sizes are powers of 2.
 
     Parameters
     ----------
-    whole, part : float
-        Results of ``lattice_origin``.
-    component : float
-        Component of the position relative to the point below the observer. [m]
-    cell : float
-        Size of the finest cells. [m]
-    scale : int
-        Size of the cells over that of the finest. [1]
+    whole : float
+        Result of ``lattice_origin``.
+    beyond : float
+        Distance from that lattice point. [finest cell]
+    inverse : float
+        Size of the finest cells over that of these. [1]
     """
-    period = float(PERIOD * scale)
-    return (whole - period * floor(whole / period)) / scale + (part + component / cell) / scale
+    start = whole * inverse
+    return start - PERIOD * float(floor(start / PERIOD)) + beyond * inverse
 
 
 @kernel
-def land_texture(place, footprint, cell, whole, part, way):
+def land_texture(place, footprint, cell, whole, part, way, lean):
     """Result of ``LandTexture`` at a place.
+
+    The line of sight meets a height before the place on the level ground: each octave is seen on
+    the coarser ones.
 
     Parameters
     ----------
@@ -102,21 +112,27 @@ def land_texture(place, footprint, cell, whole, part, way):
         Arguments of ``ground_detail``; footprint from ``texture_footprint``.
     way : Vec3
         Horizontal direction towards the star, in the planet's frame. [1]
+    lean : Vec3
+        Horizontal way back towards the observer per height, in the planet's frame. [1]
     """
-    tone, hue, ascent, scale = 0.0, 0.0, 0.0, 1
+    tone, hue, ascent, scale = 0.0, 0.0, 0.0, COARSEST
+    finest = Vec3(part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell)
     for _octave in range(OCTAVES):
-        hue *= HUE_FALL
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
-            x = along_lattice(whole.x, part.x, place.x, cell, scale)
-            y = along_lattice(whole.y, part.y, place.y, cell, scale)
-            z = along_lattice(whole.z, part.z, place.z, cell, scale)
+            inverse = 1.0 / scale
+            x = along_lattice(whole.x, finest.x, inverse)
+            y = along_lattice(whole.y, finest.y, inverse)
+            z = along_lattice(whole.z, finest.z, inverse)
             here = smooth_noise(x, y, z)
             ahead = smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
             tone += shown * here
             hue += shown * ahead
             ascent += shown * (ahead - here)
-        scale *= STEP
+            if scale <= HIGHEST:
+                height = shown * here * HEIGHT * scale / DEVIATION
+                finest = plus(finest, scaled(lean, height))
+        scale /= STEP
     return LandTexture(
         CONTRAST * tone / DEVIATION, HUE * hue / DEVIATION, SLOPE * ascent / (RISE * DEVIATION)
     )

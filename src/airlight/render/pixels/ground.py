@@ -50,6 +50,7 @@ from airlight.scene.ground_place import (
 from airlight.scene.lamps import lamp_pattern
 from airlight.scene.land_texture import (
     FINEST_OF_MAP,
+    GRAZING,
     land_texture,
     texture_footprint,
     texture_light,
@@ -168,7 +169,10 @@ def ground_color(ray, sine, angle, frame, color):
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
         blur = texture_footprint(footprint, cosine)
-        detailed_land(place, blur, mu_s, width, noise, view, color)
+        steep = max(cosine, GRAZING)
+        back = Vec3(-ray.x / steep, -ray.y / steep, 0.0)
+        lean = components(back, view.ground_x, view.ground_y, view.ground_z)
+        detailed_land(place, blur, lean, mu_s, width, noise, view, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         shown = 0.0
@@ -193,7 +197,7 @@ def ground_color(ray, sine, angle, frame, color):
 
 
 @inlined
-def detailed_land(place, blur, mu_s, width, noise, view, color):
+def detailed_land(place, blur, lean, mu_s, width, noise, view, color):
     """Decorate land: coast and noise between texels, texture of reflectance and small slopes.
 
     Parameters
@@ -202,6 +206,8 @@ def detailed_land(place, blur, mu_s, width, noise, view, color):
         Result of ``ground_spot``. [m]
     blur : float
         Result of ``texture_footprint``. [m]
+    lean : Vec3
+        Argument of ``land_texture``. [1]
     mu_s : float
         Cosine of the star's zenith angle. [1]
     width : float
@@ -217,7 +223,7 @@ def detailed_land(place, blur, mu_s, width, noise, view, color):
     if share < NEARLY_WATER:
         # the star's azimuth is the observer's first axis
         way = Vec3(view.ground_x.x, view.ground_y.x, view.ground_z.x)
-        texture = land_texture(place, blur, view.detail_cell, view.whole, view.part, way)
+        texture = land_texture(place, blur, view.detail_cell, view.whole, view.part, way, lean)
         color[11] = texture_light(mu_s, texture.ascent)
         tone, hue = texture.tone, texture.hue
         if view.mapped:
