@@ -266,10 +266,10 @@ def test_titans_haze_is_the_probes():
     assert_allclose(medium.density.at([29e3, 31e3, 79e3, 81e3])[haze].sum(axis=0), 1.0, rtol=0.02)
 
 
-def test_titans_detached_haze_is_cassinis() -> None:
-    # Light at the limb of image N1551888681 at 338 nm (Seignovert et al. 2021), where it is thin
-    # and so goes with the haze along the ray: I/F 0.0137 at 499 km, 0.0082 at 464 km, 0.0151 at
-    # 444 km; and the top of the shell is no edge.
+def test_titans_detached_haze_is_cassinis():
+    # Seignovert et al. (2021), limb of image N1551888681 at 338 nm, optically thin: light goes with
+    # the haze along the ray, I/F 0.0137 at 499 km, 0.0082 at 464 km, 0.0151 at 444 km. And the top
+    # of the shell is no edge.
     medium = medium_of("titan", [355.0])
 
     def along(altitude):
