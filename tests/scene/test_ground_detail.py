@@ -41,7 +41,7 @@ def detail(place: np.ndarray, below: np.ndarray, footprint: float) -> float:
     origins = [lattice_origin(x, BOTTOM, CELL) for x in below / BOTTOM]
     wholes, parts = zip(*origins, strict=True)
     at = Vec3(*(place - below))
-    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts), FALL))
+    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts), FALL).land)
 
 
 def test_the_mean_is_zero() -> None:

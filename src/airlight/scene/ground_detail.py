@@ -7,13 +7,15 @@ with a fade between two and four. Coordinates are relative to the point below th
 single precision.
 
 The noise also displaces the places at which maps are read between texels, which breaks the straight
-lines of their interpolation. Water is where its interpolated share exceeds a half.
+lines of their interpolation: by less from one octave to the next than the ratio of their sizes, so
+that the map is bent, not folded. Water is where its interpolated share exceeds a half. Contrast of
+clouds falls as their variance per wavenumber, k^-5/3 (Davis et al. 1997, J. Atmos. Sci. 54, 241).
 """
 
 from __future__ import annotations
 
 from math import floor, pi
-from typing import Final
+from typing import Final, NamedTuple
 
 from airlight.kernel import kernel
 
@@ -32,14 +34,35 @@ PLAIN_CONTRAST: Final = 0.04
 PLAIN_FALL: Final = 1.0
 #: Standard deviation of the displacement by the coarsest octave. [texel]
 DISPLACED: Final = 0.3
+#: Ratio of the displacements of an octave and the next coarser one. [1]
+DISPLACED_FALL: Final = 0.16
 #: Standard deviation of that octave in the cover of half-covered places of a cloud layer. [1]
-CLOUD_GRAIN: Final = 0.08
+CLOUD_GRAIN: Final = 0.16
+#: Ratio of the contrast of clouds in an octave to that in the next coarser one, 4^-1/3. [1]
+CLOUD_FALL: Final = 0.63
 #: Width of the coast where it is seen from near, 115 m on Earth. [texel]
 SHARPEST: Final = 1.0 / 64.0
 #: Rows of the map that defines the cells where the planet has none.
 NOMINAL_ROWS: Final = 1024
 #: Options: the map alone, or with its detail.
 GROUNDS: Final = ("plain", "detailed")
+
+
+class GroundNoise(NamedTuple):
+    """Sums of octaves of noise, with the coarsest of standard deviation 1 and mean 0.
+
+    Attributes
+    ----------
+    land, cloud : float
+        For reflectances, and for the cover of clouds. [1]
+    north, east : float
+        For displacements. [1]
+    """
+
+    land: float
+    cloud: float
+    north: float
+    east: float
 
 
 @kernel
@@ -162,7 +185,7 @@ def smooth_noise(x, y, z):
 
 @kernel
 def ground_detail(place, footprint, cell, whole, part, fall):
-    """Sum of the octaves of noise, with the coarsest of standard deviation 1 and mean 0. [1]
+    """``GroundNoise`` of a place.
 
     Parameters
     ----------
@@ -173,17 +196,20 @@ def ground_detail(place, footprint, cell, whole, part, fall):
     whole, part : Vec3
         Results of ``lattice_origin`` along each axis.
     fall : float
-        Ratio of the contrast of an octave to that of the next coarser one. [1]
+        Ratio of the contrast of land in an octave to that in the next coarser one. [1]
     """
-    total, scale = 0.0, 1
+    land, cloud, north, east, scale = 0.0, 0.0, 0.0, 0.0, 1
     for _octave in range(OCTAVES):
-        total *= fall
+        land *= fall
+        cloud *= CLOUD_FALL
+        north *= DISPLACED_FALL
+        east *= -DISPLACED_FALL
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             period = float(PERIOD * scale)
             # The cell numbers are integers and stay exact; the remainder is small where this octave
             # is shown.
-            total += shown * smooth_noise(
+            noise = shown * smooth_noise(
                 (whole.x - period * floor(whole.x / period)) / scale
                 + (part.x + place.x / cell) / scale,
                 (whole.y - period * floor(whole.y / period)) / scale
@@ -191,8 +217,13 @@ def ground_detail(place, footprint, cell, whole, part, fall):
                 (whole.z - period * floor(whole.z / period)) / scale
                 + (part.z + place.z / cell) / scale,
             )
+            land += noise
+            cloud += noise
+            north += noise
+            east += noise
         scale *= STEP
-    return total / DEVIATION
+    inverse = 1.0 / DEVIATION
+    return GroundNoise(land * inverse, cloud * inverse, north * inverse, east * inverse)
 
 
 @kernel
@@ -221,7 +252,7 @@ def displacement(width, noise, rows):
     width : float
         Result of ``pixel_width``. [texel]
     noise : float
-        Result of ``ground_detail``. [1]
+        ``north`` or ``east`` of ``GroundNoise``. [1]
     rows : float
         Number of rows of the map.
     """
@@ -245,6 +276,15 @@ def sharper_share(share, width):
 @kernel
 def grained_cover(cover, width, noise):
     """Cover of a cloud layer with noise between texels; none and full cover are kept. [1]
+
+    Parameters
+    ----------
+    cover : float
+        Cover of the map. [1]
+    width : float
+        Result of ``pixel_width``. [texel]
+    noise : float
+        ``cloud`` of ``GroundNoise``. [1]
 
     Examples
     --------

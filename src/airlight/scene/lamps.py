@@ -1,7 +1,8 @@
 r"""Procedural lamps below the resolution of the map of city lights; they are not data.
 
-Three octaves of noise, each a quarter of the previous scale, from a quarter of a map texel down,
-divide the light of a texel between districts and streets, and the finest cells, 30 m on Earth, have
+Three octaves of noise, each a quarter of the previous scale, from a map texel down, divide the light
+of a texel between districts and, by the lines along which finer noise vanishes, streets; the finest
+cells, 30 m on Earth, have
 a lamp each. Every factor has the mean 1, and they are independent, so that the map keeps its mean.
 Factors finer than two pixels are 1, with a fade between two and four.
 """
@@ -27,6 +28,8 @@ _DISTRICTS: Final = 3
 #: Radius of a lamp over its cell, and mean of (1 - d²/R²)² over the cell, 4π R³ 8/105. [1]
 _LAMP: Final = 0.4
 _LAMP_MEAN: Final = 32.0 * pi * _LAMP**3 / 105.0
+#: Mean of the cube of 1 - |n| over the noise n. [1]
+_STREET_MEAN: Final = 0.3944
 
 
 @kernel
@@ -78,6 +81,9 @@ def lamp_pattern(place, footprint, cell, whole, part):
                 own = lamp_bump(x, y, z)
             else:
                 own = 1.0 + smooth_noise(x, y, z)
+                if octave > 0:
+                    near = 1.0 - min(abs(own - 1.0), 1.0)
+                    own = near * near * near / _STREET_MEAN
             factor *= 1.0 + shown * (own - 1.0)
         scale = scale // STEP
     return factor

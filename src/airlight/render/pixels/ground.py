@@ -33,6 +33,7 @@ from airlight.render.pixels.sea_surface import (
 )
 from airlight.scene.ground_detail import (
     STEP,
+    GroundNoise,
     displacement,
     grained_cover,
     ground_detail,
@@ -146,7 +147,7 @@ def ground_color(ray, sine, angle, frame, color):
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
     # of the straight line: how much a near one is bent is lost in rounding
-    noise, width = 0.0, 1.0
+    noise, width = GroundNoise(0.0, 0.0, 0.0, 0.0), 1.0
     place, footprint = ground_spot(reach, end, cosine, view, tables)
     if view.detailed:
         noise = ground_detail(
@@ -161,10 +162,10 @@ def ground_color(ray, sine, angle, frame, color):
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
         if view.detailed:
             width = pixel_width(level)
-        beside = displacement(width, noise, view.map_rows)
         map_color(
-            view.texels, view.map_rows, view.map_columns, view.map_levels, latitude + beside,
-            longitude + beside, level, color, 0,
+            view.texels, view.map_rows, view.map_columns, view.map_levels,
+            latitude + displacement(width, noise.north, view.map_rows),
+            longitude + displacement(width, noise.east, view.map_rows), level, color, 0,
         )  # fmt: skip
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
@@ -172,22 +173,25 @@ def ground_color(ray, sine, angle, frame, color):
         steep = max(cosine, GRAZING)
         back = Vec3(-ray.x / steep, -ray.y / steep, 0.0)
         lean = components(back, view.ground_x, view.ground_y, view.ground_z)
-        detailed_land(place, blur, lean, mu_s, width, noise, view, color)
+        detailed_land(place, blur, lean, mu_s, width, noise.land, view, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
-        shown = 0.0
+        shown, north, east = 0.0, 0.0, 0.0
+        if view.detailed:
+            width = pixel_width(level)
+            north = displacement(width, noise.north, view.over_rows)
+            east = displacement(width, noise.east, view.over_rows)
         if view.clouded:
             shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
         if shown > 0.0:
-            beside = displacement(width, noise, view.over_rows)
-            cloud_cover(end, ray, cosine, level, beside, frame, color)
-            color[9] = shown * grained_cover(color[9], width, noise)
+            cloud_cover(end, ray, cosine, level, north, east, frame, color)
+            color[9] = shown * grained_cover(color[9], width, noise.cloud)
             color[10] *= shown
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
             color[11] *= relief_light(end, latitude, longitude, level, frame)
         lamps = map_channel(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude, longitude, level, 0,
+            latitude + north, longitude + east, level, 0,
         )  # fmt: skip
         if view.detailed and lamps > 0.0:
             lamps *= lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
@@ -213,7 +217,7 @@ def detailed_land(place, blur, lean, mu_s, width, noise, view, color):
     width : float
         Width of the pixel. [texel]
     noise : float
-        Result of ``ground_detail``. [1]
+        ``land`` of ``GroundNoise``. [1]
     view : ViewUniforms
         Camera with its maps.
     color : array, shape (12,)
@@ -243,7 +247,7 @@ def detailed_land(place, blur, lean, mu_s, width, noise, view, color):
 
 
 @inlined
-def cloud_cover(end, ray, cosine, level, beside, frame, color):
+def cloud_cover(end, ray, cosine, level, north, east, frame, color):
     """Cloud cover on a line of sight and on the path from its end to the star. [1]
 
     Refraction between ground and layer is neglected.
@@ -256,7 +260,7 @@ def cloud_cover(end, ray, cosine, level, beside, frame, color):
         Its direction, and cosine of the zenith angle of the way back. [1]
     level : float
         Level of the overlay. [1]
-    beside : float
+    north, east : float
         Displacement of the clouds that are seen, in latitude and longitude. [rad]
     frame, color :
         Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
@@ -267,16 +271,15 @@ def cloud_cover(end, ray, cosine, level, beside, frame, color):
     out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
     for towards in range(2):
         place = minus(end, scaled(ray, back))
-        shift = beside
         if towards == 1:
-            shift = 0.0
+            north, east = 0.0, 0.0
             place = Vec3(end.x + out * observer.sun_x, end.y, end.z + out * observer.sun_z)
         latitude, longitude = latitude_longitude(
             components(place, view.ground_x, view.ground_y, view.ground_z)
         )
         color[9 + towards] = map_channel(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude + shift, longitude + shift, level, CHANNELS - 1,
+            latitude + north, longitude + east, level, CHANNELS - 1,
         )  # fmt: skip
     if observer.r <= view.cloud_radius:
         color[9] = 0.0
