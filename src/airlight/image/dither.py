@@ -109,7 +109,7 @@ def dither_noise(place):
 
 @kernel
 def dithered(value, noise, step):
-    """Value of a channel with dither, except for black and white. [1]
+    """Value of a channel with dither, which leaves black and adds no white. [1]
 
     Parameters
     ----------
@@ -120,5 +120,6 @@ def dithered(value, noise, step):
     step : float
         Quantisation step. [1]
     """
-    amplitude = min(step, min(value, 1.0 - value))
+    # Half a step below white a value is rounded to it.
+    amplitude = min(step, min(value, max(1.0 - value - 0.5 * step, 0.0)))
     return value + amplitude * noise

@@ -42,7 +42,7 @@ _UNLIT: Final = 1.0 / 500.0
 _LIT: Final = 1.0 / 60.0
 #: Light of a red pixel over its red channel, which saturates long before the luminance of a low sun
 #: and its sky; of other colours the luminance counts. [1]
-_RED: Final = 0.55
+_RED: Final = 0.62
 #: Luminance over that of white of a dark body, such as the Moon or a cloudless Earth, which black
 #: space is assumed to hold on this fraction of the picture: five pixels of a metered frame. [1]
 _BODY: Final = 0.12
@@ -135,7 +135,7 @@ def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
 
 @kernel
 def metered_light(red, green, blue):
-    """Light of a pixel that is metered: its luminance, or 0.55 of its red. [W m⁻² sr⁻¹]
+    """Light of a pixel that is metered: its luminance, or 0.62 of its red. [W m⁻² sr⁻¹]
 
     Parameters
     ----------
@@ -333,7 +333,7 @@ def automatic_exposure(
 ) -> float:
     r"""Automatic exposure of a picture, for a simulated state of adaptation.
 
-    A pixel counts by its light :math:`L`, the larger of its luminance and 0.55 of its red. The lit
+    A pixel counts by its light :math:`L`, the larger of its luminance and 0.62 of its red. The lit
     part are the pixels brighter than about a hundredth of :math:`L_h`; those at least as bright as
     :math:`L_h` have half of the picture's light. Of the lit part :math:`\bar L` is the geometric
     mean between the 25 and 80 % quantiles, without shade and glint, and :math:`L_{75}` and

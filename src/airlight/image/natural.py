@@ -53,38 +53,34 @@ _WHITEST: Final = 1.0 - 1e-9
 
 
 @kernel
-def toe_ratio(contrast):
-    """Ratio of the ends of the toe to its middle. [1]"""
-    return (1.0 + _STEEPNESS * (contrast - 1.0)) / (1.0 - _STEEPNESS * (contrast - 1.0))
-
-
-@kernel
-def toe(light, ratio):
-    """Displayed over exposed lightness of a grey in the toe, times a constant. [1]
+def toe(light, contrast):
+    """Displayed over exposed lightness of a grey below the shoulder, by a single division. [1]
 
     Parameters
     ----------
     light : float
-        Exposed light. [1]
-    ratio : float
-        Result of ``toe_ratio``. [1]
+        Exposed light, up to the shoulder. [1]
+    contrast : float
+        Argument of ``natural_curve``.
     """
-    darker = (light + _TOE / ratio) * (light + _DEEP * ratio)
-    return darker / ((light + _TOE * ratio) * (light + _DEEP / ratio))
+    more = 1.0 + _STEEPNESS * (contrast - 1.0)
+    less = 2.0 - more
+    above = (more * light + _TOE * less) * (less * light + _DEEP * more)
+    below = (less * light + _TOE * more) * (more * light + _DEEP * less)
+    end_above = (more * SHOULDER + _TOE * less) * (less * SHOULDER + _DEEP * more)
+    end_below = (less * SHOULDER + _TOE * more) * (more * SHOULDER + _DEEP * less)
+    return above * end_below / (below * end_above)
 
 
 @kernel
-def shoulder_slope(ratio):
-    """Slope of the toe at the shoulder. [1]
-
-    Parameters
-    ----------
-    ratio : float
-        Result of ``toe_ratio``. [1]
-    """
-    by_toe = 1.0 / (SHOULDER + _TOE / ratio) - 1.0 / (SHOULDER + _TOE * ratio)
-    by_deep = 1.0 / (SHOULDER + _DEEP / ratio) - 1.0 / (SHOULDER + _DEEP * ratio)
-    return 1.0 + 3.0 * SHOULDER * (by_toe - by_deep)
+def shoulder_slope(contrast):
+    """Slope of the toe at the shoulder. [1]"""
+    more = 1.0 + _STEEPNESS * (contrast - 1.0)
+    less = 2.0 - more
+    toe_ends = (more * SHOULDER + _TOE * less) * (less * SHOULDER + _TOE * more)
+    deep_ends = (more * SHOULDER + _DEEP * less) * (less * SHOULDER + _DEEP * more)
+    steeper = (_TOE * deep_ends - _DEEP * toe_ends) / (toe_ends * deep_ends)
+    return 1.0 + 3.0 * SHOULDER * (more * more - less * less) * steeper
 
 
 @kernel
@@ -104,11 +100,10 @@ def natural_curve(light, contrast):
     contrast : float
         Largest slope of the toe, of logarithms, 0.5 to 1.5; 1 for none. [1]
     """
-    ratio = toe_ratio(contrast)
     if light <= SHOULDER:
-        darker = toe(light, ratio) / toe(SHOULDER, ratio)
+        darker = toe(light, contrast)
         return light * darker * darker * darker
-    slope = shoulder_slope(ratio)
+    slope = shoulder_slope(contrast)
     over = (light - SHOULDER) / (1.0 - SHOULDER)
     rise = over * (over + slope * _FADE) / (over + _FADE)
     return SHOULDER + (1.0 - SHOULDER) * (1.0 - math.exp(-rise))
@@ -117,14 +112,13 @@ def natural_curve(light, contrast):
 @kernel
 def natural_curve_inverse(shown, contrast):
     """Exposed light of a grey from its displayed light, below 1. [1]"""
-    ratio = toe_ratio(contrast)
     if shown <= SHOULDER:
         # The slope of the logarithms is between 0.6 and 1.4: a fixed-point iteration converges.
         light = shown
         for _step in range(_INVERSE_STEPS):
             light = light * shown / natural_curve(light, contrast)
         return light
-    slope = shoulder_slope(ratio)
+    slope = shoulder_slope(contrast)
     rise = -math.log(1.0 - (shown - SHOULDER) / (1.0 - SHOULDER))
     half = 0.5 * (rise - slope * _FADE)
     over = half + math.sqrt(half * half + rise * _FADE)
@@ -173,8 +167,7 @@ def natural_shown(primaries, contrast, red, green, blue):
             darker = cube_root(natural_curve(light, contrast)) / lightness
             paler = darker * darker * vividness(contrast)
         else:
-            ratio = toe_ratio(contrast)
-            darker = toe(light, ratio) / toe(SHOULDER, ratio)
+            darker = toe(light, contrast)
             paler = darker * vividness(contrast)
         lightness = lightness * darker
         by_long, by_medium, by_short = by_long * paler, by_medium * paler, by_short * paler

@@ -124,7 +124,7 @@ class Frame:
         --------
         >>> grey = np.full((2, 2, 3), 10.0, dtype=np.float32)
         >>> f"{Frame(rgb=grey).exposure:.2f}"
-        '-4.84'
+        '-4.58'
         """
         if self.unfiltered is not None:
             return min(self.unfiltered.exposure + FILTER, MOST_EXPOSURE)
