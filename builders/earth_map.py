@@ -39,9 +39,9 @@ SEA = np.array([0.0, 0.0041, 0.0199])
 MEAN = np.array([0.107977, 0.104765, 0.103608])
 #: Share of the mean land in each of its colours. The picture darkens dark land for the eye: rain
 #: forest at 4° S 63° W would have a luminous reflectance of 0.020, and has 0.04 with this share, as
-#: in the visible by Dickinson, Henderson-Sellers & Kennedy (1993), BATS version 1e, NCAR/TN-387+STR:
-#: evergreen broadleaf forest 0.04, needleleaf 0.05, deciduous 0.08, grass and crops 0.08 to 0.10,
-#: semi-desert 0.17, desert 0.20. Snow becomes 0.90. [1]
+#: in the visible by Dickinson, Henderson-Sellers & Kennedy (1993), BATS version 1e, NCAR/TN-387,
+#: table 2: evergreen broadleaf forest 0.04, needleleaf 0.05, deciduous 0.08, grass and crops 0.08
+#: to 0.10, semi-desert 0.17, desert 0.20. Snow becomes 0.90. [1]
 EVENED: Final = 0.1
 #: Wind speed over that water. [m s⁻¹]
 WIND = 5.0
