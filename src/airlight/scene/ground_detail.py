@@ -8,8 +8,9 @@ single precision.
 
 The noise also displaces the places at which maps are read between texels, which breaks the straight
 lines of their interpolation: by less from one octave to the next than the ratio of their sizes, so
-that the map is bent, not folded. Water is where its interpolated share exceeds a half. Contrast of
-clouds falls as their variance per wavenumber, k^-5/3 (Davis et al. 1997, J. Atmos. Sci. 54, 241).
+that the map is bent, not folded. Water is where its interpolated share exceeds a half. Variance of
+clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its small scales k^-3.6 (Davis et
+al. 1997, J. Atmos. Sci. 54, 241).
 """
 
 from __future__ import annotations
@@ -37,9 +38,9 @@ DISPLACED: Final = 0.3
 #: Ratio of the displacements of an octave and the next coarser one. [1]
 DISPLACED_FALL: Final = 0.16
 #: Standard deviation of that octave in the cover of half-covered places of a cloud layer. [1]
-CLOUD_GRAIN: Final = 0.16
-#: Ratio of the contrast of clouds in an octave to that in the next coarser one, 4^-1/3. [1]
-CLOUD_FALL: Final = 0.63
+CLOUD_GRAIN: Final = 0.13
+#: Ratio of the contrast of clouds in an octave to that in the next coarser one. [1]
+CLOUD_FALL: Final = 0.5
 #: Width of the coast where it is seen from near, 115 m on Earth. [texel]
 SHARPEST: Final = 1.0 / 64.0
 #: Rows of the map that defines the cells where the planet has none.

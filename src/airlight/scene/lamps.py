@@ -1,10 +1,10 @@
 r"""Procedural lamps below the resolution of the map of city lights; they are not data.
 
-Three octaves of noise, each a quarter of the previous scale, from a map texel down, divide the light
-of a texel between districts and, by the lines along which finer noise vanishes, streets; the finest
-cells, 30 m on Earth, have
-a lamp each. Every factor has the mean 1, and they are independent, so that the map keeps its mean.
-Factors finer than two pixels are 1, with a fade between two and four.
+Three octaves of noise, each a quarter of the previous scale, from a map texel down, divide the
+light of a texel between districts and, by the lines along which finer noise vanishes, streets; the
+finest cells, 30 m on Earth, have a lamp each. Every factor has the mean 1, and they are
+independent, so that the map keeps its mean. Factors finer than two pixels are 1, with a fade
+between two and four.
 """
 
 from __future__ import annotations
