@@ -20,7 +20,7 @@ from airlight.scene.ground_detail import DEVIATION, PERIOD, STEP, smooth_noise
 OCTAVES: Final = 8
 COARSEST: Final = 4096.0
 #: Octave of ``ground_detail``, from the finest, below which the land has this texture instead.
-FINEST_OF_MAP: Final = 5
+FINEST_OF_MAP: Final = 6
 #: Standard deviation of the reflectance over its mean in one octave of dark land. [1]
 CONTRAST: Final = 0.1
 #: Standard deviation of red over green, and of green over blue, in one octave. [1]
@@ -32,7 +32,7 @@ SLOPE: Final = 0.08
 #: Standard deviation of the heights of one octave that displace finer ones: less than slopes
 #: state, so that no far side is seen through a near one. [cell]
 HEIGHT: Final = 0.014
-#: Largest cells with such heights over the finest of ``ground_detail``: 7 m on Earth.
+#: Largest cells with slopes over the finest of ``ground_detail``: 7 m on Earth.
 HIGHEST: Final = 64.0
 #: Standard deviation of the difference of the noise over a stride, over that of the noise. [1]
 RISE: Final = 0.83
@@ -125,11 +125,11 @@ def land_texture(place, footprint, cell, whole, part, way, lean):
             y = along_lattice(whole.y, finest.y, inverse)
             z = along_lattice(whole.z, finest.z, inverse)
             here = smooth_noise(x, y, z)
-            ahead = smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
             tone += shown * here
-            hue += shown * ahead
-            ascent += shown * (ahead - here)
+            hue = shown * here - hue  # signs alternate: no colour of its own for bright or dark
             if scale <= HIGHEST:
+                ahead = smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
+                ascent += shown * (ahead - here)
                 height = shown * here * HEIGHT * scale / DEVIATION
                 finest = plus(finest, scaled(lean, height))
         scale /= STEP
