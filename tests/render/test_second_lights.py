@@ -78,7 +78,7 @@ def test_lamps_shine_once_beside_the_moon(earth: MomentsSolution) -> None:
     dark.medium = replace(earth.medium, surface=replace(earth.medium.surface, lights=None))
     camera = Camera(width=48, height=27, look_zenith=150.0, field_of_view=50.0)
     scene = Scene(camera=camera, altitude=4e5, sun_zenith=180.0, latitude=45.4, longitude=9.2)
-    moonlit = replace(scene, secondary_lights=(MoonLight(zenith=60.0, azimuth=30.0),))
+    moonlit = replace(scene, secondary_lights=(MoonLight(zenith=60.0, azimuth=30.0, phase=60.0),))
     added = []
     for solution in (earth, dark):
         added.append(render(solution, moonlit).rgb - render(solution, scene).rgb)

@@ -182,7 +182,7 @@ def test_the_mean_over_waves_is_the_mean_over_slopes(cosine: float, share: float
         *(np.arange(n) / (n - 1) for n in (ELEVATIONS, AZIMUTHS)), indexing="ij"
     )
     bright = (1.0 - 0.5 * column) / (row**2 + 0.1)
-    sky = np.tile(np.float32(bright.ravel() ** 0.25)[:, None], (2, LANES))
+    sky = np.tile((bright.ravel() ** 0.25).astype(np.float32)[:, None], (2, LANES))
     place = MirrorPlace(cosine, 0.3, 0.6, 0.7, 0, 0.5)
     tables, work = Sea(LANES, Wind(WIND)), Radiance(np.zeros((FACETS + 1, LANES), np.float32))
     mirrored_sky(place, sky, tables, work)

@@ -35,7 +35,7 @@ WAVELENGTHS = (680.0, 550.0, 440.0)
 FIXED = {"display.automatic": False}
 #: A place without water.
 DESERT = {"view.latitude": 23.0, "view.longitude": 46.0}
-VIEWS = {
+VIEWS: dict[str, tuple[str, dict[str, Any]]] = {
     "earth, the ground": (
         "earth",
         {**DESERT, "view.altitude": 2.0, "display.exposure": -2.5, "view.ground": "plain"},
