@@ -146,7 +146,9 @@ class Setup:
         """Numbers of directions on each side of the horizon, as for ``directions``."""
         settings = self.settings
         if self.refinement > 1:
-            return (settings.zenith_angles,)
+            # From the top of a high shell the bright air ends far above the horizon of the ground.
+            depression = 1.0 - (self.grid.bottom_radius / self.grid.top_radius) ** 2
+            return (settings.zenith_angles + int(depression * settings.zenith_angles),)
         # n points integrate polynomials of degree 2n - 1, so all harmonics of isotropic light.
         return settings.horizon_angles, max(settings.high_angles, (self.degree + 2) // 2)
 
