@@ -13,12 +13,7 @@ from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture, scalars
 from airlight.physics.optics.clouds import GroundFactors
-from airlight.render.pixels.airglow import (
-    airglow_color,
-    airglow_on_ground,
-    by_night,
-    night_light,
-)
+from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_night, night_light
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import (
@@ -322,9 +317,8 @@ def sky_lookup(ray, found, exact, frame, work):
     ray, found : Vec3, ClassifiedRay
         Its direction in the observer's frame, and its classification. [1]
     exact, frame, work :
-        Arguments of ``pixel_light``; ``work.radiance`` receives path radiance, radiance of a white
-        Lambert ground, of the mirrored sky at ``MIRRORED`` and ``FACETS`` and, with a filter, Q
-        and U as from ``march``. [sr⁻¹]
+        Arguments of ``pixel_light``; ``work.radiance`` receives results of ``look``, Q and U only
+        with a filter, and those of the mirrored sky at ``MIRRORED`` and ``FACETS``. [sr⁻¹]
 
     Returns
     -------
@@ -349,10 +343,8 @@ def sky_lookup(ray, found, exact, frame, work):
             mean_facet(end, view.sky_air, tables, work)
     else:
         place = sky_view_place(ray, found, window)
-        stride = place.stride
-        below = TexelPlace(
-            place.near + stride * window.ground_count, stride, place.right, place.down
-        )
+        after = place.near + place.stride * window.ground_count
+        below = TexelPlace(after, place.stride, place.right, place.down)
         turn_cosine, turn_sine = 1.0, 0.0
         if view.filter > 0:
             nu = min(max(ray.x * observer.sun_x + ray.z * observer.sun_z, -1.0), 1.0)
