@@ -1,7 +1,7 @@
 """Procedural noise on the ground below the resolution of its map; it is not data.
 
-Nine octaves of value noise, each a quarter of the previous scale, from a map texel to about 10 cm,
-of mean 0. Their contrast in each channel, and its decrease from one to the next,
+Nine octaves of gradient noise, each a quarter of the previous scale, from a map texel to about
+10 cm, of mean 0. Their contrast in each channel, and its decrease from one to the next,
 continue those of the land of the map (``SurfaceMap.grain``). Scales below two pixels are omitted,
 with a fade between two and four. Coordinates are relative to the point below the observer, for
 single precision.
@@ -30,6 +30,8 @@ WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
 #: Standard deviation of one octave: 1/√3 on the lattice, times (181/231)^1.5 between its points, as
 #: 181/231 is the mean of u² + (1 - u)² over a cell for the quintic fade u. [1]
 DEVIATION: Final = 0.4005
+#: The same of ``gradient_noise``. [1]
+GRADIENT_DEVIATION: Final = 0.1458
 #: Contrast of the coarsest octave where there is no map, and ratio of successive octaves'. [1]
 PLAIN_CONTRAST: Final = 0.04
 PLAIN_FALL: Final = 1.0
@@ -185,6 +187,60 @@ def smooth_noise(x, y, z):
 
 
 @kernel
+def corner_slope(column, k, x, y, z):
+    """Height of a slope through a lattice point, in one of 49 directions. [1]
+
+    Octahedral map of 7 × 7 directions (McEwan et al. 2012, section 4), not normalised.
+
+    Parameters
+    ----------
+    column, k : float
+        Arguments of ``lattice_value``.
+    x, y, z : float
+        Position from the point. [cell]
+    """
+    value = shuffled(column + k)
+    value -= 49.0 * float(floor((value + 0.5) / 49.0))
+    row = float(floor((value + 0.5) / 7.0))
+    a, b = row / 3.0 - 1.0, (value - 7.0 * row) / 3.0 - 1.0
+    c = 1.0 - abs(a) - abs(b)
+    fold = max(-c, 0.0)
+    a += -fold if a >= 0.0 else fold
+    b += -fold if b >= 0.0 else fold
+    return a * x + b * y + c * z
+
+
+@kernel
+def gradient_noise(x, y, z):
+    """Gradient noise (Perlin 2002, ACM Trans. Graph. 21, 681), 0 at lattice points. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Position. [cell]
+    """
+    i, j, k = float(floor(x)), float(floor(y)), float(floor(z))
+    x, y, z = x - i, y - j, z - k
+    u, v, w = quintic(x), quintic(y), quintic(z)
+    i, j, k = in_period(i), in_period(j), in_period(k)
+    far, high = in_period(j + 1.0), in_period(k + 1.0)
+    left, right = shuffled(i), shuffled(in_period(i + 1.0))
+    total = 0.0
+    for corner in range(4):
+        column, start, height, share = left, j, y, 1.0 - v
+        if corner > 1:
+            start, height, share = far, y - 1.0, v
+        across, part = x, 1.0 - u
+        if corner - 2 * (corner // 2) == 1:
+            column, across, part = right, x - 1.0, u
+        column = shuffled(column + start)
+        low = corner_slope(column, k, across, height, z)
+        above = corner_slope(column, high, across, height, z - 1.0)
+        total += share * part * (low * (1.0 - w) + above * w)
+    return total
+
+
+@kernel
 def ground_detail(place, footprint, cell, whole, part, fall):
     """``GroundNoise`` of a place.
 
@@ -210,7 +266,7 @@ def ground_detail(place, footprint, cell, whole, part, fall):
             period = float(PERIOD * scale)
             # The cell numbers are integers and stay exact; the remainder is small where this octave
             # is shown.
-            noise = shown * smooth_noise(
+            noise = shown * gradient_noise(
                 (whole.x - period * floor(whole.x / period)) / scale
                 + (part.x + place.x / cell) / scale,
                 (whole.y - period * floor(whole.y / period)) / scale
@@ -223,7 +279,7 @@ def ground_detail(place, footprint, cell, whole, part, fall):
             north += noise
             east += noise
         scale *= STEP
-    inverse = 1.0 / DEVIATION
+    inverse = 1.0 / GRADIENT_DEVIATION
     return GroundNoise(land * inverse, cloud * inverse, north * inverse, east * inverse)
 
 

@@ -263,6 +263,7 @@ COLORS = [
     Case(natural.natural_curve, (*LIGHTS[:1], 1.4), atol=16 * EPS),
     Case(natural.toe, (uniform(0.0, 0.25, 30), uniform(0.5, 1.5, 31)), rtol=16 * EPS),
     Case(natural.shoulder_slope, (uniform(0.5, 1.5, 31),), rtol=64 * EPS),
+    Case(natural.vividness, (uniform(0.5, 1.5, 31),), rtol=4 * EPS),
     Case(natural.style_contrast, (np.arange(3),)),
     Case(gamut.softened, LIGHTS[:1], atol=8 * EPS),
     # Differences of the channels and the grey, over the grey's distance to 0 or 1, at least 0.05.
