@@ -345,9 +345,8 @@ class LiveRenderer:
         assert self._device is not None
         try:
             if self._device.software:
-                self._are_compiled(
-                    (SKY_VIEW_LOOPS[0],), lambda: self._closing
-                )  # fills the sky-view LUT
+                # fill the sky-view LUT
+                self._are_compiled(SKY_VIEW_LOOPS[:-1], lambda: self._closing)
             if self._upload(solution):
                 assert self._gpu is not None
                 if self._device.software and not self._closing:
