@@ -21,7 +21,7 @@ FOOTPRINT = 70.0
 @pytest.mark.slow
 @pytest.mark.parametrize("sun", [50.0, 85.0])
 def test_the_sea_is_as_bright_as_by_monte_carlo(sun: float) -> None:
-    # The second method draws directions: no fit, no table of the sky. Its rare bright paths leave
+    # The second method draws directions: no fit, no sky-view LUT. Its rare bright paths leave
     # an error of 8 % near the horizon, 2 % elsewhere.
     planet, nm = load_planet("earth-atmosphere-plus", SEA), (550.0,)
     solution = solve(planet, nm, quality="default")

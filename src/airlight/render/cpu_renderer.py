@@ -58,7 +58,7 @@ class CpuRenderer:
     window : SkyViewWindow or None
         Window of the sky-view LUT; None where every pixel is marched.
     filled : SkyViewWindow or None
-        The same, or a window of no texels for the table of the sky over the sea of marched pixels;
+        The same, or a window without texels for the sea-sky LUT of marched pixels;
         None if there is nothing to fill.
     """
 

@@ -532,7 +532,7 @@ def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int
         assert np.all(seen >= 0.0)
 
 
-#: Fields of ``Reflection`` that are no numbers.
+#: Fields of ``Reflection`` that are not numeric.
 UNBOUND = ("albedo", "regolith")
 
 

@@ -343,7 +343,7 @@ def wave_light(ray, sine, mu_s, mu_r, nu, frame, work):
     ----------
     ray, sine, frame, work :
         Arguments of ``ground_reflectances``; ``radiance`` at ``MIRRORED`` becomes that of the
-        resolved waves, unless the frame has no table of the sky over the sea.
+        resolved waves, unless the frame has no sea-sky LUT.
     mu_s, mu_r, nu : float
         Results of ``ground_angles``. [1]
     """

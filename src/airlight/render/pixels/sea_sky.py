@@ -1,6 +1,6 @@
-"""Sky that the sea mirrors: a table of the sky over the sea, and its mean over the facets.
+"""Sea-sky LUT: radiance of the sky above water, and its mean over the facets that reflect it.
 
-The table has the radiance of the sky at the ground by the star's zenith cosine, elevation and
+It contains the radiance of the sky at the ground by the star's zenith cosine, elevation and
 azimuth from the star; it follows sky and ground in the sky-view LUT. The mean over the facets of a
 line of sight, weighted by their visible area, Fresnel reflectance and visibility of the sky, is a
 layer of the LUT with the texels of its ground; the mean of what the facets of resolved waves show
@@ -52,7 +52,7 @@ BLUR: Final = 0.003
 
 
 class SunSlices(NamedTuple):
-    """Slices of the table of the sky over the sea.
+    """Slices of the sea-sky LUT, one per zenith angle of the star.
 
     Attributes
     ----------
@@ -112,20 +112,20 @@ def sun_slices(observer, window):
 
 @kernel
 def sea_sky_size(observer, window):
-    """Number of texels of the table; arguments of ``sun_slices``."""
+    """Number of texels of the sea-sky LUT; arguments of ``sun_slices``."""
     return SLICE * sun_slices(observer, window).number
 
 
 @inlined
 def sea_sky_texel(number, shown, window, air, peaks, observer, tables, work):
-    """Texel of the table: radiance of the sky over the sea, in ``work.radiance``. [sr⁻¹]
+    """Texel of the sea-sky LUT: radiance of the sky above water, in ``work.radiance``. [sr⁻¹]
 
     Parameters
     ----------
     number : int
-        Index in the table; texels beyond its end are black.
+        Index in the sea-sky LUT; texels beyond its end are black.
     shown : bool
-        Whether the table is read.
+        Whether the sea-sky LUT is read.
     window, air, peaks, observer, tables, work :
         Arguments of ``sky_view_texel``.
     """
@@ -194,7 +194,7 @@ def add_mirrored(share, ray, layer, place, sky, tables, work):
     place : MirrorPlace
         End of the line of sight.
     sky : array, shape (texels, w)
-        Layer of the sky-view LUT with the table. [sr^-¼]
+        Layer of the sky-view LUT that contains the sea-sky LUT. [sr^-¼]
     tables, work : MarchTables, MarchWorkspace
         Tables; workspace. [sr⁻¹]
     """
