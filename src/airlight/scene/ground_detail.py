@@ -15,7 +15,7 @@ al. 1997, J. Atmos. Sci. 54, 241).
 
 from __future__ import annotations
 
-from math import floor, pi
+from math import exp, floor, log, pi, sqrt
 from typing import Final, NamedTuple
 
 from airlight.kernel import kernel
@@ -30,8 +30,8 @@ WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
 #: Standard deviation of one octave: 1/√3 on the lattice, times (181/231)^1.5 between its points, as
 #: 181/231 is the mean of u² + (1 - u)² over a cell for the quintic fade u. [1]
 DEVIATION: Final = 0.4005
-#: The same of ``gradient_noise``. [1]
-GRADIENT_DEVIATION: Final = 0.1458
+#: The same of ``gradient_noise``, the mean of 2 million places. [1]
+GRADIENT_DEVIATION: Final = 0.1344
 #: Contrast of the coarsest octave where there is no map, and ratio of successive octaves'. [1]
 PLAIN_CONTRAST: Final = 0.04
 PLAIN_FALL: Final = 1.0
@@ -39,8 +39,10 @@ PLAIN_FALL: Final = 1.0
 DISPLACED: Final = 0.3
 #: Ratio of the displacements of an octave and the next coarser one. [1]
 DISPLACED_FALL: Final = 0.16
-#: Standard deviation of that octave in the cover of half-covered places of a cloud layer. [1]
-CLOUD_GRAIN: Final = 0.13
+#: Reciprocal of the width of the edges of clouds, in standard deviations of that octave. [1]
+CLOUD_EDGE: Final = 1.2
+#: Ratio of the normal quantile to the logit, within 1 % of probability. [1]
+_LOGISTIC: Final = 1.702
 #: Ratio of the contrast of clouds in an octave to that in the next coarser one. [1]
 CLOUD_FALL: Final = 0.5
 #: Width of the coast where it is seen from near, 115 m on Earth. [texel]
@@ -58,12 +60,15 @@ class GroundNoise(NamedTuple):
     ----------
     land, cloud : float
         For reflectances, and for the cover of clouds. [1]
+    cloud_variance : float
+        Variance of ``cloud``, less where fine octaves are not shown. [1]
     north, east : float
         For displacements. [1]
     """
 
     land: float
     cloud: float
+    cloud_variance: float
     north: float
     east: float
 
@@ -120,7 +125,7 @@ def below_289(number):
     >>> below_289(289.0), below_289(83231.0)
     (0.0, 288.0)
     """
-    return number - 289.0 * float(floor((number + 0.5) / 289.0))
+    return number - 289.0 * float(floor((number + 0.5) * (1.0 / 289.0)))
 
 
 @kernel
@@ -160,7 +165,7 @@ def quintic(part):
 @kernel
 def in_period(number):
     """Integer modulo the period, as a float."""
-    return number - PERIOD * float(floor(number / PERIOD))
+    return number - PERIOD * float(floor(number * (1.0 / PERIOD)))
 
 
 @kernel
@@ -200,9 +205,10 @@ def corner_slope(column, k, x, y, z):
         Position from the point. [cell]
     """
     value = shuffled(column + k)
-    value -= 49.0 * float(floor((value + 0.5) / 49.0))
-    row = float(floor((value + 0.5) / 7.0))
-    a, b = row / 3.0 - 1.0, (value - 7.0 * row) / 3.0 - 1.0
+    value -= 49.0 * float(floor((value + 0.5) * (1.0 / 49.0)))
+    row = float(floor((value + 0.5) * (1.0 / 7.0)))
+    # centres of cells of the map, so that directions balance
+    a, b = (row - 3.0) * (2.0 / 7.0), (value - 7.0 * row - 3.0) * (2.0 / 7.0)
     c = 1.0 - abs(a) - abs(b)
     fold = max(-c, 0.0)
     a += -fold if a >= 0.0 else fold
@@ -255,10 +261,11 @@ def ground_detail(place, footprint, cell, whole, part, fall):
     fall : float
         Ratio of the contrast of land in an octave to that in the next coarser one. [1]
     """
-    land, cloud, north, east, scale = 0.0, 0.0, 0.0, 0.0, 1
+    land, cloud, variance, north, east, scale = 0.0, 0.0, 0.0, 0.0, 0.0, 1
     for _octave in range(OCTAVES):
         land *= fall
         cloud *= CLOUD_FALL
+        variance *= CLOUD_FALL * CLOUD_FALL
         north *= DISPLACED_FALL
         east *= -DISPLACED_FALL
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
@@ -276,11 +283,12 @@ def ground_detail(place, footprint, cell, whole, part, fall):
             )
             land += noise
             cloud += noise
+            variance += shown * shown
             north += noise
             east += noise
         scale *= STEP
     inverse = 1.0 / GRADIENT_DEVIATION
-    return GroundNoise(land * inverse, cloud * inverse, north * inverse, east * inverse)
+    return GroundNoise(land * inverse, cloud * inverse, variance, north * inverse, east * inverse)
 
 
 @kernel
@@ -331,8 +339,12 @@ def sharper_share(share, width):
 
 
 @kernel
-def grained_cover(cover, width, noise):
-    """Cover of a cloud layer with noise between texels; none and full cover are kept. [1]
+def grained_cover(cover, width, noise, variance):
+    """Cover of a cloud layer with noise between texels: clouds and gaps whose mean is the map's.
+
+    Normal noise n of variance σ² above a threshold, with an edge of the width 1/g, has the mean
+    cover c for the threshold -√(1 + g² σ²) Φ⁻¹(c)/g; the normal distribution Φ is replaced by the
+    logistic one. None and full cover are kept. [1]
 
     Parameters
     ----------
@@ -340,16 +352,19 @@ def grained_cover(cover, width, noise):
         Cover of the map. [1]
     width : float
         Result of ``pixel_width``. [texel]
-    noise : float
-        ``cloud`` of ``GroundNoise``. [1]
+    noise, variance : float
+        ``cloud`` and ``cloud_variance`` of ``GroundNoise``. [1]
 
     Examples
     --------
-    >>> grained_cover(0.5, 1.0, 1.0), grained_cover(1.0, 0.1, 1.0)
-    (0.5, 1.0)
+    >>> round(grained_cover(0.3, 1.0, 1.0, 1.0), 9), grained_cover(1.0, 0.1, 1.0, 1.0)
+    (0.3, 1.0)
     """
-    grain = 4.0 * CLOUD_GRAIN * (1.0 - width) * noise
-    return min(max(cover + grain * cover * (1.0 - cover), 0.0), 1.0)
+    if cover <= 0.0 or cover >= 1.0:
+        return min(max(cover, 0.0), 1.0)
+    sharp = CLOUD_EDGE * (1.0 - width)
+    level = sqrt(1.0 + sharp * sharp * variance) * log(cover / (1.0 - cover))
+    return 1.0 / (1.0 + exp(min(max(-level - _LOGISTIC * sharp * noise, -60.0), 60.0)))
 
 
 @kernel

@@ -6,6 +6,7 @@ All functions work on numbers and flat arrays, for the renderer and for the shad
 from __future__ import annotations
 
 from math import atan2, cos, floor, log2, pi, sin, sqrt
+from typing import NamedTuple
 
 from airlight.geometry.vectors import plus, scaled
 from airlight.image.texels import CHANNELS, channel_of
@@ -103,6 +104,52 @@ def map_level(pixel_angle, reach, cosine, bottom, rows):
     return log2(max(footprint * rows / pi, 1e-6))
 
 
+class MapCell(NamedTuple):
+    """Four texels around a place, and its position between them.
+
+    Attributes
+    ----------
+    upper_west, upper_east, lower_west, lower_east : int
+        Indices among the texels of all mip levels.
+    right, down : float
+        Position from the west and from the north, 0 to 1. [1]
+    """
+
+    upper_west: int
+    upper_east: int
+    lower_west: int
+    lower_east: int
+    right: float
+    down: float
+
+
+@kernel
+def map_cell(rows, columns, level, latitude, longitude):
+    """``MapCell`` of a place in a mip level.
+
+    Parameters
+    ----------
+    rows, columns : int
+        Size of the full map.
+    level : int
+        Existing level.
+    latitude, longitude : float
+        Geocentric coordinates. [rad]
+    """
+    start, height, width = level_place(rows, columns, level)
+    y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
+    x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
+    top = min(int(y), max(height - 2, 0))
+    west = floor(x)
+    down, right = y - top, x - west
+    bottom = min(top + 1, height - 1)
+    east = (west + 1) % width
+    west = (west + width) % width
+    upper = start + width * top
+    lower = start + width * bottom
+    return MapCell(upper + west, upper + east, lower + west, lower + east, right, down)
+
+
 @inlined
 def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at):
     """Trilinear interpolation of a map between texels and mip levels.
@@ -132,21 +179,12 @@ def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at
         part = (level - first) if step == 1 else 1.0 - (level - first)
         if part <= 0.0:
             continue
-        start, height, width = level_place(rows, columns, which)
-        y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
-        x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
-        top = min(int(y), max(height - 2, 0))
-        west = floor(x)
-        down, right = y - top, x - west
-        bottom = min(top + 1, height - 1)
-        east = (west + 1) % width
-        west = (west + width) % width
-        upper = start + width * top
-        lower = start + width * bottom
-        add_texel(texels, upper + west, part * (1.0 - down) * (1.0 - right), out, at)
-        add_texel(texels, upper + east, part * (1.0 - down) * right, out, at)
-        add_texel(texels, lower + west, part * down * (1.0 - right), out, at)
-        add_texel(texels, lower + east, part * down * right, out, at)
+        cell = map_cell(rows, columns, which, latitude, longitude)
+        upper, lower = part * (1.0 - cell.down), part * cell.down
+        add_texel(texels, cell.upper_west, upper * (1.0 - cell.right), out, at)
+        add_texel(texels, cell.upper_east, upper * cell.right, out, at)
+        add_texel(texels, cell.lower_west, lower * (1.0 - cell.right), out, at)
+        add_texel(texels, cell.lower_east, lower * cell.right, out, at)
 
 
 @inlined
@@ -191,22 +229,12 @@ def map_value(texels, rows, columns, level, latitude, longitude, channel):
     float
         Linear value. [1]
     """
-    start, height, width = level_place(rows, columns, level)
-    y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
-    x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
-    top = min(int(y), max(height - 2, 0))
-    west = floor(x)
-    down, right = y - top, x - west
-    bottom = min(top + 1, height - 1)
-    east = (west + 1) % width
-    west = (west + width) % width
-    upper = start + width * top
-    lower = start + width * bottom
-    above = channel_of(texels, upper + west, channel) * (1.0 - right)
-    above += channel_of(texels, upper + east, channel) * right
-    below = channel_of(texels, lower + west, channel) * (1.0 - right)
-    below += channel_of(texels, lower + east, channel) * right
-    return above * (1.0 - down) + below * down
+    cell = map_cell(rows, columns, level, latitude, longitude)
+    above = channel_of(texels, cell.upper_west, channel) * (1.0 - cell.right)
+    above += channel_of(texels, cell.upper_east, channel) * cell.right
+    below = channel_of(texels, cell.lower_west, channel) * (1.0 - cell.right)
+    below += channel_of(texels, cell.lower_east, channel) * cell.right
+    return above * (1.0 - cell.down) + below * cell.down
 
 
 @inlined

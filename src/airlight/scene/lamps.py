@@ -14,13 +14,14 @@ from typing import Final
 
 from airlight.kernel import inlined, kernel
 from airlight.scene.ground_detail import (
+    GRADIENT_DEVIATION,
     OCTAVES,
     PERIOD,
     STEP,
+    gradient_noise,
     in_period,
     lattice_value,
     shuffled,
-    smooth_noise,
 )
 
 #: Octaves of noise before that of the lamps.
@@ -28,8 +29,10 @@ _DISTRICTS: Final = 3
 #: Radius of a lamp over its cell, and mean of (1 - d²/R²)² over the cell, 4π R³ 8/105. [1]
 _LAMP: Final = 0.4
 _LAMP_MEAN: Final = 32.0 * pi * _LAMP**3 / 105.0
-#: Mean of the cube of 1 - |n| over the noise n. [1]
-_STREET_MEAN: Final = 0.3944
+#: Noise w at the edges of streets, whose middle is where noise vanishes; and mean of their light,
+#: (1 - |n|/w)³ over the noise n, of 2 million places. [1]
+_STREET: Final = 2.5 * GRADIENT_DEVIATION
+_STREET_MEAN: Final = 0.4019
 
 
 @kernel
@@ -80,9 +83,10 @@ def lamp_pattern(place, footprint, cell, whole, part):
             if octave == _DISTRICTS:
                 own = lamp_bump(x, y, z)
             else:
-                own = 1.0 + smooth_noise(x, y, z)
+                noise = gradient_noise(x, y, z)
+                own = 1.0 + 2.0 * noise  # above 0: noise is below 0.5
                 if octave > 0:
-                    near = 1.0 - min(abs(own - 1.0), 1.0)
+                    near = 1.0 - min(abs(noise) / _STREET, 1.0)
                     own = near * near * near / _STREET_MEAN
             factor *= 1.0 + shown * (own - 1.0)
         scale = scale // STEP

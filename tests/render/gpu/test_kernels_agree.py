@@ -464,7 +464,7 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
               "apparent_sun_cosine", "star_points", "direct_horizontal_weights", "shown_light",
               "insert_edge", "place_edges",
               "place_nodes", "map_color", "map_channel",
-              "map_value", "add_texel", "encoded"}  # fmt: skip
+              "map_value", "map_cell", "add_texel", "encoded"}  # fmt: skip
     rooms = [
         shell,
         path,

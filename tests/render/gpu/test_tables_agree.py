@@ -446,7 +446,7 @@ WHOLE = {
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
     "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_cpu_s": ("panel_leg",),
     "test_kernels_agree.py::test_the_map_of_the_ground_is_read_as_on_the_cpu": (
-        "map_color", "add_texel", "level_place", "halved", "srgb_curve_inverse",
+        "map_color", "map_cell", "add_texel", "level_place", "halved", "srgb_curve_inverse",
     ),
     "test_glare.py::test_glare_of_a_device_is_the_cpu_s": (
         "_mean_across", "coarser_texel", "finer_texel", "_blurred_across", "blurred_texel",

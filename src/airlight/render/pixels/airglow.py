@@ -144,7 +144,7 @@ def _shares_below(
 def by_night(observer, view):
     """Whether airglow and skyglow are drawn: where an observer sees a part of the night.
 
-    By day they are 10⁻⁸ and 10⁻⁶ of the sky.
+    By day they are 10⁻⁸ and 10⁻⁶ of the sky; also lines that end on ground in daylight lack them.
     """
     shines = view.airglow > 0.0 or view.skyglow > 0.0
     return shines and view.draws_air and observer.sun_z < -observer.horizon_mu

@@ -64,6 +64,8 @@ from airlight.solver.moments.source import transmittance_columns
 
 #: Length of the array that ``ground_color`` fills.
 GROUND_VALUES: Final = 12
+#: Cosine of the star's zenith angle from which the pattern of lamps is lost in its light. [1]
+DAYLIGHT: Final = 0.1
 #: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
 NEARLY_WATER: Final = 0.999
 
@@ -147,7 +149,7 @@ def ground_color(ray, sine, angle, frame, color):
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
     # of the straight line: how much a near one is bent is lost in rounding
-    noise, width = GroundNoise(0.0, 0.0, 0.0, 0.0), 1.0
+    noise, width = GroundNoise(0.0, 0.0, 0.0, 0.0, 0.0), 1.0
     place, footprint = ground_spot(reach, end, cosine, view, tables)
     if view.detailed:
         noise = ground_detail(
@@ -167,6 +169,7 @@ def ground_color(ray, sine, angle, frame, color):
             latitude + displacement(width, noise.north, view.map_rows),
             longitude + displacement(width, noise.east, view.map_rows), level, color, 0,
         )  # fmt: skip
+    mu_s = 0.0
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
         blur = texture_footprint(footprint, cosine)
@@ -185,7 +188,7 @@ def ground_color(ray, sine, angle, frame, color):
             shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
         if shown > 0.0:
             cloud_cover(end, ray, cosine, level, north, east, frame, color)
-            color[9] = shown * grained_cover(color[9], width, noise.cloud)
+            color[9] = shown * grained_cover(color[9], width, noise.cloud, noise.cloud_variance)
             color[10] *= shown
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
             color[11] *= relief_light(end, latitude, longitude, level, frame)
@@ -193,7 +196,7 @@ def ground_color(ray, sine, angle, frame, color):
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude + north, longitude + east, level, 0,
         )  # fmt: skip
-        if view.detailed and lamps > 0.0:
+        if view.detailed and lamps > 0.0 and mu_s < DAYLIGHT:
             lamps *= lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
         color[4] = lamps * (1.0 - color[9])
         color[5] = color[4]

@@ -395,9 +395,12 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
     through_air, to_ground = found.through_air and view.draws_air, found.to_ground
     factors = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
     dark = by_night(observer, view)
+    if dark and to_ground:
+        star, _, _ = ground_angles(ray.x, ray.z, found.sine, 0.0, observer, tables)
+        dark = star < 0.0
     glow, lit = Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0)
     if dark and view.skyglow > 0.0 and through_air:
-        glow = skyglow_color(ray, found.sine, to_ground, frame, color)
+        glow = skyglow_color(ray, found.sine, to_ground, frame)
     if through_air:
         refraction = sky_lookup(ray, found, exact, frame, work)
         if to_ground:

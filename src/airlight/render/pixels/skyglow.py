@@ -26,7 +26,7 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.vectors import Vec3, components
 from airlight.kernel import inlined, kernel
 from airlight.planets.medium import Medium
-from airlight.scene.ground_place import latitude_longitude, map_color
+from airlight.scene.ground_place import latitude_longitude, map_channel
 
 FloatArray = NDArray[np.float64]
 
@@ -204,12 +204,12 @@ def scattered_lamps(k, channel, rise, slant, depth, view):
 
 
 @inlined
-def lamps_below(ray, reach, length, k, frame, color):
+def lamps_below(ray, reach, length, k, frame):
     """Light of the ground that irradiates a layer, times the length of the line in it. [m sr]
 
     Parameters
     ----------
-    ray, frame, color :
+    ray, frame :
         Arguments of ``skyglow_color``.
     reach, length : float
         Distance to the layer, and length of the line in it. [m]
@@ -226,16 +226,16 @@ def lamps_below(ray, reach, length, k, frame, color):
     wide = log2(max(0.5 * length / FIRST, 1.0))
     light = 0.0
     for mean in range(MEANS):
-        map_color(
+        lamps = map_channel(
             view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude, longitude, level + max(mean * _WIDER, wide), color, 4,
+            latitude, longitude, level + max(mean * _WIDER, wide), 0,
         )  # fmt: skip
-        light += color[4] * view.skyglow_layers[k, 14 + mean]
+        light += lamps * view.skyglow_layers[k, 14 + mean]
     return light * length
 
 
 @inlined
-def skyglow_color(ray, sine, to_ground, frame, color):
+def skyglow_color(ray, sine, to_ground, frame):
     """Skyglow along a line of sight through the air, as colour of ``basis``. [sr⁻¹]
 
     Parameters
@@ -248,8 +248,6 @@ def skyglow_color(ray, sine, to_ground, frame, color):
         Whether it ends on the ground.
     frame : FrameTables
         What the pixels read.
-    color : array, shape (8,)
-        Workspace: the last four values. [1]
     """
     observer, view, bottom = frame.observer, frame.camera, frame.tables.bottom
     red, green, blue = 0.0, 0.0, 0.0
@@ -274,7 +272,7 @@ def skyglow_color(ray, sine, to_ground, frame, color):
                 near, far = crossing(bottom + low, bottom + max(high, low), impact, start, falling)
                 if far > near:
                     half = 0.5 * (near + far)
-                    light = lamps_below(ray, half, far - near, k, frame, color)
+                    light = lamps_below(ray, half, far - near, k, frame)
                     rise = (half + start) / (bottom + 0.5 * (low + high))
                     slant = half / max(0.5 * (low + high) - height, 1.0)
                     if start < 0.0:
