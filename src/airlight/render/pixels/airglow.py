@@ -27,7 +27,8 @@ from airlight.physics.optics.airglow import (
     layer_columns,
     line_radiance,
 )
-from airlight.render.pixels.ground import reflectance
+from airlight.render.pixels.ground import DAYLIGHT, reflectance
+from airlight.render.pixels.ground_angles import ground_angles
 from airlight.render.pixels.star_disc import leaving_air
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.source import transmittance_columns
@@ -141,13 +142,23 @@ def _shares_below(
 
 
 @inlined
-def by_night(observer, view):
+def by_night(ray, sine, to_ground, frame):
     """Whether airglow and skyglow are drawn: where an observer sees a part of the night.
 
     By day they are 10⁻⁸ and 10⁻⁶ of the sky; also lines that end on ground in daylight lack them.
+
+    Parameters
+    ----------
+    ray, sine, to_ground, frame :
+        Arguments of ``airglow_color``.
     """
+    observer, view = frame.observer, frame.camera
     shines = view.airglow > 0.0 or view.skyglow > 0.0
-    return shines and view.draws_air and observer.sun_z < -observer.horizon_mu
+    dark = shines and view.draws_air and observer.sun_z < -observer.horizon_mu
+    if dark and to_ground:
+        star, _, _ = ground_angles(ray.x, ray.z, sine, 0.0, observer, frame.tables)
+        dark = star < DAYLIGHT
+    return dark
 
 
 @inlined

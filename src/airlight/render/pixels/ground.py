@@ -194,9 +194,15 @@ def ground_color(ray, sine, angle, frame, color):
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
             color[11] *= relief_light(end, latitude, longitude, level, frame)
         lamps = map_channel(
-            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude + north, longitude + east, level, 0,
-        )  # fmt: skip
+            view.over_texels,
+            view.over_rows,
+            view.over_columns,
+            view.over_levels,
+            latitude + north,
+            longitude + east,
+            level,
+            0,
+        )
         if view.detailed and lamps > 0.0 and mu_s < DAYLIGHT:
             lamps *= lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
         color[4] = lamps * (1.0 - color[9])

@@ -15,12 +15,7 @@ from airlight.kernel.shader_fields import CHOICE, InTexture, scalars
 from airlight.physics.optics.clouds import GroundFactors
 from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_night, night_light
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
-from airlight.render.pixels.ground import (
-    DAYLIGHT,
-    ground_factor,
-    ground_reflectances,
-    lamp_light,
-)
+from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import (
     columns_to_ground,
     ground_angles,
@@ -399,10 +394,7 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
     found = classify_ray(ray, observer, tables)
     through_air, to_ground = found.through_air and view.draws_air, found.to_ground
     factors = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
-    dark = by_night(observer, view)
-    if dark and to_ground:
-        star, _, _ = ground_angles(ray.x, ray.z, found.sine, 0.0, observer, tables)
-        dark = star < DAYLIGHT
+    dark = by_night(ray, found.sine, to_ground, frame)
     glow, lit = Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0)
     if dark and view.skyglow > 0.0 and through_air:
         glow = skyglow_color(ray, found.sine, to_ground, frame)

@@ -132,8 +132,10 @@ def _by_mean(height: float, depth: float) -> FloatArray:
     rho = np.geomspace(_NEAREST, _FARTHEST, 40)
     light = _per_solid_angle(np.arctan(rho / height), depth) / (rho**2 + height**2)
     sides = FIRST * RATIO ** np.arange(MEANS)
-    found = nnls(np.stack([_kernel(rho, side) for side in sides], axis=-1) / light[:, None],
-                 np.ones(rho.size))  # fmt: skip
+    found = nnls(
+        np.stack([_kernel(rho, side) for side in sides], axis=-1) / light[:, None],
+        np.ones(rho.size),
+    )
     return np.asarray(found[0])
 
 
