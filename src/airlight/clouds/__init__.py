@@ -1,0 +1,1 @@
+"""Three-dimensional clouds: fields of particles and their optical properties."""
