@@ -273,7 +273,7 @@ class CloudFile(Clouds):
     keyword = "file"
 
     file: str = key(
-        help="Path of a NetCDF or Zarr file of extinction, or of liquid water and effective radius.",
+        help="Path of a NetCDF or Zarr file of extinction or liquid water.",
         note="See [clouds](clouds.md); `kind` may be left out. `effective_radius` is for files"
         " without it.",
         range=(1.0, 1000.0),
