@@ -2,21 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.fibres import fibre_extinction
 from airlight.clouds.grid import Grid
 from airlight.clouds.heaps import heap_extinction
-from airlight.planets.clouds import CloudType
+from airlight.clouds.layers import ALTOCUMULUS, STRATOCUMULUS, STRATUS, layer_extinction
+from airlight.planets.clouds import (
+    Altocumulus,
+    Cirrus,
+    CloudType,
+    CumulusCongestus,
+    CumulusHumilis,
+    Stratocumulus,
+    Stratus,
+)
 
 FloatArray = NDArray[np.float64]
 
 #: Side of the box, and number of levels, by default. [m], [1]
 SIZE: Final = 25.6e3
 LEVELS: Final = 32
+#: Relative extinction by type: ``(grid, random, cell=, cover=, shear=)``.
+GENERATORS: Final[dict[type[CloudType], Callable[..., FloatArray]]] = {
+    Stratus: partial(layer_extinction, pattern=STRATUS),
+    Stratocumulus: partial(layer_extinction, pattern=STRATOCUMULUS),
+    CumulusHumilis: heap_extinction,
+    CumulusCongestus: heap_extinction,
+    Altocumulus: partial(layer_extinction, pattern=ALTOCUMULUS),
+    Cirrus: fibre_extinction,
+}
 
 
 def cloud_field(
@@ -49,7 +70,7 @@ def cloud_field(
     columns = max(round(size / step), 4)
     grid = Grid(columns=columns, levels=levels, spacing=step, depth=clouds.depth)
     random = np.random.default_rng(int(clouds.seed))
-    relative = heap_extinction(
+    relative = GENERATORS[type(clouds)](
         grid, random, cell=clouds.cell, cover=clouds.cover, shear=clouds.shear
     )
     return CloudField(

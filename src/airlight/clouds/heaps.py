@@ -83,22 +83,22 @@ def raise_thermals(field, heaps, east_step, up_step, rough):
         reach = 1.45
         small = min(a, b)
         for i in range(
-            int(floor((heaps.east[n] - reach * a) / east_step)),
-            int(ceil((heaps.east[n] + reach * a) / east_step)),
+            floor((heaps.east[n] - reach * a) / east_step),
+            ceil((heaps.east[n] + reach * a) / east_step),
         ):
             x = (i + 0.5) * east_step
             dx = (x - heaps.east[n]) / a
             for j in range(
-                int(floor((heaps.north[n] - reach * a) / east_step)),
-                int(ceil((heaps.north[n] + reach * a) / east_step)),
+                floor((heaps.north[n] - reach * a) / east_step),
+                ceil((heaps.north[n] + reach * a) / east_step),
             ):
                 y = (j + 0.5) * east_step
                 dy = (y - heaps.north[n]) / a
                 flat = dx * dx + dy * dy
                 if flat >= reach * reach:
                     continue
-                low = max(int(floor((heaps.height[n] - reach * b) / up_step)), 0)
-                high = min(int(ceil((heaps.height[n] + reach * b) / up_step)), nz)
+                low = max(floor((heaps.height[n] - reach * b) / up_step), 0)
+                high = min(ceil((heaps.height[n] + reach * b) / up_step), nz)
                 row = field[i % nx, j % ny]
                 for k in range(low, high):
                     z = (k + 0.5) * up_step

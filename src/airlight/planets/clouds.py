@@ -251,6 +251,7 @@ class Cirrus(CloudType):
     """High fibres of ice with fall streaks."""
 
     keyword = "cirrus"
+    spacing = 100.0
 
     base: float = key(_BASE, default=8800.0)
     depth: float = key(_DEPTH, default=1800.0)
