@@ -223,8 +223,6 @@ def _cloud(random: np.random.Generator, width: float, top: float) -> FloatArray:
             out, size = sqrt(1.0 - up * up), random.uniform(0.3, 0.5)
             small = size * min(a, b)
             height = min(h + 0.9 * b * up, top - small)
-            rows.append(
-                (x + 0.9 * a * out * np.cos(turn), y + 0.9 * a * out * np.sin(turn), height)
-                + (small, small, 0.0)
-            )
+            along, across = 0.9 * a * out * np.cos(turn), 0.9 * a * out * np.sin(turn)
+            rows.append((x + along, y + across, height, small, small, 0.0))
     return np.array(rows)

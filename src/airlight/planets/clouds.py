@@ -10,8 +10,9 @@ Polydispersions (6 µm, effective variance 1/9); stratocumulus, Wood (2012), MWR
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import ClassVar, Final
+from typing import ClassVar, Final, Protocol
 
+from airlight.errors import ConflictError
 from airlight.planets.matter.state_keys import RADIUS
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field, FileTable, Wavelengths, always, key
@@ -19,6 +20,8 @@ from airlight.planets.schema.tagged_union import TaggedUnion
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import TomlTable
 
+#: Largest number of kinds of clouds of a planet.
+MAX_CLOUDS: Final = 8
 #: Particles of clouds.
 WATER, ICE = "water", "ice"
 
@@ -294,6 +297,41 @@ CLOUD_TYPES: Final = (
 )
 
 
+class HasClouds(Protocol):
+    """Planet."""
+
+    @property
+    def clouds(self) -> tuple[Clouds, ...]:
+        """Its clouds."""
+
+
+def check_clear(planet: HasClouds, consumer: str = "this computation") -> None:
+    """Raise an error for a planet with three-dimensional clouds, which would be ignored.
+
+    ``Medium.from_planet`` calls it, so that no solver ignores clouds. One that computes them takes
+    ``planet.clouds`` and the medium of ``planet.without_clouds``; a command that does not may call
+    it first, with its name.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet.
+    consumer : str
+        Command or solver in the error.
+
+    Raises
+    ------
+    ConflictError
+        If the planet has clouds.
+    """
+    if planet.clouds:
+        raise ConflictError(
+            "clouds",
+            f"cannot be used by {consumer}, which has no three-dimensional clouds: remove them"
+            " (--clouds none)",
+        )
+
+
 class _CloudKinds(TaggedUnion[Clouds]):
     """Kinds of clouds; a table with ``file`` needs no ``kind``."""
 
@@ -310,6 +348,8 @@ class _CloudKinds(TaggedUnion[Clouds]):
         return super().read(table, wavelengths)
 
 
+#: Words of generated clouds.
+WORDS: Final = tuple(one.keyword for one in CLOUD_TYPES)
 #: Kinds of ``[[clouds]]``.
 CLOUDS: Final[TaggedUnion[Clouds]] = _CloudKinds(
     Clouds,
