@@ -272,7 +272,15 @@ def _read_file(table: TomlTable, name: str, wavelengths: Wavelengths) -> str:
 
 @parameters
 class CloudFile(Clouds):
-    """Clouds of a NetCDF or Zarr file."""
+    """Clouds of a NetCDF or Zarr file.
+
+    Parameters
+    ----------
+    file : str
+        Path of the file, see ``clouds.cloud_files``.
+    beyond : "clear" or "periodic"
+        What is beyond the four sides of its grid.
+    """
 
     keyword = "file"
 
@@ -283,6 +291,12 @@ class CloudFile(Clouds):
         range=(1.0, 1000.0),
         example="the path of a file of clouds",
         read=_read_file,
+    )
+    beyond: str = key(
+        help="What is beyond the four sides of the file's grid.",
+        choices=lambda: ("clear", "periodic"),
+        offered=always,
+        default="clear",
     )
 
 
