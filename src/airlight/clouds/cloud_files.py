@@ -320,7 +320,7 @@ def _engine(path: Path) -> str:
         for module, engine in (("netCDF4", "netcdf4"), ("h5netcdf", "h5netcdf")):
             if util.find_spec(module) is not None:
                 return engine
-        raise ConflictError(str(path), "requires h5netcdf: pip install airlight[clouds]")
+        raise ConflictError(str(path), "requires netCDF4: pip install airlight[clouds]")
     raise FileError(path, "is neither a NetCDF file nor a Zarr folder")
 
 
