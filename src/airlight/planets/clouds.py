@@ -155,7 +155,7 @@ class CloudType(Clouds):
     shear : float
         Increase of the eastward wind with height. [s⁻¹]
     seed : float
-        Whole number from 0 to 1e9; another one gives other clouds of the same statistics. [1]
+        Number, 0 to 1e9, whose whole part selects a field of the same statistics. [1]
     """
 
     #: Width of a cell of the grid by default. [m]
@@ -168,7 +168,7 @@ class CloudType(Clouds):
     cell: float = key(_CELL, default=2000.0)
     shear: float = key(_SHEAR, default=0.0)
     seed: float = key(
-        help="Whole number; another one gives other clouds of the same statistics.",
+        help="Number whose whole part selects one of many fields of the same statistics.",
         range=(0.0, 1e9),
         slider=(0.0, 100.0),
         example="1",

@@ -236,8 +236,11 @@ def _cloud_steps(root: Mapping[str, Any], path: str) -> list[_Step]:
         if rest == title or rest.startswith((f"{title}.", f"{title}[")):
             inner = rest[len(title) :].removeprefix(".")
             return ["clouds", index, *(_split(root, inner) if inner else [])]
-    if len(titles) != 1:
+    if not titles:
         raise _nowhere(root, path)
+    if len(titles) > 1:
+        allowed = " or ".join(f"clouds.{title}.{rest}" for title in titles)
+        raise ParameterError(FIELD, path, allowed)
     return ["clouds", 0, *_split(root, rest)]
 
 
