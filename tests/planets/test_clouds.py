@@ -49,7 +49,7 @@ def test_a_path_names_the_only_clouds_or_some_by_name_or_kind():
         **{"clouds.cumulus.cover": 0.1, "clouds.high.thin.cover": 0.2, "clouds[1].depth": "1 km"},
     )
     assert (low.cover, high.cover, high.depth) == (0.1, 0.2, 1000.0)
-    with pytest.raises(ParameterError, match=r"did you mean 'clouds\.c\w+\.cover'"):
+    with pytest.raises(ParameterError, match=r"clouds\.cumulus\.cover or clouds\.cirrus\.cover"):
         _clouds({"kind": "cumulus"}, {"kind": "cirrus"}, **{"clouds.cover": 0.7})
 
 
@@ -99,7 +99,6 @@ def test_the_option_replaces_the_clouds_of_the_file(tmp_path, monkeypatch):
 def test_editors_show_every_key_of_clouds():
     names = {one.name for one in CLOUDS.declared({"kind": "cumulus"})}
     shown = [one.path for one in parameters_of({"clouds": [{"kind": "cumulus"}]})]
-    assert {path.removeprefix("clouds[0].") for path in shown if "clouds" in path} == names - {
-        "name"
-    }
+    own = {path.removeprefix("clouds[0].") for path in shown if "clouds" in path}
+    assert own == names - {"name"}
     assert parameters_of({"clouds": []}) == parameters_of({})

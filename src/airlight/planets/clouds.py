@@ -196,6 +196,7 @@ class Stratocumulus(CloudType):
     """Low layer of closed cells."""
 
     keyword = "stratocumulus"
+    spacing = 100.0
 
     base: float = key(_BASE, default=800.0)
     depth: float = key(_DEPTH, default=320.0)
@@ -226,13 +227,14 @@ class CumulusCongestus(CloudType):
     """Towering heaps."""
 
     keyword = "congestus"
+    spacing = 100.0
 
     base: float = key(_BASE, default=1000.0)
     depth: float = key(_DEPTH, default=4500.0)
     cover: float = key(_COVER, default=0.25)
     optical_depth: float = key(_OPTICAL_DEPTH, default=60.0)
     cell: float = key(_CELL, default=5000.0)
-    shear: float = key(_SHEAR, default=1e-3)
+    shear: float = key(_SHEAR, default=5e-4)
 
 
 @parameters
