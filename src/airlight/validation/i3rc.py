@@ -140,7 +140,7 @@ def step_cloud(layers: int = _STEP_LAYERS) -> CloudField:
 
 def radar_cloud() -> CloudField:
     """Field of case 2, 640 columns of 54 layers."""
-    depth = packaged_table("data/i3rc-case2-depth.csv").T[:, None, :]
+    depth = packaged_table("data/i3rc-case2-depth.csv")[::-1].T[:, None, :]
     width, height = _RADAR_SPACING
     return CloudField(
         extinction=np.asarray(depth / height, np.float32),

@@ -1,0 +1,388 @@
+r"""Diffusion that accelerates the sweeps of a box: coarse-mesh finite differences on its cells.
+
+Net currents through faces are
+
+.. math:: J = D (\\phi_- - \\phi_+) + H (\\phi_- + \\phi_+),
+
+where H makes them those of the last sweep, so that the solution of the balance of all cells is that
+of the sweeps once these converge. D is that of diffusion; in optically thick cells it is larger,
+which keeps the iteration stable (Zhu, Kochunas & Downar 2016, Annals of Nuclear Energy 95, 116).
+"""
+
+from __future__ import annotations
+
+from math import exp
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import compiled_loop, kernel
+from airlight.kernel.threads import run_blocks
+
+Float32Array = NDArray[np.float32]
+FloatArray = NDArray[np.float64]
+
+#: Least optical depth between two cells for diffusion. [1]
+LEAST_DEPTH = 0.15
+#: Largest addition to D, and the optical depths at which it begins and over which it grows.
+_ADDED, _BEGIN, _GROWTH = 0.127, 1.0, 3.0
+#: Least mean radiance, against division by 0. [sr⁻¹]
+_LEAST = 1e-20
+#: Largest number of steps of the linear solver, and its tolerance. [1]
+_STEPS, _TOLERANCE = 40, 0.03
+
+
+class FaceCoefficients(NamedTuple):
+    """Coefficients of the balance of cells, shapes (levels, ny, nx, 4). [m⁻¹]
+
+    Attributes
+    ----------
+    diagonal : array
+        Loss of a cell.
+    from_low, from_high : tuple of three arrays
+        Gain of the higher cell at the upper face of a cell along x, y and z, and of the cell
+        itself, from the other.
+    """
+
+    diagonal: Float32Array
+    from_low: tuple[Float32Array, Float32Array, Float32Array]
+    from_high: tuple[Float32Array, Float32Array, Float32Array]
+
+
+class BalanceCells(NamedTuple):
+    """Optics of cells for their balance.
+
+    Attributes
+    ----------
+    total, transport, absorption : array, shape (levels, ny, nx, 4)
+        Scaled extinction, transport extinction and absorption. [m⁻¹]
+    widths : tuple of two float
+        Widths of a cell. [m]
+    thickness : array, shape (levels,)
+        Depth of the levels. [m]
+    periodic : bool
+        Whether the box repeats itself.
+    flat : tuple of two bool
+        Whether light does not vary along x, and along y.
+    ground : array, shape (4,)
+        Albedo of the ground. [1]
+    """
+
+    total: Float32Array
+    transport: Float32Array
+    absorption: Float32Array
+    widths: tuple[float, float]
+    thickness: Float32Array
+    periodic: bool
+    flat: tuple[bool, bool]
+    ground: Float32Array
+
+
+@kernel
+def diffusivity(low_depth, high_depth, low_total, high_total):
+    """D between two cells from half of their transport depths and half of their depths. [1]"""
+    total = low_total + high_total
+    added = 0.0
+    if total > _BEGIN:
+        added = _ADDED * (1.0 - exp((_BEGIN - total) / _GROWTH))
+    return 1.0 / (3.0 * max(low_depth + high_depth, LEAST_DEPTH)) + added
+
+
+@kernel
+def face(d, current, low, high):
+    """Coefficients D + H and D - H of a face, both at least 0. [1]"""
+    bend = (current - d * (low - high)) / max(low + high, _LEAST)
+    if bend > d or bend < 0.0 - d:
+        # All of the current is from one side.
+        forward = current / max(low, _LEAST)
+        backward = (0.0 - current) / max(high, _LEAST)
+        return max(forward, 0.0), max(backward, 0.0)
+    return d + bend, d - bend
+
+
+@compiled_loop
+def level_coefficients(k, cells, currents, phi, first, coefficients):
+    """Coefficients of a level's cells; ``first``: diffusion alone, without currents.
+
+    Gains across the upper faces in z are those of the level; the diagonal lacks the loss at the
+    lower face, see ``add_lower``.
+    """
+    total, transport, absorption, widths, thickness, periodic, flat, ground = cells
+    current_x, current_y, current_z = currents
+    diagonal, (low_x, low_y, low_z), (high_x, high_y, high_z) = coefficients
+    levels, ny, nx, lanes = phi.shape
+    per_x, per_y = 1.0 / widths[0], 1.0 / widths[1]
+    per_z = 1.0 / thickness[k]
+    flat_x, flat_y = flat
+    for y in range(ny):
+        for x in range(nx):
+            for w in range(lanes):
+                here = phi[k, y, x, w]
+                own, depth = transport[k, y, x, w], total[k, y, x, w]
+                loss = absorption[k, y, x, w]
+                low_x[k, y, x, w], high_x[k, y, x, w] = 0.0, 0.0
+                low_y[k, y, x, w], high_y[k, y, x, w] = 0.0, 0.0
+                low_z[k, y, x, w], high_z[k, y, x, w] = 0.0, 0.0
+                if not flat_x:
+                    other = x + 1 if x + 1 < nx else 0
+                    if x + 1 < nx or periodic:
+                        half = 0.5 * widths[0]
+                        d = diffusivity(
+                            half * own,
+                            half * transport[k, y, other, w],
+                            half * depth,
+                            half * total[k, y, other, w],
+                        )
+                        current = current_x[k, y, x + 1, w]
+                        if x + 1 == nx:
+                            current += current_x[k, y, 0, w]
+                        beyond = phi[k, y, other, w]
+                        if first:
+                            current = d * (here - beyond)
+                        forward, backward = face(d, current, here, beyond)
+                        low_x[k, y, x, w] = forward * per_x
+                        high_x[k, y, x, w] = backward * per_x
+                    elif first:
+                        loss += 0.25 * per_x
+                    else:
+                        loss += current_x[k, y, nx, w] / max(here, _LEAST) * per_x
+                    if x == 0 and not periodic:
+                        if first:
+                            loss += 0.25 * per_x
+                        else:
+                            loss -= current_x[k, y, 0, w] / max(here, _LEAST) * per_x
+                if not flat_y:
+                    other = y + 1 if y + 1 < ny else 0
+                    if y + 1 < ny or periodic:
+                        half = 0.5 * widths[1]
+                        d = diffusivity(
+                            half * own,
+                            half * transport[k, other, x, w],
+                            half * depth,
+                            half * total[k, other, x, w],
+                        )
+                        current = current_y[k, y + 1, x, w]
+                        if y + 1 == ny:
+                            current += current_y[k, 0, x, w]
+                        beyond = phi[k, other, x, w]
+                        if first:
+                            current = d * (here - beyond)
+                        forward, backward = face(d, current, here, beyond)
+                        low_y[k, y, x, w] = forward * per_y
+                        high_y[k, y, x, w] = backward * per_y
+                    elif first:
+                        loss += 0.25 * per_y
+                    else:
+                        loss += current_y[k, ny, x, w] / max(here, _LEAST) * per_y
+                    if y == 0 and not periodic:
+                        if first:
+                            loss += 0.25 * per_y
+                        else:
+                            loss -= current_y[k, 0, x, w] / max(here, _LEAST) * per_y
+                upper = current_z[0, k + 1, y, x, w] + current_z[1, k + 1, y, x, w]
+                if k + 1 < levels:
+                    half, next_half = 0.5 * thickness[k], 0.5 * thickness[k + 1]
+                    d = diffusivity(
+                        half * own,
+                        next_half * transport[k + 1, y, x, w],
+                        half * depth,
+                        next_half * total[k + 1, y, x, w],
+                    )
+                    beyond = phi[k + 1, y, x, w]
+                    if first:
+                        upper = d * (here - beyond)
+                    forward, backward = face(d, upper, here, beyond)
+                    low_z[k, y, x, w], high_z[k, y, x, w] = forward, backward
+                elif first:
+                    loss += 0.25 * per_z
+                else:
+                    loss += upper / max(here, _LEAST) * per_z
+                if k == 0:
+                    down = 0.25
+                    if not first:
+                        lower = current_z[0, 0, y, x, w] + current_z[1, 0, y, x, w]
+                        down = (0.0 - lower) / max(here, _LEAST)
+                    loss += (1.0 - ground[w]) * down * per_z
+                diagonal[k, y, x, w] = loss
+
+
+@compiled_loop
+def add_losses(k, cells, coefficients):
+    """Complete the diagonal of a level by what its cells lose to their neighbours."""
+    _, _, _, _, thickness, _, _, _ = cells
+    diagonal, (low_x, low_y, low_z), (high_x, high_y, high_z) = coefficients
+    _levels, ny, nx, lanes = diagonal.shape
+    per_z = 1.0 / thickness[k]
+    for y in range(ny):
+        for x in range(nx):
+            west = x - 1 if x > 0 else nx - 1
+            south = y - 1 if y > 0 else ny - 1
+            for w in range(lanes):
+                loss = low_x[k, y, x, w] + high_x[k, y, west, w]
+                loss += low_y[k, y, x, w] + high_y[k, south, x, w]
+                loss += low_z[k, y, x, w] * per_z
+                if k > 0:
+                    loss += high_z[k - 1, y, x, w] * per_z
+                diagonal[k, y, x, w] += loss
+
+
+@compiled_loop
+def balance(k, coefficients, thickness, phi, out):
+    """Loss less gain of the cells of a level. [m⁻¹]"""
+    diagonal, (low_x, low_y, low_z), (high_x, high_y, high_z) = coefficients
+    levels, ny, nx, lanes = diagonal.shape
+    per_z = np.float32(1.0) / thickness[k]
+    for y in range(ny):
+        south, north = (y - 1 if y > 0 else ny - 1), (y + 1 if y + 1 < ny else 0)
+        for x in range(nx):
+            for w in range(lanes):
+                out[k, y, x, w] = (
+                    diagonal[k, y, x, w] * phi[k, y, x, w]
+                    - low_y[k, south, x, w] * phi[k, south, x, w]
+                    - high_y[k, y, x, w] * phi[k, north, x, w]
+                )
+        for x in range(nx):
+            west, east = (x - 1 if x > 0 else nx - 1), (x + 1 if x + 1 < nx else 0)
+            for w in range(lanes):
+                out[k, y, x, w] -= (
+                    low_x[k, y, west, w] * phi[k, y, west, w]
+                    + high_x[k, y, x, w] * phi[k, y, east, w]
+                )
+        if k > 0:
+            for x in range(nx):
+                for w in range(lanes):
+                    out[k, y, x, w] -= per_z * low_z[k - 1, y, x, w] * phi[k - 1, y, x, w]
+        if k + 1 < levels:
+            for x in range(nx):
+                for w in range(lanes):
+                    out[k, y, x, w] -= per_z * high_z[k, y, x, w] * phi[k + 1, y, x, w]
+
+
+@compiled_loop
+def factorise_row(y, coefficients, thickness, factors):
+    """Elimination of the columns of a row: reciprocal pivots in ``factors``. [m]"""
+    diagonal, (_, _, low_z), (_, _, high_z) = coefficients
+    levels, _, nx, lanes = diagonal.shape
+    for k in range(levels):
+        per_z = np.float32(1.0) / thickness[k]
+        for x in range(nx):
+            for w in range(lanes):
+                pivot = diagonal[k, y, x, w]
+                if k > 0:
+                    below = np.float32(1.0) / thickness[k - 1]
+                    pivot -= (
+                        per_z
+                        * low_z[k - 1, y, x, w]
+                        * below
+                        * high_z[k - 1, y, x, w]
+                        * factors[k - 1, y, x, w]
+                    )
+                factors[k, y, x, w] = np.float32(1.0) / max(pivot, np.float32(1e-30))
+
+
+@compiled_loop
+def solve_row(y, coefficients, thickness, factors, given, out):
+    """Solution of the columns of a row, without their neighbours."""
+    _, (_, _, low_z), (_, _, high_z) = coefficients
+    levels, _, nx, lanes = given.shape
+    for k in range(levels):
+        per_z = np.float32(1.0) / thickness[k]
+        for x in range(nx):
+            for w in range(lanes):
+                value = given[k, y, x, w]
+                if k > 0:
+                    value += per_z * low_z[k - 1, y, x, w] * out[k - 1, y, x, w]
+                out[k, y, x, w] = value * factors[k, y, x, w]
+    for k in range(levels - 2, -1, -1):
+        per_z = np.float32(1.0) / thickness[k]
+        for x in range(nx):
+            for w in range(lanes):
+                out[k, y, x, w] += (
+                    per_z * high_z[k, y, x, w] * factors[k, y, x, w] * out[k + 1, y, x, w]
+                )
+
+
+def coefficients_for(
+    cells: BalanceCells, currents: tuple[Float32Array, ...], phi: Float32Array, *, first: bool
+) -> FaceCoefficients:
+    """Coefficients of the balance; ``first``: those of diffusion alone."""
+
+    def new() -> Float32Array:
+        return np.empty_like(phi)
+
+    found = FaceCoefficients(new(), (new(), new(), new()), (new(), new(), new()))
+    levels = phi.shape[0]
+    run_blocks(lambda k: level_coefficients(k, cells, currents, phi, first, found), levels)
+    run_blocks(lambda k: add_losses(k, cells, found), levels)
+    return found
+
+
+def solve_balance(
+    cells: BalanceCells, coefficients: FaceCoefficients, source: Float32Array, phi: Float32Array
+) -> Float32Array:
+    """Mean radiances of balanced cells, from a guess, by BiCGStab with columns eliminated.
+
+    Source: van der Vorst (1992), SIAM J. Sci. Stat. Comput. 13, 631.
+
+    Parameters
+    ----------
+    source : array, shape (levels, ny, nx, 4)
+        Gain from the beam, the ground and outside. [m⁻¹]
+    phi : array, shape (levels, ny, nx, 4)
+        Guess of the mean radiance times 4π. [1]
+    """
+    levels, ny = phi.shape[:2]
+    thickness = cells.thickness
+    factors = np.empty_like(phi)
+    run_blocks(lambda y: factorise_row(y, coefficients, thickness, factors), ny)
+
+    def apply(vector: Float32Array) -> Float32Array:
+        out = np.empty_like(vector)
+        run_blocks(lambda k: balance(k, coefficients, thickness, vector, out), levels)
+        return out
+
+    def precondition(vector: Float32Array) -> Float32Array:
+        out = np.empty_like(vector)
+        run_blocks(lambda y: solve_row(y, coefficients, thickness, factors, vector, out), ny)
+        return out
+
+    residual = source - apply(phi)
+    goal = _TOLERANCE * np.sqrt(np.maximum(_dot(residual, residual), 1e-60))
+    floor = 1e-6 * np.sqrt(_dot(source, source))
+    shadow = residual.copy()
+    rho = alpha = omega = np.ones(phi.shape[-1])
+    along = through = np.zeros_like(phi)
+    phi = phi.copy()
+    for _ in range(_STEPS):
+        if np.all(np.sqrt(_dot(residual, residual)) <= np.maximum(goal, floor)):
+            break
+        following = _dot(shadow, residual)
+        beta = _ratio(following, rho) * _ratio(alpha, omega)
+        rho = following
+        along = residual + _of(beta) * (along - _of(omega) * through)
+        ready = precondition(along)
+        through = apply(ready)
+        alpha = _ratio(rho, _dot(shadow, through))
+        residual = residual - _of(alpha) * through
+        smooth = precondition(residual)
+        rough = apply(smooth)
+        omega = _ratio(_dot(rough, residual), _dot(rough, rough))
+        phi += _of(alpha) * ready + _of(omega) * smooth
+        residual = residual - _of(omega) * rough
+    return phi
+
+
+def _dot(a: Float32Array, b: Float32Array) -> FloatArray:
+    """Sum of products over the cells, shape (4,)."""
+    lanes = a.shape[-1]
+    parts = np.einsum("kiw,kiw->kw", a.reshape(len(a), -1, lanes), b.reshape(len(b), -1, lanes))
+    return np.asarray(parts.sum(axis=0, dtype=np.float64))
+
+
+def _of(values: FloatArray) -> Float32Array:
+    return values.astype(np.float32)
+
+
+def _ratio(a: FloatArray, b: FloatArray) -> FloatArray:
+    return np.divide(a, b, out=np.zeros_like(a), where=np.abs(b) > 1e-300)
