@@ -16,6 +16,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import BeamCells
 from airlight.solver.boxes.directions import degrees, harmonics
+from airlight.solver.boxes.forward_peak import peak_depth, peak_table
 from airlight.solver.boxes.light import BoxLight
 from airlight.solver.boxes.scaled_optics import ScaledOptics, overlap, scaled_optics
 from airlight.solver.boxes.settings import BoxSettings
@@ -232,6 +233,8 @@ class BoxSolution:
             self.down,
             np.broadcast_to(light.albedo, (self.moments.shape[-1],)).astype(np.float64),
             (light.towards[0], light.towards[1], light.cosine),
+            peak_table(self.optics, self.settings.degree),
+            peak_depth(self.optics, self.settings.degree),
         )
 
     @property

@@ -1,13 +1,14 @@
 """Radiance along lines of sight through a box.
 
 Single scattering has the exact phase function and the unscaled scattering coefficient, in scaled
-extinction (TMS; Nakajima & Tanaka 1988, J. Quant. Spectrosc. Radiat. Transfer 40, 51, eq. 15); the
-beam is followed to the sun from points of the line. Higher orders are those of the moments.
+extinction (TMS; Nakajima & Tanaka 1988, J. Quant. Spectrosc. Radiat. Transfer 40, 51, eq. 15), and
+that of the forward peak before and after it (``forward_peak``). The beam is followed to the sun
+from points of the line. Higher orders are those of the moments.
 """
 
 from __future__ import annotations
 
-from math import exp, pi
+from math import acos, exp, pi, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +25,7 @@ from airlight.solver.boxes.beam import (
     neighbours,
     wrapped,
 )
+from airlight.solver.boxes.forward_peak import ANGLES, LARGEST_ROOT, ROOTS
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -58,6 +60,8 @@ class ViewTables(NamedTuple):
         Albedo of the ground. [1]
     sun : tuple of three float
         Unit vector to the sun.
+    peak, peak_depth : array, shapes (angles, roots, w) and (w,)
+        See ``forward_peak``. [sr⁻¹], [1]
     """
 
     cells: BeamCells
@@ -73,6 +77,8 @@ class ViewTables(NamedTuple):
     ground: Float32Array
     albedo: FloatArray
     sun: tuple[float, float, float]
+    peak: FloatArray
+    peak_depth: FloatArray
 
 
 class ViewLines(NamedTuple):
@@ -126,7 +132,7 @@ def _inside(origin, direction, cells):
 
 @inlined
 def _sun_depth(point, level, tables, out):
-    """Fill ``out`` with the scaled optical depth from a point of a level to the sun. [1]"""
+    """Unscaled depth of the cloud from a point to the sun; fill ``out`` with the scaled one. [1]"""
     sun, edges = tables.sun, tables.cells.edges
     depth = depth_towards(point, sun, tables.cells)
     part = (edges[level + 1] - point[2]) / (edges[level + 1] - edges[level])
@@ -135,6 +141,27 @@ def _sun_depth(point, level, tables, out):
     for w in range(out.size):
         air = (1.0 - part) * above[w] + part * below[w]
         out[w] = tables.cloud[w] * depth + air / sun[2]
+    return depth
+
+
+@inlined
+def _peak_row(nu, table, out):
+    """Fill ``out`` (roots, w) with the table at a cosine of the scattering angle."""
+    place = (acos(min(max(nu, -1.0), 1.0)) / pi) ** (2.0 / 3.0) * ANGLES
+    low = min(int(place), ANGLES - 1)
+    part = place - low
+    for r in range(ROOTS):
+        for w in range(out.shape[1]):
+            out[r, w] = (1.0 - part) * table[low, r, w] + part * table[low + 1, r, w]
+
+
+@inlined
+def _source_phase(x, phase, row, w):
+    """Phase function of the source after a depth x of scattering by the peak. [sr⁻¹]"""
+    place = min(sqrt(x) * ((ROOTS - 1) / LARGEST_ROOT), ROOTS - 1.001)
+    low = int(place)
+    part = place - low
+    return exp(0.0 - x) * phase + (1.0 - part) * row[low, w] + part * row[low + 1, w]
 
 
 @inlined
@@ -217,6 +244,7 @@ def view_block(first, last, lines, tables):
     count = tables.cloud.size
     before, after, source = np.empty(count), np.empty(count), np.empty(count)
     air_phase = np.zeros((levels, count))
+    row = np.empty((ROOTS, count))
     has_air = np.zeros(levels, np.bool_)
     for k in range(levels):
         for w in range(count):
@@ -238,6 +266,8 @@ def view_block(first, last, lines, tables):
                 for w in range(count):
                     air_phase[k, w] += now * tables.air_phase[k, l, w]
             earlier, now = now, ((2 * l + 1) * nu * now - l * earlier) / (l + 1)
+        _peak_row(nu, tables.peak, row)
+        seen, to_sun, to_sun_after = 0.0, 0.0, 0.0
         start, end = _inside(origin, direction, cells)
         lines.distance[n] = 0.0
         if end <= start:
@@ -283,7 +313,7 @@ def view_block(first, last, lines, tables):
                             origin[1] + along * direction[1],
                             origin[2] + along * direction[2],
                         )
-                        _sun_depth(point, level, tables, before)
+                        to_sun = _sun_depth(point, level, tables, before)
                         known = True
                     if lit:
                         point = (
@@ -291,7 +321,7 @@ def view_block(first, last, lines, tables):
                             origin[1] + ends * direction[1],
                             origin[2] + ends * direction[2],
                         )
-                        _sun_depth(point, level, tables, after)
+                        to_sun_after = _sun_depth(point, level, tables, after)
                     point = (
                         origin[0] + middle * direction[0],
                         origin[1] + middle * direction[1],
@@ -302,13 +332,18 @@ def view_block(first, last, lines, tables):
                         depth = (amount * tables.cloud[w] + tables.air[level, w]) * length
                         light = source[w] * _mean_of_exponential(depth)
                         if lit:
-                            single = amount * tables.cloud_single[w] * lines.phase[n, w]
+                            path = seen + 0.5 * (amount * length + to_sun + to_sun_after)
+                            x = tables.peak_depth[w] * path
+                            phase = _source_phase(x, lines.phase[n, w], row, w)
+                            single = amount * tables.cloud_single[w] * phase
                             single += air_phase[level, w]
                             both = _mean_of_exponential(depth + after[w] - before[w])
                             light += single * exp(0.0 - before[w]) * both
                             before[w] = after[w]
                         radiance[w] += transmittance[w] * length * light
                         transmittance[w] *= exp(0.0 - depth)
+                    seen += amount * length
+                    to_sun = to_sun_after
             else:
                 known = False
             along = following
