@@ -15,7 +15,13 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import BeamCells, beam_row, mean_beam_row
 from airlight.solver.boxes.directions import Directions, degrees, directions, harmonics, term_count
 from airlight.solver.boxes.grid import BoxGrid
-from airlight.solver.boxes.rebalance import BalanceCells, coefficients_for, solve_balance
+from airlight.solver.boxes.rebalance import (
+    BalanceCells,
+    coefficients_for,
+    correct,
+    in_chunks,
+    solve_balance,
+)
 from airlight.solver.boxes.scaled_optics import ScaledOptics
 from airlight.solver.boxes.settings import BoxSettings
 from airlight.solver.boxes.sweep import SweepCells, SweepDirections, SweepLight, sweep_level
@@ -166,6 +172,14 @@ def sweep_directions(
     )
 
 
+def _half_range(ways: Directions, degree: int) -> Float32Array:
+    """Moments of hemispheres of light of degrees 0 and 1, see ``rebalance.correct``."""
+    vectors, weights = ways
+    basis = np.concatenate([np.ones_like(vectors[..., :1]), 3.0 * vectors], axis=-1)
+    functions = harmonics(vectors, degree) * weights[..., None] / (4.0 * np.pi)
+    return np.asarray(np.einsum("hodt,hodi->hti", functions, basis), np.float32)
+
+
 class BoxIteration:
     """Iteration for four wavelengths.
 
@@ -186,6 +200,7 @@ class BoxIteration:
         self.thickness = np.asarray(np.diff(grid.edges), np.float32)
         self.ways = directions(settings.zenith_angles, settings.azimuths)
         self.pairs = sweep_directions(self.ways, grid, settings.degree, problem.towards)
+        self.shares = _half_range(self.ways, settings.degree)
         self.cosine = max(problem.towards[2], 0.0)
         self.ground = _four(problem.ground)
         self._mean_beam()
@@ -285,8 +300,12 @@ class BoxIteration:
         phi = np.zeros_like(self.beam)
         coefficients = coefficients_for(self.balanced, self.light.currents, phi, first=True)
         phi = np.maximum(solve_balance(self.balanced, coefficients, self.gain, phi), 0.0)
-        for moments in self.light.moments:
-            moments[..., 0, :] = phi * np.float32(0.5 / _ROOT)
+        in_chunks(
+            lambda a, b: correct(
+                a, b, self.balanced, coefficients, phi, self.light.moments, self.shares
+            ),
+            len(self.thickness),
+        )
 
     def sweep(
         self, *, progress: Progress | None = None, cancel: Cancel | None = None, done: int = 0
@@ -334,11 +353,15 @@ class BoxIteration:
         light, phi = self.light, self.phi()
         coefficients = coefficients_for(self.balanced, light.currents, phi, first=False)
         better = solve_balance(self.balanced, coefficients, self.gain, phi)
-        factor = better / np.maximum(phi, np.float32(1e-20))
-        factor = np.clip(factor, _FACTORS[0], _FACTORS[1])
-        for moments in light.moments:
-            moments *= factor[..., None, :]
-        self.down *= factor[0]
+        change = better - phi
+        in_chunks(
+            lambda a, b: correct(
+                a, b, self.balanced, coefficients, change, light.moments, self.shares
+            ),
+            len(self.thickness),
+        )
+        factor = better[0] / np.maximum(phi[0], np.float32(1e-20))
+        self.down *= np.clip(factor, _FACTORS[0], _FACTORS[1])
 
     def run(self, *, progress: Progress | None = None, cancel: Cancel | None = None) -> BoxLevels:
         """Light after convergence, or after the largest number of sweeps."""

@@ -11,14 +11,15 @@ which keeps the iteration stable (Zhu, Kochunas & Downar 2016, Annals of Nuclear
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import exp
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop, kernel
-from airlight.kernel.threads import run_blocks
+from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel.threads import run_blocks, thread_count
 
 Float32Array = NDArray[np.float32]
 FloatArray = NDArray[np.float64]
@@ -227,8 +228,8 @@ def add_losses(k, cells, coefficients):
                 diagonal[k, y, x, w] += loss
 
 
-@compiled_loop
-def balance(k, coefficients, thickness, phi, out):
+@inlined
+def _balance_level(k, coefficients, thickness, phi, out):
     """Loss less gain of the cells of a level. [m⁻¹]"""
     diagonal, (low_x, low_y, low_z), (high_x, high_y, high_z) = coefficients
     levels, ny, nx, lanes = diagonal.shape
@@ -260,7 +261,14 @@ def balance(k, coefficients, thickness, phi, out):
 
 
 @compiled_loop
-def factorise_row(y, coefficients, thickness, factors):
+def balance(first, last, coefficients, thickness, phi, out):
+    """Loss less gain of the cells of some levels. [m⁻¹]"""
+    for k in range(first, last):
+        _balance_level(k, coefficients, thickness, phi, out)
+
+
+@inlined
+def _factorise_row(y, coefficients, thickness, factors):
     """Elimination of the columns of a row: reciprocal pivots in ``factors``. [m]"""
     diagonal, (_, _, low_z), (_, _, high_z) = coefficients
     levels, _, nx, lanes = diagonal.shape
@@ -282,7 +290,14 @@ def factorise_row(y, coefficients, thickness, factors):
 
 
 @compiled_loop
-def solve_row(y, coefficients, thickness, factors, given, out):
+def factorise(first, last, coefficients, thickness, factors):
+    """Elimination of the columns of some rows: reciprocal pivots in ``factors``. [m]"""
+    for y in range(first, last):
+        _factorise_row(y, coefficients, thickness, factors)
+
+
+@inlined
+def _solve_row(y, coefficients, thickness, factors, given, out):
     """Solution of the columns of a row, without their neighbours."""
     _, (_, _, low_z), (_, _, high_z) = coefficients
     levels, _, nx, lanes = given.shape
@@ -301,6 +316,77 @@ def solve_row(y, coefficients, thickness, factors, given, out):
                 out[k, y, x, w] += (
                     per_z * high_z[k, y, x, w] * factors[k, y, x, w] * out[k + 1, y, x, w]
                 )
+
+
+@compiled_loop
+def substitute(first, last, coefficients, thickness, factors, given, out):
+    """Solution of the columns of some rows, without their neighbours."""
+    for y in range(first, last):
+        _solve_row(y, coefficients, thickness, factors, given, out)
+
+
+@compiled_loop
+def correct(first, last, cells, coefficients, change, moments, shares):
+    """Add a change of the mean radiance times 4π, and that of its net currents, to some levels.
+
+    Parameters
+    ----------
+    change : array, shape (levels, ny, nx, 4)
+        Change of the mean radiance times 4π. [1]
+    moments : tuple of two arrays, shape (levels, ny, nx, terms, 4)
+        Moments of downward and of upward light. [1]
+    shares : array, shape (2, terms, 4)
+        Moments of downward and of upward light of 1/4π and of 3/4π times the direction cosines.
+    """
+    widths = cells.widths
+    _, (low_x, low_y, low_z), (high_x, high_y, high_z) = coefficients
+    levels, ny, nx, lanes = change.shape
+    before, after = moments
+    terms = shares.shape[1]
+    for k in range(first, last):
+        for y in range(ny):
+            south, north = (y - 1 if y > 0 else ny - 1), (y + 1 if y + 1 < ny else 0)
+            for x in range(nx):
+                west, east = (x - 1 if x > 0 else nx - 1), (x + 1 if x + 1 < nx else 0)
+                for w in range(lanes):
+                    here = change[k, y, x, w]
+                    along_x = low_x[k, y, x, w] * here
+                    along_x -= high_x[k, y, x, w] * change[k, y, east, w]
+                    along_x += low_x[k, y, west, w] * change[k, y, west, w]
+                    along_x -= high_x[k, y, west, w] * here
+                    along_y = low_y[k, y, x, w] * here
+                    along_y -= high_y[k, y, x, w] * change[k, north, x, w]
+                    along_y += low_y[k, south, x, w] * change[k, south, x, w]
+                    along_y -= high_y[k, south, x, w] * here
+                    along_z = low_z[k, y, x, w] * here
+                    if k + 1 < levels:
+                        along_z -= high_z[k, y, x, w] * change[k + 1, y, x, w]
+                    if k > 0:
+                        along_z += low_z[k - 1, y, x, w] * change[k - 1, y, x, w]
+                        along_z -= high_z[k - 1, y, x, w] * here
+                    along_x *= np.float32(0.5 * widths[0])
+                    along_y *= np.float32(0.5 * widths[1])
+                    along_z *= np.float32(0.5)
+                    for t in range(terms):
+                        before[k, y, x, t, w] += (
+                            shares[0, t, 0] * here
+                            + shares[0, t, 1] * along_x
+                            + shares[0, t, 2] * along_y
+                            + shares[0, t, 3] * along_z
+                        )
+                        after[k, y, x, t, w] += (
+                            shares[1, t, 0] * here
+                            + shares[1, t, 1] * along_x
+                            + shares[1, t, 2] * along_y
+                            + shares[1, t, 3] * along_z
+                        )
+
+
+def in_chunks(loop: Callable[[int, int], object], count: int) -> None:
+    """Run ``loop(first, last)`` for a part of ``count`` rows or levels on each core."""
+    parts = min(thread_count(), count)
+    ends = [count * part // parts for part in range(parts + 1)]
+    run_blocks(lambda part: loop(ends[part], ends[part + 1]), parts)
 
 
 def coefficients_for(
@@ -335,16 +421,16 @@ def solve_balance(
     levels, ny = phi.shape[:2]
     thickness = cells.thickness
     factors = np.empty_like(phi)
-    run_blocks(lambda y: factorise_row(y, coefficients, thickness, factors), ny)
+    in_chunks(lambda a, b: factorise(a, b, coefficients, thickness, factors), ny)
 
     def apply(vector: Float32Array) -> Float32Array:
         out = np.empty_like(vector)
-        run_blocks(lambda k: balance(k, coefficients, thickness, vector, out), levels)
+        in_chunks(lambda a, b: balance(a, b, coefficients, thickness, vector, out), levels)
         return out
 
     def precondition(vector: Float32Array) -> Float32Array:
         out = np.empty_like(vector)
-        run_blocks(lambda y: solve_row(y, coefficients, thickness, factors, vector, out), ny)
+        in_chunks(lambda a, b: substitute(a, b, coefficients, thickness, factors, vector, out), ny)
         return out
 
     residual = source - apply(phi)
