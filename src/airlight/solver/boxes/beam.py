@@ -230,9 +230,19 @@ def beam_row(y, sun, points, cells, out):
                 out[p, x, k] = np.float32(depth_towards(place, sun, cells))
 
 
+@kernel
+def middle_of_exponential(depth):
+    """Distance of the mean of exp(-depth s), s from 0 to 1, before the middle, ½ - <s>. [1]"""
+    if abs(depth) < 0.01:
+        return depth / 12.0
+    if depth > 80.0:
+        return 0.5 - 1.0 / depth
+    return 0.5 - 1.0 / depth + 1.0 / (exp(depth) - 1.0)
+
+
 @compiled_loop
-def mean_beam_row(y, depths, air, cloud, out, ground):
-    """Mean transmittance of the beam in the cells of a row, and on the ground.
+def mean_beam_row(y, depths, optics, across, out):
+    """Mean transmittance of the beam in the cells of a row, its centre, and that on the ground.
 
     Parameters
     ----------
@@ -240,31 +250,78 @@ def mean_beam_row(y, depths, air, cloud, out, ground):
         Row.
     depths : array, shape (points, nx, levels + 1)
         See ``beam_row``. [1]
-    air : array, shape (levels + 1, 4)
-        Optical depth of the air along the beam. [1]
-    cloud : array, shape (4,)
-        Scaled extinction of the cloud over that at 550 nm. [1]
-    out : array, shape (levels, ny, nx, 4)
-        Receives the transmittance. [1]
-    ground : array, shape (ny, nx, 4)
-        Receives that at the ground. [1]
+    optics : tuple of two arrays, shapes (levels + 1, 4) and (4,)
+        Optical depth of the air along the beam, and scaled extinction of the cloud over that at
+        550 nm. [1]
+    across : tuple of two int
+        Points across a column along x and y.
+    out : tuple of three arrays, shapes (levels, ny, nx, 4), (levels, ny, nx, 3, 4), (ny, nx, 4)
+        Receive the transmittance, the offset of its centre from the middle of a cell towards x, y
+        and z, in cells, and the transmittance at the ground. [1]
     """
+    air, cloud = optics
+    mean, offset, ground = out
     points, nx, edges = depths.shape
     for x in range(nx):
         for w in range(cloud.size):
-            for k in range(edges):
-                total = 0.0
+            total = 0.0
+            for p in range(points):
+                total += exp(0.0 - cloud[w] * depths[p, x, 0] - air[0, w])
+            ground[y, x, w] = np.float32(total / points)
+            for k in range(1, edges):
+                total, east, north, up = 0.0, 0.0, 0.0, 0.0
                 for p in range(points):
                     depth = cloud[w] * depths[p, x, k] + air[k, w]
-                    if k == 0:
-                        total += exp(0.0 - depth)
-                        continue
                     below = cloud[w] * depths[p, x, k - 1] + air[k - 1, w]
                     if abs(below - depth) < _THIN:
-                        total += exp(-0.5 * (below + depth))
+                        part = exp(-0.5 * (below + depth))
                     else:
-                        total += (exp(0.0 - depth) - exp(0.0 - below)) / (below - depth)
-                if k == 0:
-                    ground[y, x, w] = np.float32(total / points)
-                else:
-                    out[k - 1, y, x, w] = np.float32(total / points)
+                        part = (exp(0.0 - depth) - exp(0.0 - below)) / (below - depth)
+                    total += part
+                    up += part * middle_of_exponential(below - depth)
+                    east += part * ((p % across[0] + 0.5) / across[0] - 0.5)
+                    north += part * ((p // across[0] + 0.5) / across[1] - 0.5)
+                mean[k - 1, y, x, w] = np.float32(total / points)
+                total = max(total, 1e-30)
+                offset[k - 1, y, x, 0, w] = np.float32(east / total)
+                offset[k - 1, y, x, 1, w] = np.float32(north / total)
+                offset[k - 1, y, x, 2, w] = np.float32(up / total)
+
+
+def centred(
+    amounts: Float32Array, extinction: Float32Array, offset: Float32Array, periodic: bool
+) -> Float32Array:
+    r"""Amounts of scattered light, shared with neighbours so that each keeps its optical centre.
+
+    A sweep spreads the light that the beam gives to a cell evenly. In cells that are optically
+    thick most of it is where the beam enters: it moves to the neighbour there by
+
+    .. math:: 2 |o| \kappa / (\kappa + \kappa'),
+
+    with the offset o in cells and the neighbour's extinction κ'.
+
+    Parameters
+    ----------
+    amounts : array, shape (levels, ny, nx, 4)
+        Light that a cell scatters, over the horizontal area.
+    extinction : array, shape (levels, ny, nx)
+        Extinction of the cloud. [m⁻¹]
+    offset : array, shape (levels, ny, nx, 3, 4)
+        See ``mean_beam_row``. [1]
+    periodic : bool
+        Whether the cells repeat themselves sideways.
+    """
+    for axis, component in ((0, 2), (1, 1), (2, 0)):
+        if amounts.shape[axis] == 1:
+            continue
+        for sign in (1, -1):
+            beyond = np.roll(extinction, -sign, axis=axis)
+            edge = [slice(None)] * 3
+            edge[axis] = slice(-1, None) if sign > 0 else slice(0, 1)
+            share = 2.0 * extinction / np.maximum(extinction + beyond, np.float32(1e-30))
+            if axis == 0 or not periodic:
+                share[tuple(edge)] = 0.0
+            moved = amounts * share[..., None] * np.maximum(sign * offset[..., component, :], 0.0)
+            np.minimum(moved, amounts, out=moved)
+            amounts = amounts - moved + np.roll(moved, sign, axis=axis)
+    return amounts

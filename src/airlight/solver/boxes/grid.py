@@ -18,6 +18,8 @@ Float32Array = NDArray[np.float32]
 #: Most levels between ground and cloud, and their least depth over that of a cell.
 _LEVELS_BELOW: Final = 6
 _DEPTH_BELOW: Final = 4.0
+#: Depth of a clear level above a field that has cloud in its highest cells, over theirs. [1]
+_LID: Final = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,8 +38,8 @@ class BoxGrid:
         Whether the field repeats itself sideways.
     refinement : tuple of three int
         Cells along each axis of a cell of the field.
-    below : int
-        Levels below the field.
+    below, above : int
+        Levels below and above the field.
     """
 
     extinction: Float32Array
@@ -46,6 +48,7 @@ class BoxGrid:
     periodic: bool
     refinement: tuple[int, int, int]
     below: int
+    above: int
 
     @property
     def flat(self) -> tuple[bool, bool]:
@@ -56,7 +59,7 @@ class BoxGrid:
     def coarse(self, values: Float32Array) -> Float32Array:
         """Means over the cells of the field of an array (levels, ny, nx, ...)."""
         x, y, z = self.refinement
-        below, above = values[: self.below], values[self.below :]
+        below, above = values[: self.below], values[self.below : len(values) - self.above]
         shape = above.shape
         parts = above.reshape(shape[0] // z, z, *shape[1:]).mean(axis=1, dtype=np.float32)
         joined = np.concatenate([below, parts]) if self.below else parts
@@ -73,7 +76,9 @@ class BoxGrid:
     def coarse_edges(self) -> FloatArray:
         """Altitudes of the edges of the levels of the field and below. [m]"""
         z = self.refinement[2]
-        return np.append(self.edges[: self.below], self.edges[self.below :: z])
+        return np.append(
+            self.edges[: self.below], self.edges[self.below : self.edges.size - self.above : z]
+        )
 
 
 def box_grid(
@@ -106,13 +111,21 @@ def box_grid(
     below = min(int(np.ceil(gap / (_DEPTH_BELOW * spacing[2]))), _LEVELS_BELOW) if gap > 0.0 else 0
     lower = floor + gap * np.arange(below) / max(below, 1)
     clear = np.zeros((below, *cells.shape[1::-1]), np.float32)
+    # Where the beam enters a cloud, some of its light is given to the level before.
+    lid = int(cells[..., -1].any())
+    above = np.append(above, [above[-1] + _LID * step] * lid)
     return BoxGrid(
-        np.ascontiguousarray(np.concatenate([clear, cells.transpose(2, 1, 0)])),
+        np.ascontiguousarray(
+            np.concatenate(
+                [clear, cells.transpose(2, 1, 0), np.zeros((lid, *clear.shape[1:]), np.float32)]
+            )
+        ),
         np.concatenate([lower, above]),
         (spacing[0] / refinement[0], spacing[1] / refinement[1]),
         periodic,
         refinement,
         below,
+        lid,
     )
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from airlight.errors import Cancelled
 from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.solver.boxes.beam import BeamCells, beam_row, mean_beam_row
+from airlight.solver.boxes.beam import BeamCells, beam_row, centred, mean_beam_row
 from airlight.solver.boxes.directions import Directions, degrees, directions, harmonics, term_count
 from airlight.solver.boxes.grid import BoxGrid
 from airlight.solver.boxes.rebalance import (
@@ -108,7 +108,7 @@ def beam_depths(
 ) -> Float32Array:
     """Unscaled optical depths of the cloud along the beam, see ``BoxProblem``."""
     levels, ny, nx = grid.extinction.shape
-    across = tuple(1 if flat else points for flat in grid.flat)
+    across = across_column(grid, points)
     found = np.zeros((ny, across[0] * across[1], nx, levels + 1), np.float32)
     if towards[2] > 0.0:
         cells = beam_cells(grid)
@@ -120,6 +120,12 @@ def beam_depths(
             message="shadows of clouds",
         )
     return found
+
+
+def across_column(grid: BoxGrid, points: int) -> tuple[int, int]:
+    """Points across a column along x and y from which the beam is followed."""
+    flat_x, flat_y = grid.flat
+    return 1 if flat_x else points, 1 if flat_y else points
 
 
 def beam_cells(grid: BoxGrid) -> BeamCells:
@@ -207,6 +213,7 @@ class BoxIteration:
         self.cells = SweepCells(
             grid.extinction,
             self.beam,
+            self.lit,
             _four(optics.cloud),
             _four(optics.cloud_source),
             _four(optics.air),
@@ -237,18 +244,25 @@ class BoxIteration:
         self._incident()
 
     def _mean_beam(self) -> None:
-        """Mean transmittance of the beam, with the energy that it gives equal to what it loses."""
+        """Mean transmittance of the beam, and the light that it gives to the cloud."""
         grid, optics, depths = self.problem.grid, self.problem.optics, self.problem.beam_depth
         levels, ny, nx = grid.extinction.shape
         self.beam = np.zeros((levels, ny, nx, HALF_LANES), np.float32)
+        self.lit = np.zeros_like(self.beam)
         self.direct = np.zeros((ny, nx, HALF_LANES), np.float32)
         if self.cosine == 0.0:
             return
         above = np.cumsum((optics.air * np.diff(grid.edges)[:, None])[::-1], axis=0)[::-1]
         air = np.concatenate([above, np.zeros((1, above.shape[1]))]) / self.cosine
-        cloud, clear = _four(optics.cloud), _four(air)
-        run_blocks(lambda y: mean_beam_row(y, depths[y], clear, cloud, self.beam, self.direct), ny)
+        given = _four(air), _four(optics.cloud)
+        across = across_column(grid, self.settings.beam_points)
+        offset = np.zeros((levels, ny, nx, 3, HALF_LANES), np.float32)
+        out = self.beam, offset, self.direct
+        run_blocks(lambda y: mean_beam_row(y, depths[y], given, across, out), ny)
         self.direct *= np.float32(self.cosine)
+        amounts = (grid.extinction * self.thickness[:, None, None])[..., None] * self.beam
+        amounts = centred(amounts, grid.extinction, offset, grid.periodic)
+        self.lit[...] = amounts / self.thickness[:, None, None, None]
 
     def _balance_cells(self) -> None:
         grid, cells = self.problem.grid, self.cells
@@ -256,7 +270,8 @@ class BoxIteration:
         total = amount * cells.cloud + cells.air[:, None, None]
         scattering = amount * cells.cloud_source[0] + cells.air_source[:, None, None, 0]
         forward = amount * cells.cloud_source[1] + cells.air_source[:, None, None, 1]
-        self.gain = scattering * self.beam
+        self.gain = self.lit * cells.cloud_source[0]
+        self.gain += self.beam * cells.air_source[:, None, None, 0]
         self.balanced = BalanceCells(
             total,
             total - forward,

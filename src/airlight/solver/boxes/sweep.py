@@ -45,6 +45,8 @@ class SweepCells(NamedTuple):
         Extinction of the cloud at 550 nm. [m⁻¹]
     beam : array, shape (levels, ny, nx, 4)
         Mean irradiance of the beam, normal to it. [1]
+    lit : array, shape (levels, ny, nx, 4)
+        Extinction of the cloud at 550 nm times that, as the sweep sees it (``beam.centred``). [m⁻¹]
     cloud, cloud_source : array, shapes (4,), (degree + 1, 4)
         See ``ScaledOptics``. [1]
     air, air_source : array, shapes (levels, 4), (levels, degree + 1, 4)
@@ -59,6 +61,7 @@ class SweepCells(NamedTuple):
 
     extinction: Float32Array
     beam: Float32Array
+    lit: Float32Array
     cloud: Float32Array
     cloud_source: Float32Array
     air: Float32Array
@@ -159,7 +162,7 @@ def sweep_level(level, hemisphere, periodic, cells, ways, light):
     light : SweepLight
         Its moments and currents of this hemisphere are replaced.
     """
-    extinctions, beam, cloud, cloud_source, air, air_source, degrees, thickness, flat = cells
+    extinctions, beam, lit, cloud, cloud_source, air, air_source, degrees, thickness, flat = cells
     flat_x, flat_y = flat
     slopes, functions, weighted, crossing, sun = ways
     moments, heads, sides, fronts, currents, works = light
@@ -169,7 +172,7 @@ def sweep_level(level, hemisphere, periodic, cells, ways, light):
     highest = cloud_source.shape[0]
     before, after = moments[0].reshape(-1), moments[1].reshape(-1)
     own = before if hemisphere == 0 else after
-    flat_beam, flat_source = beam.reshape(-1), cloud_source.reshape(-1)
+    flat_beam, flat_lit, flat_source = beam.reshape(-1), lit.reshape(-1), cloud_source.reshape(-1)
     flat_extinction = extinctions.reshape(-1)
     flat_air, flat_air_source = air.reshape(-1), air_source.reshape(-1)
     flat_x_current, flat_y_current = current_x.reshape(-1), current_y.reshape(-1)
@@ -181,22 +184,25 @@ def sweep_level(level, hemisphere, periodic, cells, ways, light):
     start = hemisphere * ny * nx * terms * HALF_LANES
     sums = lane_view(lane_array(terms))
     row = lane_view(lane_array(pairs))
-    scattering = lane_view(lane_array(highest))
+    scattering, once = lane_view(lane_array(highest)), lane_view(lane_array(highest))
     inverse = np.float32(1.0) / thickness[level]
     own_air = load_half(flat_air, level * HALF_LANES)
     for place in range(ny * nx):
         cell = level * ny * nx + place
         amount = flat_extinction[cell]
         direct = load_half(flat_beam, cell * HALF_LANES)
+        given = load_half(flat_lit, cell * HALF_LANES)
         for l in range(highest):
-            scattering[l] = load_half(flat_source, l * HALF_LANES) * amount + load_half(
-                flat_air_source, (level * highest + l) * HALF_LANES
-            )
+            share = load_half(flat_source, l * HALF_LANES)
+            clear = load_half(flat_air_source, (level * highest + l) * HALF_LANES)
+            scattering[l] = share * amount + clear
+            once[l] = share * given + clear * direct
         for t in range(terms):
             at = (cell * terms + t) * HALF_LANES
-            total = load_half(before, at) + load_half(after, at) + direct * sun[t]
+            total = load_half(before, at) + load_half(after, at)
             at = start + (place * terms + t) * HALF_LANES
-            store_half(work, at, scattering[degrees[t]] * total)
+            l = degrees[t]
+            store_half(work, at, scattering[l] * total + once[l] * sun[t])
     for octant in range(4):
         step_x, step_y = SIGNS[octant]
         for line in range(ny):
