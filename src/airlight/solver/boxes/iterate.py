@@ -15,12 +15,11 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import BeamCells, beam_row, centred, mean_beam_row
 from airlight.solver.boxes.directions import Directions, degrees, directions, harmonics, term_count
 from airlight.solver.boxes.grid import BoxGrid
+from airlight.solver.boxes.linear import in_chunks, solve_linear
 from airlight.solver.boxes.rebalance import (
     BalanceCells,
     coefficients_for,
     correct,
-    in_chunks,
-    solve_balance,
 )
 from airlight.solver.boxes.scaled_optics import ScaledOptics
 from airlight.solver.boxes.settings import BoxSettings
@@ -31,6 +30,8 @@ Float32Array = NDArray[np.float32]
 
 #: Limits of the factor by which an iteration multiplies the light of a cell.
 _FACTORS: Final = (0.2, 5.0)
+#: Limits of the factor that conserves the energy of the beam.
+_LOST: Final = (0.9, 1.1)
 #: Sweeps that progress expects after the present one.
 _REMAINING: Final = 6
 #: √(4π): mean radiance times 4π over the moment of degree 0. [1]
@@ -260,9 +261,22 @@ class BoxIteration:
         out = self.beam, offset, self.direct
         run_blocks(lambda y: mean_beam_row(y, depths[y], given, across, out), ny)
         self.direct *= np.float32(self.cosine)
+        if grid.periodic:
+            self.beam *= self._lost(grid, optics)
         amounts = (grid.extinction * self.thickness[:, None, None])[..., None] * self.beam
         amounts = centred(amounts, grid.extinction, offset, grid.periodic)
         self.lit[...] = amounts / self.thickness[:, None, None, None]
+
+    def _lost(self, grid: BoxGrid, optics: ScaledOptics) -> Float32Array:
+        """Light that a periodic box takes from the beam, over that of its cells' means. [1]"""
+        thickness = np.asarray(self.thickness, np.float64)
+        cloud = np.einsum("kyx,kyxw->kw", grid.extinction, self.beam) * _four(optics.cloud)
+        clear = self.beam.sum(axis=(1, 2)) * _four(optics.air)
+        columns = grid.extinction[0].size
+        given = thickness @ (cloud + clear) / columns
+        lost = self.cosine - self.direct.mean(axis=(0, 1), dtype=np.float64)
+        factor = np.divide(lost, given, out=np.ones_like(given), where=given > 1e-9)
+        return np.asarray(np.clip(factor, *_LOST), np.float32)
 
     def _balance_cells(self) -> None:
         grid, cells = self.problem.grid, self.cells
@@ -314,7 +328,7 @@ class BoxIteration:
         """Fill the moments with the light of diffusion."""
         phi = np.zeros_like(self.beam)
         coefficients = coefficients_for(self.balanced, self.light.currents, phi, first=True)
-        phi = np.maximum(solve_balance(self.balanced, coefficients, self.gain, phi), 0.0)
+        phi = np.maximum(solve_linear(coefficients, self.thickness, self.gain, phi), 0.0)
         in_chunks(
             lambda a, b: correct(
                 a, b, self.balanced, coefficients, phi, self.light.moments, self.shares
@@ -367,7 +381,7 @@ class BoxIteration:
         """Multiply the light of cells so that their energy is balanced."""
         light, phi = self.light, self.phi()
         coefficients = coefficients_for(self.balanced, light.currents, phi, first=False)
-        better = solve_balance(self.balanced, coefficients, self.gain, phi)
+        better = solve_linear(coefficients, self.thickness, self.gain, phi)
         change = better - phi
         in_chunks(
             lambda a, b: correct(

@@ -11,15 +11,15 @@ which keeps the iteration stable (Zhu, Kochunas & Downar 2016, Annals of Nuclear
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import exp
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop, inlined, kernel
-from airlight.kernel.threads import run_blocks, thread_count
+from airlight.kernel import compiled_loop, kernel
+from airlight.kernel.threads import run_blocks
+from airlight.solver.boxes.linear import FaceCoefficients
 
 Float32Array = NDArray[np.float32]
 FloatArray = NDArray[np.float64]
@@ -30,25 +30,6 @@ LEAST_DEPTH = 0.15
 _ADDED, _BEGIN, _GROWTH = 0.127, 1.0, 3.0
 #: Least mean radiance, against division by 0. [sr⁻¹]
 _LEAST = 1e-20
-#: Largest number of steps of the linear solver, and its tolerance. [1]
-_STEPS, _TOLERANCE = 40, 0.03
-
-
-class FaceCoefficients(NamedTuple):
-    """Coefficients of the balance of cells, shapes (levels, ny, nx, 4). [m⁻¹]
-
-    Attributes
-    ----------
-    diagonal : array
-        Loss of a cell.
-    from_low, from_high : tuple of three arrays
-        Gain of the higher cell at the upper face of a cell along x, y and z, and of the cell
-        itself, from the other.
-    """
-
-    diagonal: Float32Array
-    from_low: tuple[Float32Array, Float32Array, Float32Array]
-    from_high: tuple[Float32Array, Float32Array, Float32Array]
 
 
 class BalanceCells(NamedTuple):
@@ -228,103 +209,6 @@ def add_losses(k, cells, coefficients):
                 diagonal[k, y, x, w] += loss
 
 
-@inlined
-def _balance_level(k, coefficients, thickness, phi, out):
-    """Loss less gain of the cells of a level. [m⁻¹]"""
-    diagonal, (low_x, low_y, low_z), (high_x, high_y, high_z) = coefficients
-    levels, ny, nx, lanes = diagonal.shape
-    per_z = np.float32(1.0) / thickness[k]
-    for y in range(ny):
-        south, north = (y - 1 if y > 0 else ny - 1), (y + 1 if y + 1 < ny else 0)
-        for x in range(nx):
-            for w in range(lanes):
-                out[k, y, x, w] = (
-                    diagonal[k, y, x, w] * phi[k, y, x, w]
-                    - low_y[k, south, x, w] * phi[k, south, x, w]
-                    - high_y[k, y, x, w] * phi[k, north, x, w]
-                )
-        for x in range(nx):
-            west, east = (x - 1 if x > 0 else nx - 1), (x + 1 if x + 1 < nx else 0)
-            for w in range(lanes):
-                out[k, y, x, w] -= (
-                    low_x[k, y, west, w] * phi[k, y, west, w]
-                    + high_x[k, y, x, w] * phi[k, y, east, w]
-                )
-        if k > 0:
-            for x in range(nx):
-                for w in range(lanes):
-                    out[k, y, x, w] -= per_z * low_z[k - 1, y, x, w] * phi[k - 1, y, x, w]
-        if k + 1 < levels:
-            for x in range(nx):
-                for w in range(lanes):
-                    out[k, y, x, w] -= per_z * high_z[k, y, x, w] * phi[k + 1, y, x, w]
-
-
-@compiled_loop
-def balance(first, last, coefficients, thickness, phi, out):
-    """Loss less gain of the cells of some levels. [m⁻¹]"""
-    for k in range(first, last):
-        _balance_level(k, coefficients, thickness, phi, out)
-
-
-@inlined
-def _factorise_row(y, coefficients, thickness, factors):
-    """Elimination of the columns of a row: reciprocal pivots in ``factors``. [m]"""
-    diagonal, (_, _, low_z), (_, _, high_z) = coefficients
-    levels, _, nx, lanes = diagonal.shape
-    for k in range(levels):
-        per_z = np.float32(1.0) / thickness[k]
-        for x in range(nx):
-            for w in range(lanes):
-                pivot = diagonal[k, y, x, w]
-                if k > 0:
-                    below = np.float32(1.0) / thickness[k - 1]
-                    pivot -= (
-                        per_z
-                        * low_z[k - 1, y, x, w]
-                        * below
-                        * high_z[k - 1, y, x, w]
-                        * factors[k - 1, y, x, w]
-                    )
-                factors[k, y, x, w] = np.float32(1.0) / max(pivot, np.float32(1e-30))
-
-
-@compiled_loop
-def factorise(first, last, coefficients, thickness, factors):
-    """Elimination of the columns of some rows: reciprocal pivots in ``factors``. [m]"""
-    for y in range(first, last):
-        _factorise_row(y, coefficients, thickness, factors)
-
-
-@inlined
-def _solve_row(y, coefficients, thickness, factors, given, out):
-    """Solution of the columns of a row, without their neighbours."""
-    _, (_, _, low_z), (_, _, high_z) = coefficients
-    levels, _, nx, lanes = given.shape
-    for k in range(levels):
-        per_z = np.float32(1.0) / thickness[k]
-        for x in range(nx):
-            for w in range(lanes):
-                value = given[k, y, x, w]
-                if k > 0:
-                    value += per_z * low_z[k - 1, y, x, w] * out[k - 1, y, x, w]
-                out[k, y, x, w] = value * factors[k, y, x, w]
-    for k in range(levels - 2, -1, -1):
-        per_z = np.float32(1.0) / thickness[k]
-        for x in range(nx):
-            for w in range(lanes):
-                out[k, y, x, w] += (
-                    per_z * high_z[k, y, x, w] * factors[k, y, x, w] * out[k + 1, y, x, w]
-                )
-
-
-@compiled_loop
-def substitute(first, last, coefficients, thickness, factors, given, out):
-    """Solution of the columns of some rows, without their neighbours."""
-    for y in range(first, last):
-        _solve_row(y, coefficients, thickness, factors, given, out)
-
-
 @compiled_loop
 def correct(first, last, cells, coefficients, change, moments, shares):
     """Add a change of the mean radiance times 4π, and that of its net currents, to some levels.
@@ -382,13 +266,6 @@ def correct(first, last, cells, coefficients, change, moments, shares):
                         )
 
 
-def in_chunks(loop: Callable[[int, int], object], count: int) -> None:
-    """Run ``loop(first, last)`` for a part of ``count`` rows or levels on each core."""
-    parts = min(thread_count(), count)
-    ends = [count * part // parts for part in range(parts + 1)]
-    run_blocks(lambda part: loop(ends[part], ends[part + 1]), parts)
-
-
 def coefficients_for(
     cells: BalanceCells, currents: tuple[Float32Array, ...], phi: Float32Array, *, first: bool
 ) -> FaceCoefficients:
@@ -402,73 +279,3 @@ def coefficients_for(
     run_blocks(lambda k: level_coefficients(k, cells, currents, phi, first, found), levels)
     run_blocks(lambda k: add_losses(k, cells, found), levels)
     return found
-
-
-def solve_balance(
-    cells: BalanceCells, coefficients: FaceCoefficients, source: Float32Array, phi: Float32Array
-) -> Float32Array:
-    """Mean radiances of balanced cells, from a guess, by BiCGStab with columns eliminated.
-
-    Source: van der Vorst (1992), SIAM J. Sci. Stat. Comput. 13, 631.
-
-    Parameters
-    ----------
-    source : array, shape (levels, ny, nx, 4)
-        Gain from the beam, the ground and outside. [m⁻¹]
-    phi : array, shape (levels, ny, nx, 4)
-        Guess of the mean radiance times 4π. [1]
-    """
-    levels, ny = phi.shape[:2]
-    thickness = cells.thickness
-    factors = np.empty_like(phi)
-    in_chunks(lambda a, b: factorise(a, b, coefficients, thickness, factors), ny)
-
-    def apply(vector: Float32Array) -> Float32Array:
-        out = np.empty_like(vector)
-        in_chunks(lambda a, b: balance(a, b, coefficients, thickness, vector, out), levels)
-        return out
-
-    def precondition(vector: Float32Array) -> Float32Array:
-        out = np.empty_like(vector)
-        in_chunks(lambda a, b: substitute(a, b, coefficients, thickness, factors, vector, out), ny)
-        return out
-
-    residual = source - apply(phi)
-    goal = _TOLERANCE * np.sqrt(np.maximum(_dot(residual, residual), 1e-60))
-    floor = 1e-6 * np.sqrt(_dot(source, source))
-    shadow = residual.copy()
-    rho = alpha = omega = np.ones(phi.shape[-1])
-    along = through = np.zeros_like(phi)
-    phi = phi.copy()
-    for _ in range(_STEPS):
-        if np.all(np.sqrt(_dot(residual, residual)) <= np.maximum(goal, floor)):
-            break
-        following = _dot(shadow, residual)
-        beta = _ratio(following, rho) * _ratio(alpha, omega)
-        rho = following
-        along = residual + _of(beta) * (along - _of(omega) * through)
-        ready = precondition(along)
-        through = apply(ready)
-        alpha = _ratio(rho, _dot(shadow, through))
-        residual = residual - _of(alpha) * through
-        smooth = precondition(residual)
-        rough = apply(smooth)
-        omega = _ratio(_dot(rough, residual), _dot(rough, rough))
-        phi += _of(alpha) * ready + _of(omega) * smooth
-        residual = residual - _of(omega) * rough
-    return phi
-
-
-def _dot(a: Float32Array, b: Float32Array) -> FloatArray:
-    """Sum of products over the cells, shape (4,)."""
-    lanes = a.shape[-1]
-    parts = np.einsum("kiw,kiw->kw", a.reshape(len(a), -1, lanes), b.reshape(len(b), -1, lanes))
-    return np.asarray(parts.sum(axis=0, dtype=np.float64))
-
-
-def _of(values: FloatArray) -> Float32Array:
-    return values.astype(np.float32)
-
-
-def _ratio(a: FloatArray, b: FloatArray) -> FloatArray:
-    return np.divide(a, b, out=np.zeros_like(a), where=np.abs(b) > 1e-300)
