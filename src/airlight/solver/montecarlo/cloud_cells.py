@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -64,6 +65,29 @@ class CloudCells(NamedTuple):
     def with_optics(self, extinction: FloatArray, albedo: FloatArray) -> CloudCells:
         """Cells at another wavelength, from ``extinction`` and ``albedo``, shape (m,). [1]"""
         return self._replace(extinction=extinction, albedo=albedo)
+
+
+@dataclass(frozen=True)
+class CloudyStarts:
+    """Starts of histories in clouds.
+
+    Attributes
+    ----------
+    cells : sequence of CloudCells
+        Clouds at each wavelength, in the planet's frame.
+    frames : array, shape (n, 3, 3)
+        Axes of ``events.start_vectors`` in the planet's frame, by rows. [1]
+    areas : array, shape (n, 2, 3)
+        Sides of the areas from which histories start, in the axes of ``frames``. [m]
+    """
+
+    cells: Sequence[CloudCells]
+    frames: FloatArray
+    areas: FloatArray
+
+    def cells_at(self, line: int, wavelength: int) -> CloudCells:
+        """Clouds in the frame of one line of sight."""
+        return self.cells[wavelength].in_frame(self.frames[line])
 
 
 def cloud_cells(fields: Sequence[CloudField], axes: FloatArray, radius: float) -> CloudCells:

@@ -129,7 +129,7 @@ class MonteCarloSolution(Solution):
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
         starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
-        return self.answer(Query(starts, lengths, False, known, order), started)
+        return self.answer(Query(starts, lengths, 0, known, order), started)
 
     def answer(self, query: Query, started: float) -> Estimate:
         """Estimate of a query that began at ``started``, by ``perf_counter``. [s]"""
@@ -251,7 +251,7 @@ class MonteCarloSolution(Solution):
         up = np.ones_like(r)
         r = self.geometry.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, up, self.geometry.medium.top_radius)
-        query = Query(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
+        query = Query(np.stack([r, up, mu_s, mu_s], axis=1), lengths, 1, None, None)
         return self.answer(query, perf_counter())
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
