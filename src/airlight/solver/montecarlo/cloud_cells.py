@@ -16,6 +16,8 @@ IntArray = NDArray[np.int64]
 
 #: Largest number of cells of a block along each axis.
 BLOCK_CELLS: Final = 8
+#: Width over the planet's radius of the only cell of a periodic axis. [1]
+_ENDLESS: Final = 100.0
 
 
 class CloudCells(NamedTuple):
@@ -103,12 +105,19 @@ def cloud_cells(fields: Sequence[CloudField], axes: FloatArray, radius: float) -
     sizes = [[_block_size(field, axis) for axis in range(3)] for field in fields]
     maxima = [_block_maxima(field, size) for field, size in zip(fields, sizes, strict=True)]
     cells = [field.extinction.ravel() for field in fields]
+    spacing = np.array([f.spacing for f in fields], float)
+    corner = np.array([[f.west, f.south, radius + f.base] for f in fields], float)
+    for k, field in enumerate(fields):
+        for axis in range(2):
+            if field.beyond == "periodic" and field.extinction.shape[axis] == 1:
+                # It does not depend on this coordinate: no ray meets a face.
+                spacing[k, axis], corner[k, axis] = _ENDLESS * radius, -0.5 * _ENDLESS * radius
     starts = [np.cumsum([0, *(one.size for one in arrays[:-1])]) for arrays in (cells, maxima)]
     return CloudCells(
         radius=float(radius),
         axes=np.ascontiguousarray(axes),
-        corner=np.array([[f.west, f.south, radius + f.base] for f in fields], float),
-        spacing=np.array([f.spacing for f in fields], float),
+        corner=corner,
+        spacing=spacing,
         count=np.array([f.extinction.shape for f in fields], np.int64),
         block=np.array(sizes, np.int64),
         kind=np.array([[f.beyond == "periodic", f.interpolated] for f in fields], np.int64),

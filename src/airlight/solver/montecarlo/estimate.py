@@ -104,6 +104,18 @@ class Query:
     clouds: CloudyStarts | None = None
 
 
+def start_frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:
+    """Axes of ``events.start_vectors``: x towards the star, y sideways, z up. [1]"""
+    flat = towards - (towards @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = along - (along @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
+    x = flat / np.linalg.norm(flat)
+    y = np.cross(up, x)
+    return np.stack([x, y if along @ y >= 0.0 else -y, up])
+
+
 def estimate(
     query: Query,
     airs: Sequence[HistoryOptics],
