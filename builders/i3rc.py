@@ -27,7 +27,7 @@ consensus results, one row a column of
 # and back (2), and from below to the zenith."""
 FIELD = """\
 optical depth of each cell,
-# one row a layer from the lowest, one column a column of the field from low x."""
+# one row a layer from the highest, one column a column of the field from low x."""
 
 
 def write(name: str, header: str, columns: list[str], rows: np.ndarray) -> None:

@@ -7,14 +7,14 @@ from airlight.validation.i3rc import EXPERIMENTS, QUANTITIES, c1_phase, radar_cl
 
 
 def test_fields_have_the_published_columns():
-    # Case 1: optical depths 2 and 18; case 2: 640 columns of 50 m, 54 layers of 45 m.
+    # Case 1: optical depths 2 and 18; case 2: 640 columns of 50 m, layers of 45 m.
     assert_allclose(
         step_cloud().column_optical_depth[[0, 15, 16, 31], 0], [2, 2, 18, 18], rtol=1e-6
     )
     field = radar_cloud()
-    assert field.extinction.shape == (640, 1, 54)
+    assert field.extinction.shape == (640, 1, 40)
     assert field.west == -16e3
-    assert field.top == 54 * 45.0
+    assert field.top == 40 * 45.0
 
 
 @pytest.mark.parametrize("experiment", EXPERIMENTS, ids=str)

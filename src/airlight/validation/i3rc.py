@@ -139,8 +139,13 @@ def step_cloud(layers: int = _STEP_LAYERS) -> CloudField:
 
 
 def radar_cloud() -> CloudField:
-    """Field of case 2, 640 columns of 54 layers."""
-    depth = packaged_table("data/i3rc-case2-depth.csv").T[:, None, :]
+    """Field of case 2, 640 columns of 40 layers.
+
+    The 14 empty layers below are left out: the published transmittances vary from column to column
+    as those at the cloud's base do, not as those 630 m below.
+    """
+    layers = packaged_table("data/i3rc-case2-depth.csv")[::-1]
+    depth = layers[layers.any(axis=1)].T[:, None, :]
     width, height = _RADAR_SPACING
     return CloudField(
         extinction=np.asarray(depth / height, np.float32),
