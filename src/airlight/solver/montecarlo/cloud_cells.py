@@ -33,7 +33,7 @@ class CloudCells(NamedTuple):
         Western and southern faces, and radius of the lowest ones. [m]
     spacing : array, shape (m, 3)
         Width of a cell. [m]
-    count, block : array, shape (m, 3)
+    number, block : array, shape (m, 3)
         Numbers of cells, and of cells of a block.
     kind : array, shape (m, 2)
         1 for a field that is periodic, and for one that is interpolated; otherwise 0.
@@ -51,7 +51,7 @@ class CloudCells(NamedTuple):
     axes: FloatArray
     corner: FloatArray
     spacing: FloatArray
-    count: IntArray
+    number: IntArray
     block: IntArray
     kind: IntArray
     first: IntArray
@@ -118,7 +118,7 @@ def cloud_cells(fields: Sequence[CloudField], axes: FloatArray, radius: float) -
         axes=np.ascontiguousarray(axes),
         corner=corner,
         spacing=spacing,
-        count=np.array([f.extinction.shape for f in fields], np.int64),
+        number=np.array([f.extinction.shape for f in fields], np.int64),
         block=np.array(sizes, np.int64),
         kind=np.array([[f.beyond == "periodic", f.interpolated] for f in fields], np.int64),
         first=np.stack(starts, axis=1).astype(np.int64),

@@ -25,7 +25,7 @@ from typing import Final, NamedTuple
 
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.without_refcount import without_refcount
-from airlight.solver.montecarlo.rays import trace_part, trace_optical_depth
+from airlight.solver.montecarlo.rays import trace_optical_depth, trace_part
 from airlight.solver.montecarlo.streams import uniform
 
 #: Optical depth from which nothing is transmitted. [1]
@@ -111,9 +111,7 @@ def _box_ray(point, direction, rising, f, clouds):
     to_up = a[2, 0] * u + a[2, 1] * v + a[2, 2] * w
     r = sqrt(x * x + y * y + z * z)
     approach = -(x * u + y * v + z * w)
-    return BoxRay(
-        east, north, up, to_east, to_north, to_up, r, approach, clouds.radius, rising
-    )
+    return BoxRay(east, north, up, to_east, to_north, to_up, r, approach, clouds.radius, rising)
 
 
 @inlined
@@ -141,7 +139,7 @@ def _limited(start, end, value, slope):
 @inlined
 def _within_box(ray, f, clouds, end):
     """Start and end of the part of a leg within a box, up to a distance. [m]"""
-    corner, spacing, count = clouds.corner[f], clouds.spacing[f], clouds.count[f]
+    corner, spacing, count = clouds.corner[f], clouds.spacing[f], clouds.number[f]
     low = _at_radius(ray, corner[2])
     high = _at_radius(ray, corner[2] + spacing[2] * count[2])
     if ray.rising > 0:
@@ -158,7 +156,10 @@ def _within_box(ray, f, clouds, end):
         sign = 1.0 if side % 2 == 0 else -1.0
         if side < 2:
             face = west if side == 0 else east
-            value, slope = radius * ray.east - face * ray.up, radius * ray.to_east - face * ray.to_up
+            value, slope = (
+                radius * ray.east - face * ray.up,
+                radius * ray.to_east - face * ray.to_up,
+            )
         else:
             face = south if side == 2 else north
             value = radius * ray.north - face * ray.up
@@ -179,9 +180,9 @@ def _coordinates(ray, s):
 def _cell_at(ray, lattice, s):
     """Cell at a distance."""
     x, y, radius = _coordinates(ray, s)
-    i = int(floor((x - lattice.west) / lattice.width))
-    j = int(floor((y - lattice.south) / lattice.length))
-    k = int(floor((radius - lattice.floor) / lattice.height))
+    i = floor((x - lattice.west) / lattice.width)
+    j = floor((y - lattice.south) / lattice.length)
+    k = floor((radius - lattice.floor) / lattice.height)
     return Cell(
         i,
         j,
@@ -274,7 +275,7 @@ def _inside(index, count, periodic):
 @inlined
 def _majorant(f, cell, clouds):
     """Largest extinction at 550 nm in a block. [m⁻¹]"""
-    count, block = clouds.count[f], clouds.block[f]
+    count, block = clouds.number[f], clouds.block[f]
     periodic = clouds.kind[f, 0] == 1
     rows, layers = -(-count[1] // block[1]), -(-count[2] // block[2])
     i = _inside(cell.i, -(-count[0] // block[0]), periodic)
@@ -286,7 +287,7 @@ def _majorant(f, cell, clouds):
 @inlined
 def _cell_value(f, i, j, k, clouds):
     """Extinction at 550 nm of a cell. [m⁻¹]"""
-    count = clouds.count[f]
+    count = clouds.number[f]
     periodic = clouds.kind[f, 0] == 1
     i, j = _inside(i, count[0], periodic), _inside(j, count[1], periodic)
     k = _inside(k, count[2], False)
@@ -302,7 +303,7 @@ def _extinction_at(ray, f, s, clouds):
     p = (x - corner[0]) / spacing[0] - shift
     q = (y - corner[1]) / spacing[1] - shift
     t = (radius - corner[2]) / spacing[2] - shift
-    i, j, k = int(floor(p)), int(floor(q)), int(floor(t))
+    i, j, k = floor(p), floor(q), floor(t)
     if shift == 0.0:
         return _cell_value(f, i, j, k, clouds)
     total = 0.0
@@ -451,7 +452,9 @@ def trace_to_end(point, direction, to_ground, extinction, clouds, path, state):
     mu = min(max(rise / r, -1.0), 1.0)
     end = FAR
     if to_ground:
-        end = -rise - sqrt(max((extinction.bottom - r) * (extinction.bottom + r) + rise * rise, 0.0))
+        end = -rise - sqrt(
+            max((extinction.bottom - r) * (extinction.bottom + r) + rise * rise, 0.0)
+        )
     field, distance = cloud_collision(point, direction, end, clouds, state)
     if field < 0:
         count, depth = trace_optical_depth(r, mu, to_ground, extinction, path)

@@ -283,7 +283,7 @@ def _cosine(a: FloatArray, b: FloatArray) -> FloatArray:
 def _way_in(r: FloatArray, mu: FloatArray, sine: FloatArray, inside: FloatArray) -> FloatArray:
     """Distance from observers outside the shell to where their lines enter it; otherwise 0. [m]"""
     half = np.sqrt(np.maximum(inside * inside - np.square(r * sine), 0.0))
-    return np.where((r > inside) & (mu < 0.0), -r * mu - half, 0.0)
+    return np.asarray(np.where((r > inside) & (mu < 0.0), -r * mu - half, 0.0))
 
 
 def _direction(axes: FloatArray, zenith: ArrayLike, azimuth: ArrayLike) -> FloatArray:

@@ -83,7 +83,7 @@ class Query:
     lengths : array, shape (n,)
         Lengths of the lines of sight; no histories where it is 0. [m]
     hemisphere : int
-        1 or -1 to estimate the irradiance from the upper or lower hemisphere rather than a radiance.
+        1 or -1 to estimate the irradiance from the upper or lower hemisphere; 0 for a radiance.
     known : array, shape (n, 3, nl), or None
         I, Q and U of the first order, if it is not sampled.
     order : int or None

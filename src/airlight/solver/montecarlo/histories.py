@@ -269,10 +269,9 @@ def trace_paths(count, start, air, clouds, occulted, state, paths, workspace, su
                     angular_pdf *= star_visible_fraction(x, y, z, occulted)
                 if angular_pdf > 0.0:
                     light = _transmittance_to_star(r, sun_mu, air, star_path)
-                    if clouds is not None:
-                        if light > 0.0:
-                            point, direction = Vec3(x, y, z), Vec3(a, b, c)
-                            light *= exp(-cloud_depth(point, direction, FAR, clouds))
+                    if clouds is not None and light > 0.0:
+                        point, direction = Vec3(x, y, z), Vec3(a, b, c)
+                        light *= exp(-cloud_depth(point, direction, FAR, clouds))
                     value = weight * angular_pdf * brightness * refraction_jacobian * light
                     contribution[min(event, orders) - 1] += value * first
                     polarised[0] += value * second

@@ -80,7 +80,9 @@ def lobes(medium: Medium, wavelength: int, clouds: Sequence[PhaseFunction] = ())
     """
     nm = medium.wavelengths[wavelength : wavelength + 1]
     phases = [
-        one.phase_function_at(nm) if one.scatters and medium.scattering[i, wavelength] > 0.0 else None
+        one.phase_function_at(nm)
+        if one.scatters and medium.scattering[i, wavelength] > 0.0
+        else None
         for i, one in enumerate(medium.constituents)
     ]
     phases += clouds
