@@ -50,6 +50,7 @@ SUITES: Final[dict[str, Entry]] = {
     "disort": Entry("Flat air against discrete ordinates", "plane_parallel:disort"),
     "published": Entry("Published light", "published.light:published"),
     "polarisation": Entry("Polarised light", "polarised.light:polarisation"),
+    "clouds": Entry("Three-dimensional clouds", "clouds:clouds"),
 }
 
 

@@ -15,7 +15,7 @@ from airlight.geometry.occulted_star import OccultedStar
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
-from airlight.solver.montecarlo.estimate import Estimate, Query
+from airlight.solver.montecarlo.estimate import Estimate, Query, start_frame
 from airlight.solver.montecarlo.solution import MonteCarloSolution
 
 FloatArray = NDArray[np.float64]
@@ -58,7 +58,7 @@ def eclipsed_estimate(
     )
     medium, geometry = solution.medium, solution.geometry
     scale = medium.bottom_radius / geometry.medium.bottom_radius
-    frames = [star.moved(_frame(up[k], along[k], towards), scale) for k in range(len(at))]
+    frames = [star.moved(start_frame(up[k], along[k], towards), scale) for k in range(len(at))]
     if hemisphere:
         r = geometry.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, mu, geometry.medium.top_radius)
@@ -72,13 +72,3 @@ def eclipsed_estimate(
         starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
     query = Query(starts, lengths, hemisphere, None, None, frames)
     return solution.answer(query, started)
-
-
-def _frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:
-    """Axes of ``events.start_vectors``: x towards the star, y sideways, z up. [1]"""
-    flat = towards - (towards @ up) * up
-    if np.linalg.norm(flat) < 1e-12:
-        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
-    x = flat / np.linalg.norm(flat)
-    y = np.cross(up, x)
-    return np.stack([x, y if along @ y >= 0.0 else -y, up])

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.solver.montecarlo.cloud_cells import CloudyStarts
 from airlight.solver.montecarlo.events import HistoryStart
 from airlight.solver.montecarlo.histories import trace_paths
 from airlight.solver.montecarlo.history_optics import HistoryOptics
@@ -81,8 +82,8 @@ class Query:
         Radius [m], cosines of view zenith, star zenith and the angle between them [1].
     lengths : array, shape (n,)
         Lengths of the lines of sight; no histories where it is 0. [m]
-    hemisphere : bool
-        Whether to estimate the irradiance from the upper hemisphere rather than a radiance.
+    hemisphere : int
+        1 or -1 to estimate the irradiance from the upper or lower hemisphere; 0 for a radiance.
     known : array, shape (n, 3, nl), or None
         I, Q and U of the first order, if it is not sampled.
     order : int or None
@@ -90,14 +91,29 @@ class Query:
     occulted : sequence of OccultedStar, optional
         Moon in front of the star for each start, in its own frame (``events.start_vectors``), with
         all wavelengths.
+    clouds : CloudyStarts, optional
+        Clouds, and the frame and area of each start.
     """
 
     starts: FloatArray
     lengths: FloatArray
-    hemisphere: bool
+    hemisphere: int
     known: FloatArray | None
     order: int | None
     occulted: Sequence[OccultedStar] | None = None
+    clouds: CloudyStarts | None = None
+
+
+def start_frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:
+    """Axes of ``events.start_vectors``: x towards the star, y sideways, z up. [1]"""
+    flat = towards - (towards @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = along - (along @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
+    x = flat / np.linalg.norm(flat)
+    y = np.cross(up, x)
+    return np.stack([x, y if along @ y >= 0.0 else -y, up])
 
 
 def estimate(
@@ -190,7 +206,13 @@ def _run_block(
     start = query.starts[line]
     r, mu, mu_s, nu = (float(one) for one in start)
     # The stream depends on the line of sight itself, not on its index.
-    names = struct.unpack("<5Q", struct.pack("<5d", *(one + 0.0 for one in (r, mu, mu_s, nu, nm))))
+    numbers = [r, mu, mu_s, nu, nm]
+    clouds, area = None, np.zeros((2, 3))
+    if query.clouds is not None:
+        clouds, area = query.clouds.cells_at(line, at), query.clouds.areas[line]
+        numbers += [*query.clouds.frames[line].flat, *area.flat]
+    count = len(numbers)
+    names = struct.unpack(f"<{count}Q", struct.pack(f"<{count}d", *(one + 0.0 for one in numbers)))
     state = stream(settings.seed, *names, int(query.hemisphere), block)
     along = air.extinction
     paths = (
@@ -215,9 +237,9 @@ def _run_block(
     if query.occulted is not None:
         occulted = query.occulted[line].lane(at)
     start = HistoryStart(
-        r, mu, mu_s, nu, bool(query.hemisphere), first_order, sun_sampling_fraction
+        r, mu, mu_s, nu, int(query.hemisphere), first_order, sun_sampling_fraction, area
     )
-    trace_paths(BLOCK, start, air, occulted, state, paths, workspace, out)
+    trace_paths(BLOCK, start, air, clouds, occulted, state, paths, workspace, out)
 
 
 def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatArray, FloatArray]:

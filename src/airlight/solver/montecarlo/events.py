@@ -9,6 +9,9 @@ from __future__ import annotations
 from math import cos, exp, log1p, pi, sin, sqrt
 from typing import Final, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from airlight.kernel import inlined
 from airlight.physics.optics.density_profile import relative_density
 from airlight.physics.optics.reflection import direct_reflectance
@@ -76,22 +79,26 @@ class HistoryStart(NamedTuple):
     ----------
     r, mu, mu_s, nu : float
         Radius [m], cosines of view zenith, star zenith and the angle between them [1].
-    hemisphere : bool
-        Whether to start in random directions of the upper hemisphere, for horizontal irradiance,
-        rather than along the view.
+    hemisphere : int
+        1 or -1 to start in random directions of the upper or lower hemisphere, for horizontal
+        irradiance; 0 to start along the view.
     first_order : int
         Lowest order that is counted.
     sun_sampling_fraction : float
         Fraction of sun-biased points; see ``sun_biased_sampling``. [1]
+    area : array, shape (2, 3)
+        Sides of the area from which histories start, about the start in the frame of
+        ``start_vectors``; used with clouds. [m]
     """
 
     r: float
     mu: float
     mu_s: float
     nu: float
-    hemisphere: bool
+    hemisphere: int
     first_order: int
     sun_sampling_fraction: float
+    area: NDArray[np.float64]
 
 
 @inlined
@@ -103,6 +110,16 @@ def start_vectors(mu, mu_s, nu):
     if sine * sun_x > 0.0:
         around = min(max((nu - mu * mu_s) / (sine * sun_x), -1.0), 1.0)
     return sine * around, sine * sqrt(max((1.0 - around) * (1.0 + around), 0.0)), sun_x
+
+
+@inlined
+def start_in_area(r, area, state):
+    """Sampled point of an area around the start of histories, at its radius. [m]"""
+    a, b = uniform(state) - 0.5, uniform(state) - 0.5
+    x, y = a * area[0, 0] + b * area[1, 0], a * area[0, 1] + b * area[1, 1]
+    z = r + a * area[0, 2] + b * area[1, 2]
+    scale = r / sqrt(x * x + y * y + z * z)
+    return x * scale, y * scale, z * scale
 
 
 @inlined
@@ -162,6 +179,15 @@ def scattering_fractions(altitude, air, shares):
         for i in range(shares.size):
             shares[i] /= total
     return total
+
+
+@inlined
+def scattered_by(cloud, clouds, shares):
+    """Set ``shares`` to the particles of a cloud, whose phase functions are the last."""
+    for i in range(shares.size):
+        shares[i] = 0.0
+    if clouds is not None:
+        shares[shares.size - clouds.albedo.size + cloud] = 1.0
 
 
 @inlined

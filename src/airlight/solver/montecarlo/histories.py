@@ -15,6 +15,11 @@ events and directions are sampled as for scalar transfer.
 
 A moon in front of the star dims each contribution by the fraction that it hides from the event.
 
+Clouds (``CloudCells``) end rays as the ground does: a collision with their particles is drawn
+first, independently of the air's (of two exponential processes the nearer event is the first of
+both), and the ray up to it either ends in a scattering event in the air (weight 1 - T) or at the
+particle (weight T times single-scattering albedo). Without clouds none of this is compiled.
+
 Geometry: straight rays between spheres, positions and directions as vectors; the star is at
 infinity. Only extinction is tabulated, over altitude (see ``rays``). With refraction, radii are
 optical ones, and point and direction are rotated at each event (see ``refracted_paths``).
@@ -33,15 +38,18 @@ from airlight.physics.optics.reflection import (
     diffuse_reflectance,
     direct_reflectance,
 )
+from airlight.solver.montecarlo.cloud_rays import FAR, cloud_depth, trace_to_end
 from airlight.solver.montecarlo.events import (
     MAX_BIASED_EVENTS,
     TracedRay,
     reflected_brdf,
     roulette,
     sample_collision,
+    scattered_by,
     scattered_direction,
     scattered_phase,
     scattering_fractions,
+    start_in_area,
     start_vectors,
     towards_star,
     turned,
@@ -96,13 +104,15 @@ def _add_history(contribution, polarised, reached, sums):
 
 
 @compiled_loop
-def trace_paths(count, start, air, occulted, state, paths, workspace, sums):
+def trace_paths(count, start, air, clouds, occulted, state, paths, workspace, sums):
     """Trace histories; add their contributions by order, and the squares, to the sums.
 
     Parameters
     ----------
     start : HistoryStart
         Start of the histories.
+    clouds : CloudCells or None
+        Clouds, in the frame of ``start_vectors``; their phase functions are the last of ``air``.
     occulted : OccultedStar
         Moon in front of the star, in the frame of ``start_vectors``; without lanes for none.
     state : array, shape (1,)
@@ -117,7 +127,7 @@ def trace_paths(count, start, air, occulted, state, paths, workspace, sums):
         Sums and sums of squares of each order, the last including all further ones; then of all
         orders together, and of their Q and U.
     """
-    start_r, start_mu, mu_s, nu, hemisphere, first_order, sun_sampling_fraction = start
+    start_r, start_mu, mu_s, nu, hemisphere, first_order, sun_sampling_fraction, area = start
     first_path, next_path, star_path, first_sampling, next_sampling = paths
     shares, contribution, polarised, importance = workspace
     bottom, top = air.extinction.bottom, air.extinction.top
@@ -146,7 +156,11 @@ def trace_paths(count, start, air, occulted, state, paths, workspace, sums):
         if hemisphere:
             mu = sqrt(uniform(state))
             u, v, w = turned(0.0, 0.0, 1.0, mu, 2.0 * pi * uniform(state))
+            mu, w = hemisphere * mu, hemisphere * w
             weight = pi
+        if clouds is not None:
+            x, y, z = start_in_area(start_r, area, state)
+            mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
         a1, a2, a3 = 0.0, 0.0, 0.0
         if air.polarised:
             begin(importance, hemisphere)
@@ -155,14 +169,26 @@ def trace_paths(count, start, air, occulted, state, paths, workspace, sums):
         event = 0
         while True:
             at_start = event == 0 and not hemisphere
+            cloud, cloud_distance = -1, 0.0
+            if clouds is not None:
+                at_start = False
             if at_start:
                 to_ground, panels, depth = grounded, first_count, first_depth
             else:
                 to_ground = meets_ground(r, mu, bottom)
-                panels, depth = trace_optical_depth(r, mu, to_ground, air.extinction, next_path)
+                if clouds is None:
+                    panels, depth = trace_optical_depth(r, mu, to_ground, air.extinction, next_path)
+                else:
+                    cloud, cloud_distance, panels, depth = trace_to_end(
+                        Vec3(x, y, z), Vec3(u, v, w), to_ground, air.extinction, clouds,
+                        next_path, state,
+                    )  # fmt: skip
             collision_probability = -expm1(-depth)
             mu_r, returned, reflected = 0.0, 0.0, 0.0
-            if to_ground:
+            if cloud >= 0:
+                if clouds is not None:
+                    reflected = clouds.albedo[cloud] * exp(-depth)
+            elif to_ground:
                 mu_r = cos_reflected(r, mu, bottom)
                 returned = diffuse_reflectance(air.ground, 0, mu_r)
                 reflected = returned * exp(-depth)
@@ -170,13 +196,19 @@ def trace_paths(count, start, air, occulted, state, paths, workspace, sums):
                 break
             weight *= collision_probability + reflected
             event += 1
-            on_ground = uniform(state) * (collision_probability + reflected) < reflected
+            at_end = uniform(state) * (collision_probability + reflected) < reflected
+            on_ground = at_end and cloud < 0
             from_r, from_mu = r, mu
             if on_ground:
                 along = -r * mu - sqrt(max((bottom - r) * (bottom + r) + r * r * mu * mu, 0.0))
                 x, y, z = x + along * u, y + along * v, z + along * w
                 scale = bottom / sqrt(x * x + y * y + z * z)
                 x, y, z, r = x * scale, y * scale, z * scale, bottom
+            elif at_end:
+                along = cloud_distance
+                x, y, z = x + along * u, y + along * v, z + along * w
+                r = sqrt(x * x + y * y + z * z)
+                scattered_by(cloud, clouds, shares)
             else:
                 path = first_path if at_start else next_path
                 sampling = first_sampling if at_start else next_sampling
@@ -237,6 +269,9 @@ def trace_paths(count, start, air, occulted, state, paths, workspace, sums):
                     angular_pdf *= star_visible_fraction(x, y, z, occulted)
                 if angular_pdf > 0.0:
                     light = _transmittance_to_star(r, sun_mu, air, star_path)
+                    if clouds is not None and light > 0.0:
+                        point, direction = Vec3(x, y, z), Vec3(a, b, c)
+                        light *= exp(-cloud_depth(point, direction, FAR, clouds))
                     value = weight * angular_pdf * brightness * refraction_jacobian * light
                     contribution[min(event, orders) - 1] += value * first
                     polarised[0] += value * second

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ from airlight.kernel import compiled_loop
 from airlight.physics.optics.altitude_nodes import CELLS
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.optics.reflection import Reflection
+from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.medium import Medium
 from airlight.solver.montecarlo.rays import (
     Extinction,
@@ -146,6 +148,19 @@ def history_optics(
         star_transmittance=star_transmittance_table(chosen),
         refraction=refraction_column(geometry, steps + 1),
         polarised=polarised,
+    )
+
+
+def with_cloud_phases(
+    air: HistoryOptics, medium: Medium, wavelength: int, phases: Sequence[PhaseFunction]
+) -> HistoryOptics:
+    """Optical properties of the air whose last phase functions are those of clouds."""
+    count = len(phases)
+    return air._replace(
+        edges=np.concatenate([air.edges, air.edges[:1].repeat(count, axis=0)]),
+        coefficients=np.concatenate([air.coefficients, air.coefficients[:1].repeat(count, axis=0)]),
+        scattering=np.append(air.scattering, np.zeros(count)),
+        lobes=lobes(medium, wavelength, phases),
     )
 
 

@@ -162,6 +162,21 @@ def _leg(start_r, end_r, tangent, sign, extinction, path, count):
     return count, depth
 
 
+@inlined
+def _legs(r, mu, rises, end, extinction, path):
+    """Add the panels of one or two legs up to a radius; returns their number, and the depth."""
+    tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    count, depth = 0, 0.0
+    low = r
+    if mu < 0.0:
+        low = max(tangent, extinction.bottom) if rises else end
+        count, depth = _leg(r, low, tangent, -1.0, extinction, path, count)
+    if rises:
+        count, more = _leg(low, end, tangent, 1.0, extinction, path, count)
+        depth += more
+    return count, depth
+
+
 @compiled_loop
 def trace_optical_depth(r, mu, to_ground, extinction, path):
     """Panels of a ray, and its optical depth.
@@ -183,16 +198,25 @@ def trace_optical_depth(r, mu, to_ground, extinction, path):
         Optical depth of the ray. [1]
     """
     extinction, path = without_refcount((extinction, path))
-    tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    count, depth = 0, 0.0
-    low = r
-    if mu < 0.0:
-        low = extinction.bottom if to_ground else max(tangent, extinction.bottom)
-        count, depth = _leg(r, low, tangent, -1.0, extinction, path, count)
-    if not to_ground:
-        count, more = _leg(low, extinction.top, tangent, 1.0, extinction, path, count)
-        depth += more
-    return count, depth
+    end = extinction.bottom if to_ground else extinction.top
+    return _legs(r, mu, not to_ground, end, extinction, path)
+
+
+@compiled_loop
+def trace_part(r, mu, rises, end, extinction, path):
+    """Panels of a part of a ray, and its optical depth, as ``trace_optical_depth``.
+
+    Parameters
+    ----------
+    r, mu : float
+        Start of the ray. [m], [1]
+    rises : bool
+        Whether the part ends on the ascending leg.
+    end : float
+        Radius at the end. [m]
+    """
+    extinction, path = without_refcount((extinction, path))
+    return _legs(r, mu, rises, end, extinction, path)
 
 
 @compiled_loop

@@ -7,6 +7,7 @@ of their own (``EXACT``); all others are represented by their ``sampled`` table.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import acos, cos, exp, log, pi, sqrt
 from typing import Final, NamedTuple, TypeAlias
 
@@ -17,7 +18,7 @@ from airlight.kernel import compiled_loop, inlined, kernel, vectorized
 from airlight.physics.optics.phase_functions import cornette_shanks, henyey_greenstein, rayleigh
 from airlight.physics.optics.phase_matrix import rayleigh_ratios, unpolarising_ratio
 from airlight.physics.optics.phase_table import SMALLEST_LOGARITHMIC
-from airlight.planets.matter.phases import FormulaPhase, PhaseRow
+from airlight.planets.matter.phases import FormulaPhase, PhaseFunction, PhaseRow
 from airlight.planets.medium import Medium
 from airlight.solver.montecarlo.streams import uniform
 
@@ -72,19 +73,25 @@ class Lobes(NamedTuple):
     ratios: FloatArray
 
 
-def lobes(medium: Medium, wavelength: int) -> Lobes:
-    """Phase functions of a medium at one of its wavelengths.
+def lobes(medium: Medium, wavelength: int, clouds: Sequence[PhaseFunction] = ()) -> Lobes:
+    """Phase functions of a medium at one of its wavelengths, and those of clouds.
 
     Tables are normalised, since those of a planet integrate to 1 only within 0.001.
     """
-    count = len(medium.names)
+    nm = medium.wavelengths[wavelength : wavelength + 1]
+    phases = [
+        one.phase_function_at(nm)
+        if one.scatters and medium.scattering[i, wavelength] > 0.0
+        else None
+        for i, one in enumerate(medium.constituents)
+    ]
+    phases += clouds
+    count = len(phases)
     kinds, parameters = np.zeros(count, np.int64), np.zeros((count, 3))
     rows: list[_Row] = []
-    nm = medium.wavelengths[wavelength : wavelength + 1]
-    for i, one in enumerate(medium.constituents):
-        if not (one.scatters and medium.scattering[i, wavelength] > 0.0):
+    for i, phase in enumerate(phases):
+        if phase is None:
             continue
-        phase = one.phase_function_at(nm)
         if isinstance(phase, FormulaPhase) and phase.keyword in EXACT:
             kinds[i] = EXACT[phase.keyword]
             given = phase.parameters_at(nm)[:, 0]

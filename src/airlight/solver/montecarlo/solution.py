@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.montecarlo.estimate import Estimate, Query, estimate
-from airlight.solver.montecarlo.history_optics import history_optics
+from airlight.solver.montecarlo.history_optics import HistoryOptics, history_optics
 from airlight.solver.montecarlo.refracted_paths import refracted_direct_irradiance
 from airlight.solver.montecarlo.settings import MonteCarloSettings
 from airlight.solver.report import Report
@@ -129,13 +129,15 @@ class MonteCarloSolution(Solution):
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
         starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
-        return self.answer(Query(starts, lengths, False, known, order), started)
+        return self.answer(Query(starts, lengths, 0, known, order), started)
 
-    def answer(self, query: Query, started: float) -> Estimate:
-        """Estimate of a query that began at ``started``, by ``perf_counter``. [s]"""
+    def answer(
+        self, query: Query, started: float, airs: Sequence[HistoryOptics] | None = None
+    ) -> Estimate:
+        """Estimate of a query that began at ``started``, by ``perf_counter`` [s], in other air."""
         got = estimate(
             query,
-            self.airs,
+            self.airs if airs is None else airs,
             self.medium.wavelengths,
             self.settings,
             progress=self.progress,
@@ -251,7 +253,7 @@ class MonteCarloSolution(Solution):
         up = np.ones_like(r)
         r = self.geometry.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, up, self.geometry.medium.top_radius)
-        query = Query(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
+        query = Query(np.stack([r, up, mu_s, mu_s], axis=1), lengths, 1, None, None)
         return self.answer(query, perf_counter())
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
