@@ -9,6 +9,9 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.physics.units import values_in
+from airlight.planets.clouds import Clouds
+from airlight.planets.matter.particle_index import TableIndex
+from airlight.planets.matter.particle_sizes import GammaSizes
 from airlight.planets.matter.particles import Particles
 from airlight.planets.matter.phases.phase_function import PhaseFunction
 
@@ -65,3 +68,21 @@ class CloudOptics:
             albedo=np.minimum(scattering[:-1] / extinction[:-1], 1.0),
             phase=particles.phase_function(nm),
         )
+
+
+def droplets(clouds: Clouds, optical_depth: float = 1.0) -> Particles:
+    """Droplets of water clouds, of a vertical optical depth at 550 nm.
+
+    Parameters
+    ----------
+    clouds : Clouds
+        Clouds of water.
+    optical_depth : float
+        Vertical optical depth. [1]
+    """
+    sizes = GammaSizes(
+        effective_radius=clouds.effective_radius, effective_variance=clouds.effective_variance
+    )
+    return Particles(
+        index=TableIndex(table="water"), sizes=sizes, optical_depth=optical_depth, at=REFERENCE
+    )
