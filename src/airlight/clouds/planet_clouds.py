@@ -77,7 +77,7 @@ def clouds_of(
     nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
     found = []
     for index, one in enumerate(planet.clouds):
-        field, radius = _field(one, box or Box(), planet.bottom_radius)
+        field, radius = field_of(one, box or Box(), planet.bottom_radius)
         if field.top > planet.thickness:
             allowed = f"tops of at most {planet.thickness:g} m, the top of the air"
             raise ParameterError(f"clouds[{index}]", f"{field.top:g} m", allowed)
@@ -86,8 +86,18 @@ def clouds_of(
 
 
 @lru_cache(maxsize=_KEPT)
-def _field(clouds: Clouds, box: Box, bottom_radius: float) -> tuple[CloudField, float]:
-    """Field of clouds and their effective radius. [m]"""
+def field_of(clouds: Clouds, box: Box, bottom_radius: float) -> tuple[CloudField, float]:
+    """Field of clouds and their effective radius [m], cached.
+
+    Parameters
+    ----------
+    clouds : Clouds
+        Clouds.
+    box : Box
+        Argument of ``clouds_of``.
+    bottom_radius : float
+        Radius of the ground. [m]
+    """
     if isinstance(clouds, CloudType):
         return cloud_field(
             clouds,

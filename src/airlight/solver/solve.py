@@ -110,7 +110,8 @@ def solve(
     Parameters
     ----------
     planet : Planet, str, Path or Solution
-        Planet, name of a preset, or path of a planet file; a solution stands for its planet.
+        Planet, name of a preset, or path of a planet file; a solution stands for its planet. One
+        with clouds is solved by ``IndependentColumns``, whatever the solver.
     wavelengths : array, shape (nl,), optional
         Wavelengths, any number; default: the planet's. Text (``"0.4:0.7:0.1 um"``) and quantities
         of another length are converted. [nm]
@@ -170,14 +171,41 @@ def solve(
         settings = replace(settings, polarisation=False)
     given = planet.wavelengths if wavelengths is None else wavelengths
     nm = values_in(given, "nm", "wavelengths")
-    if solver == "moments":
-        _check_memory(settings, np.size(nm))
-    medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
-    warn_of_omitted_bands(planet, medium.wavelengths)
-    solution: Solution = import_module(module).solve(
-        medium, settings, cache=cache, progress=progress, cancel=cancel
+
+    def solved(one: Planet, report: Progress | None) -> Solution:
+        if solver == "moments":
+            _check_memory(settings, np.size(nm))
+        medium = Medium.from_planet(one, nm, progress=report, cancel=cancel)
+        warn_of_omitted_bands(one, medium.wavelengths)
+        solution: Solution = import_module(module).solve(
+            medium, settings, cache=cache, progress=report, cancel=cancel
+        )
+        return solution.of(one)
+
+    if planet.clouds:
+        return _solve_columns(planet, solved, progress).of(planet)
+    return solved(planet, progress)
+
+
+def _solve_columns(
+    planet: Planet, solved: Callable[[Planet, Progress | None], Solution], progress: Progress | None
+) -> Solution:
+    """Mean of the solutions of the columns of a planet with clouds."""
+    from airlight.clouds.columns import planet_columns
+    from airlight.solver.independent_columns import Column, IndependentColumns
+
+    parts = planet_columns(planet)
+
+    def share(number: int) -> Progress | None:
+        if progress is None:
+            return None
+        return lambda done, total, message: progress(
+            number * total + done, len(parts) * total, message
+        )
+
+    return IndependentColumns(
+        [Column(one.fraction, solved(one.planet, share(k))) for k, one in enumerate(parts)]
     )
-    return solution.of(planet)
 
 
 def solution_of(

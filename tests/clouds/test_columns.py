@@ -1,0 +1,62 @@
+"""Columns of planets with clouds, and their mean."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import airlight
+from airlight.clouds.columns import planet_columns
+from airlight.errors import ConflictError, ParameterError
+from airlight.planets.clouds import Altocumulus, CumulusHumilis, Stratocumulus, Stratus
+
+_PLANET = airlight.load_planet("earth-atmosphere-plus")
+
+
+def _under(*clouds):
+    return replace(_PLANET, clouds=clouds)
+
+
+def test_kinds_overlap_at_random():
+    found = planet_columns(_under(CumulusHumilis(cover=0.25), Altocumulus(cover=0.5)))
+    assert [one.fraction for one in found] == [0.375, 0.375, 0.125, 0.125]
+    assert [len(one.planet.constituents) for one in found] == [3, 4, 4, 5]
+    assert not any(one.planet.clouds for one in found)
+
+
+def test_full_and_absent_cover_are_one_column():
+    (overcast,) = planet_columns(_under(Stratus(cover=1.0), Altocumulus(cover=0.0)))
+    assert overcast.fraction == 1.0
+    names = [one.name for one in overcast.planet.constituents]
+    assert names[-1] == "stratus (clouds)"
+
+
+def test_a_layer_has_its_depth_between_base_and_top():
+    (overcast,) = planet_columns(_under(Stratus(base=700.0, depth=300.0, optical_depth=12.0)))
+    solution = airlight.solve(overcast.planet, [550.0], "preview")
+    depths = [
+        -np.log(float(solution.transmittance(altitude=z, view_zenith=0.0).item()))
+        for z in (0.0, 699.0, 850.0, 1001.0)
+    ]
+    assert depths[0] - depths[1] < 0.1
+    np.testing.assert_allclose(depths[1] - depths[2], 6.0, rtol=0.01)
+    np.testing.assert_allclose(depths[1] - depths[3], 12.0, rtol=0.01)
+
+
+def test_solve_is_the_mean_of_its_columns():
+    clouds = Stratocumulus(cover=0.4, effective_radius=6e-6)
+    below = {"altitude": 0.0, "sun_zenith": 45.0}
+    mean, none, full = (
+        airlight.solve(planet, [550.0], "preview").irradiance(**below)
+        for planet in (_under(clouds), _PLANET, _under(replace(clouds, cover=1.0)))
+    )
+    for part in ("direct", "diffuse"):
+        np.testing.assert_allclose(mean[part], 0.6 * none[part] + 0.4 * full[part], rtol=1e-6)
+
+
+def test_clouds_above_the_air_and_too_many_kinds_are_rejected():
+    with pytest.raises(ParameterError, match=r"stratus\.base"):
+        planet_columns(_under(Stratus(base=9.99e4)))
+    kinds = [Altocumulus(name=f"layer {k}", base=1000.0 + 500.0 * k) for k in range(4)]
+    with pytest.raises(ConflictError, match="at most 3"):
+        planet_columns(_under(*kinds))
