@@ -191,7 +191,7 @@ def window(
         yield driven
 
 
-@pytest.mark.slow
+@pytest.mark.validation  # it measures: whatever it finds passes
 @pytest.mark.xfail(
     reason="Mesa takes 1 to 2 s for each of the larger shaders, and frames wait", strict=False
 )
