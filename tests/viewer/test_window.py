@@ -26,7 +26,7 @@ from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 DRIVER = Path(__file__).with_name("window_driver.py")
 SIZE = (800, 480)
 #: Number of random clicks; AIRLIGHT_CLICKS asks for more.
-CLICKS = int(os.environ.get("AIRLIGHT_CLICKS", "40"))
+CLICKS = int(os.environ.get("AIRLIGHT_CLICKS", "24"))
 DEPTH = "constituents[1].particles.optical_depth"
 
 

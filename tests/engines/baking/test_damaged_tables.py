@@ -8,6 +8,7 @@ import json
 import struct
 import zipfile
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -54,6 +55,7 @@ def array(shape: str, kind: str = "<f4", data: bytes = b"") -> bytes:
     return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head + data
 
 
+@cache
 def bomb() -> bytes:
     """1 GB of zeros in 1 MB."""
     stream = io.BytesIO()

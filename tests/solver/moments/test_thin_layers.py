@@ -87,6 +87,7 @@ def test_radiances_of_thin_layers_are_those_of_monte_carlo(name: str) -> None:
         assert_array_less(np.abs(got / radiance - 1.0), bound + 4.0 * noise / radiance)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "quality", ["preview", pytest.param("default", marks=pytest.mark.validation)]
 )
@@ -154,6 +155,7 @@ def test_ordinary_planets_have_one_step_a_cell_and_no_warning() -> None:
     assert_allclose(np.diff(first), 1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "room", [*(pytest.param(one, marks=pytest.mark.validation) for one in (1.0, 1.1)), 3.0]
 )

@@ -159,8 +159,8 @@ def test_light_that_grazes_a_cloud_of_many_depths_is_finite(
     planet = one_air(depth=500.0, profile=Exponential(scale_height=8e3))
     from airlight.solver.montecarlo import estimate
 
-    monkeypatch.setattr(estimate, "BLOCK", 512)
-    settings = MonteCarloSettings(relative_error=0.1, most_histories=2_000)
+    monkeypatch.setattr(estimate, "BLOCK", 256)
+    settings = MonteCarloSettings(relative_error=0.1, most_histories=1_000)
     data = solve(planet, [550.0], settings, solver="montecarlo").estimate(
         altitude=100e3, sun_zenith=30.0, view_zenith=150.0, azimuth=90.0
     )
@@ -177,6 +177,7 @@ def test_night_far_from_the_terminator_is_dark(one_air: Callable[..., Planet]) -
     assert "NOT within" in str(solution.report)
 
 
+@pytest.mark.slow
 def test_light_that_is_scattered_thousands_of_times_is_not_cut_off(
     one_air: Callable[..., Planet], tell: Callable[[str], None]
 ) -> None:
