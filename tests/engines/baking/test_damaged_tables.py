@@ -57,10 +57,10 @@ def array(shape: str, kind: str = "<f4", data: bytes = b"") -> bytes:
 
 @cache
 def bomb() -> bytes:
-    """1 GB of zeros in 1 MB."""
+    """1 GB of zeros in 4 MB."""
     stream = io.BytesIO()
     with (
-        zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as file,
+        zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as file,
         file.open("values.npy", "w", force_zip64=True) as member,
     ):
         for _ in range(1000):
