@@ -59,6 +59,7 @@ def test_gathers_of_the_baseline_converge_to_the_marched_first_order() -> None:
     assert_allclose(got, work.true_gather(positions, 24), rtol=0.03)
 
 
+@pytest.mark.slow
 def test_every_benchmark_is_collected() -> None:
     # each bench_*.py gives at least one; the command is the one in benchmarks/README.md
     # of their own process, whoever runs this test: a worker of xdist would have them disabled

@@ -104,6 +104,7 @@ print(globals()[sys.argv[1]](0.0), *[name for name in names if name in ("inner",
 """
 
 
+@pytest.mark.slow
 def test_the_disk_has_both_forms(tmp_path: Path) -> None:
     # exp(0) + 1 is 2; each process compiles only what no other has compiled as far as it needs it
     script = tmp_path / "kernels.py"

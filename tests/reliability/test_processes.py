@@ -35,7 +35,7 @@ def whole(begun: tuple[References, Path], tmp_path_factory: pytest.TempPathFacto
     return undisturbed(tmp_path_factory.mktemp("whole"), begun[1])
 
 
-@pytest.mark.parametrize("count", [3, pytest.param(60, marks=pytest.mark.validation)])
+@pytest.mark.parametrize("count", [2, pytest.param(60, marks=pytest.mark.validation)])
 def test_kills_leave_no_half_written_file(
     count: int, tmp_path: Path, begun: tuple[References, Path]
 ) -> None:
@@ -45,7 +45,7 @@ def test_kills_leave_no_half_written_file(
     assert tally.tried == count
 
 
-@pytest.mark.parametrize("count", [4, pytest.param(60, marks=pytest.mark.validation)])
+@pytest.mark.parametrize("count", [3, pytest.param(60, marks=pytest.mark.validation)])
 def test_damaged_caches_give_the_right_result(
     count: int, tmp_path: Path, begun: tuple[References, Path]
 ) -> None:
@@ -71,7 +71,7 @@ def test_the_commands_of_the_fuzzers_are_repeatable(begun: tuple[References, Pat
 @pytest.mark.parametrize(
     ("fuzzer", "count", "seed"),
     [
-        ("damage", 3, 3),
+        ("damage", 2, 3),
         ("writers", 2, 6),  # three sweeps, then two films
         # "places" in short: tests/test_child_processes.py
         *(pytest.param(one, 30, 3, marks=pytest.mark.validation) for one in FUZZERS),

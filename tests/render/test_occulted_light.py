@@ -142,6 +142,7 @@ def test_a_second_star_is_hidden_too(earth: MomentsSolution) -> None:
     assert discs(scene, earth).max() < EARTHSHINE * sun.max()
 
 
+@pytest.mark.slow
 def test_the_eclipse_over_london_is_that_of_the_scene() -> None:
     # a second method: bodies in space, and the shadow at each point of the air. The sky to 10 %
     # where 0.06 of the light is left, the crescent to a pixel and a half

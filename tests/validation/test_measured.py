@@ -161,7 +161,7 @@ def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None
     # scores, thresholds by the row that was left out.
     pytest.importorskip("matplotlib")
     for k, name in enumerate(("kider2013-05-27.npz", "kider2013-06-01.npz")):
-        scans = day(AERONET_AEROSOL, k, 3)
+        scans = day(AERONET_AEROSOL, k, 2)
         np.savez(
             tmp_path / name, time=np.array([f"{name[5:15]} {one}" for one in scans.time]),
             sun_zenith_deg=scans.sun_zenith, view_zenith_deg=scans.view_zenith,

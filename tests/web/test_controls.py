@@ -121,6 +121,7 @@ def test_labels_and_numbers_fit(size: tuple[int, int], page: Any) -> None:
     assert box["width"] * box["height"] > 0.3 * size[0] * size[1]
 
 
+@pytest.mark.usefixtures("chromium")  # by another of its fixtures, which is chosen when it runs
 def test_every_control_changes_its_value(used: tuple[Any, Callable[..., None]]) -> None:
     # a slider at a third or two thirds of it, an option, a box; undo takes each back
     page, press = used
@@ -169,6 +170,7 @@ def test_typed_numbers_and_escape(page: Any) -> None:
     assert page.evaluate("document.activeElement === airlight.parts.canvas")
 
 
+@pytest.mark.usefixtures("chromium")
 def test_every_button_does_what_it_says(used: tuple[Any, Callable[..., None]]) -> None:
     # those that are left at the end have been forgotten here
     page, press = used

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from typing import Any
 
@@ -17,7 +18,8 @@ from airlight.render.gpu.emit.shader_types import F32, I32, VEC4, TupleType
 from airlight.render.gpu.emit.texture_table import TextureTable
 from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.solver.passes import PASSES
-from airlight.viewer.browser.web_shaders import CORNERS, solver_shaders, web_shaders
+from airlight.viewer.browser.package import program
+from airlight.viewer.browser.web_shaders import CORNERS, FILL, solver_shaders, web_shaders
 
 BACK_ENDS = ("webgpu", "webgl2")
 
@@ -183,6 +185,31 @@ def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
         for name, text in pairs
     ]
     page.evaluate(_COMPILE, shaders)
+
+
+_BUILD = """async ({ plan, shaders, solver, entry }) => {
+  const device = await openDevice(document.createElement("canvas"), "webgpu");
+  const lost = [];
+  device.device.addEventListener("uncapturederror", (event) => lost.push(event.error.message));
+  const made = await new Program(device, plan, shaders).build();
+  for (const shader of Object.values(solver)) {
+    const text = { ...shader, ...entry, reads: Object.keys(shader.reads) };
+    await device.pipeline(text, Array(shader.targets).fill("rgba32float"));
+  }
+  await device.finished();
+  device.close();
+  return [device.kind, made.compiled.size, lost];
+}"""
+
+
+def test_every_pipeline_is_made_in_webgpu(modules: Callable[..., Any]) -> None:
+    # with the page's own slots and targets; software takes minutes to draw by the large ones, which
+    # only test_pictures.py's validation waits for
+    page = modules({"devices/device": ("openDevice",), "drawing/program": ("Program",)})
+    given = {**program(), "solver": solver_shaders(), "entry": {"vertex": CORNERS, "entry": FILL}}
+    kind, count, faults = page.evaluate(_BUILD, json.loads(json.dumps(given)))
+    assert faults == []
+    assert (kind, count) == ("webgpu", len({one["name"] for one in given["plan"]["passes"]}))
 
 
 @pytest.mark.parametrize("kind", ["webgpu", "webgl2"])

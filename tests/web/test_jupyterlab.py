@@ -12,7 +12,6 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from importlib.util import find_spec
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -48,9 +47,10 @@ LONG = int(os.environ.get("AIRLIGHT_CLICKS", "200"))
 VIEWER = "document.querySelector('.airlight').parentElement.viewer"
 
 
-@pytest.fixture
-def lab(tmp_path: Path) -> Iterator[str]:
-    """URL of a notebook in a running JupyterLab."""
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], str]]:
+    """``lab(name)``: URL of a new notebook in a running JupyterLab."""
+    tmp_path = tmp_path_factory.mktemp("jupyterlab")
     cells = [
         {"cell_type": "code", "id": f"c{i}", "metadata": {}, "outputs": [], "source": text,
          "execution_count": None}
@@ -64,7 +64,6 @@ def lab(tmp_path: Path) -> Iterator[str]:
     }
     room = tmp_path / "lab"
     room.mkdir()
-    (room / "viewer.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
@@ -88,7 +87,12 @@ def lab(tmp_path: Path) -> Iterator[str]:
             assert server.poll() is None, (tmp_path / "lab.log").read_text()
             assert time.monotonic() < end
             time.sleep(0.2)
-        yield f"http://127.0.0.1:{port}/lab/tree/viewer.ipynb?reset"
+
+        def written(name: str) -> str:
+            (room / f"{name}.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
+            return f"http://127.0.0.1:{port}/lab/tree/{name}.ipynb?reset"
+
+        yield written
     finally:
         server.terminate()
         server.wait(PATIENCE)
@@ -120,11 +124,13 @@ def seen(page: Any) -> np.ndarray:
 
 
 @pytest.fixture
-def notebook(lab: str, chromium: Any) -> Iterator[Any]:
+def notebook(
+    lab: Callable[[str], str], chromium: Any, request: pytest.FixtureRequest
+) -> Iterator[Any]:
     """Notebook in JupyterLab, whose first cell shows the viewer's first picture."""
     page = chromium.new_page(viewport={"width": 1200, "height": 900})
     page.set_default_timeout(1e3 * PATIENCE)
-    page.goto(lab)
+    page.goto(lab(request.node.originalname))
     page.locator(".jp-Notebook .jp-CodeCell").first.wait_for()
     until(page, "!!document.querySelector('.jp-Notebook-ExecutionIndicator[data-status=idle]')")
     run_cell(page, 0)
@@ -195,7 +201,7 @@ CELLS = "[...document.querySelectorAll('.jp-CodeCell .cm-content')].map((one) =>
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("count", [20, pytest.param(LONG, marks=pytest.mark.validation)])
+@pytest.mark.parametrize("count", [12, pytest.param(LONG, marks=pytest.mark.validation)])
 def test_random_clicks_leave_the_widget_alive(count: int, notebook: Any) -> None:
     # a key that is pressed in the widget is none of the notebook's, whose letters edit cells
     faults: list[str] = []

@@ -28,7 +28,7 @@ from airlight.viewer.browser.package import ground_map
 from airlight.viewer.browser.page import page_data, page_text
 from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, settings_of
 
-WIDTH, HEIGHT = 240, 135
+WIDTH, HEIGHT = 160, 90
 #: Coarser shape than usual, on both sides: software draws it in a second.
 SKY = (128, 64)
 WAVELENGTHS = (680.0, 550.0, 440.0)
@@ -264,7 +264,7 @@ def test_a_page_exposes_as_a_picture_is_exposed(
           await airlight.png(width, height);
           return airlight.picture.exposure;
         }""",
-        [{**changes, "display.exposure": 0.0, "display.automatic": True}, WIDTH, HEIGHT],
+        [{**changes, "display.exposure": 0.0, "display.automatic": True}, 240, 135],
     )
     tell(f"page, automatic exposure of {view}: {got:+.3f} EV, large picture {wanted:+.3f} EV")
     assert abs(got - wanted) < 0.05
@@ -295,22 +295,14 @@ def test_the_slider_of_glare_is_that_of_the_native_device(
     page.get_by_placeholder("find").fill("")
 
 
-#: Views that the check draws by WebGPU too, 15 to 40 s each in software. Clouds, two lights and
-#: projections, on which the shaders also branch, are drawn from the same text by the native device.
-BOTH = ("earth, the ground",)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("view", "device"),
     [
         *((view, "webgl2") for view in VIEWS),
-        *((view, "webgpu") for view in BOTH),
-        *(
-            pytest.param(view, "webgpu", marks=pytest.mark.validation)
-            for view in VIEWS
-            if view not in BOTH
-        ),
+        # Software takes four minutes to compile these shaders. The native device draws by the same
+        # text, and test_devices.py makes their pipelines in a browser and draws by smaller ones.
+        *(pytest.param(view, "webgpu", marks=pytest.mark.validation) for view in VIEWS),
     ],
 )
 def test_page_draws_what_the_native_device_draws(
@@ -336,6 +328,6 @@ def test_page_draws_what_the_native_device_draws(
     # steeper still, are a hundredth of the values
     if "waves" in view:
         off = np.minimum(off, np.quantile(off, 0.99))
-    if "suns" in view:  # texture of land beside the horizon, in a pixel of 32 400
-        off = np.minimum(off, np.quantile(off, 0.9999))
+    if "suns" in view:  # texture of land beside the horizon, in a pixel of 14 400
+        off = np.minimum(off, np.quantile(off, 0.9998))
     assert_allclose(off, 0.0, atol=3.0 if "detail" in view or "waves" in view else 2.0)

@@ -41,7 +41,7 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def phone(chromium: Any, file: Path) -> Iterator[Any]:
     """The page on a phone, which is touched; fails at the end on any error in the page."""
     context = chromium.new_context(viewport=PHONE, has_touch=True, device_scale_factor=1)

@@ -43,6 +43,8 @@ from airlight.render.through_air import leaving_direction
 from airlight.solver.moments.solution import MomentsSolution
 
 NM = (440.0, 500.0, 560.0, 620.0)
+#: Size of pictures of a camera. [px]
+WIDTH, HEIGHT = 64, 36
 Lit = Callable[..., MomentsSolution]
 Shows = Callable[..., GpuRenderer]
 
@@ -126,8 +128,8 @@ def scene_of(planet: Planet, name: str) -> Scene:
         "midnight": (0.2 * thick, 180.0, "perspective", 90.0, 0.0, None),
     }
     altitude, sun, projection, look, azimuth, fov = view[name]
-    width, height = {"perspective": (96, 54), "fisheye": (64, 64), "equirectangular": (96, 48),
-                     "cubemap": (144, 24)}[projection]  # fmt: skip
+    width, height = {"perspective": (WIDTH, HEIGHT), "fisheye": (48, 48), "cubemap": (96, 16),
+                     "equirectangular": (64, 32)}[projection]  # fmt: skip
     camera = Camera(
         projection=projection, width=width, height=height, look_zenith=look, look_azimuth=azimuth,
         field_of_view=fov,
@@ -211,7 +213,7 @@ def test_without_the_maps_the_ground_is_alike_all_round(device: Device, lit: Lit
     pictures, uneven = GpuRenderer(device), []
     for maps in (True, False):
         pictures.set_solution(lit(), maps=maps)
-        middle = pictures.render(seen, exact=True).rgb[22:32, 43:53]
+        middle = pictures.render(seen, exact=True).rgb[14:22, 28:36]
         uneven.append(np.abs(middle / middle[:, ::-1] - 1.0).max())
     assert uneven[0] > 0.05
     assert uneven[1] < 1e-3
@@ -272,8 +274,13 @@ def test_default_quality_is_drawn_as_well(
 FIELDS = (1.0, 8.0, 11.0, 20.0, 60.0, 100.0)
 
 
-@pytest.mark.parametrize("field", FIELDS)
-@pytest.mark.parametrize("name", ["earth, with a map", "earth, light straight"])
+@pytest.mark.parametrize(
+    ("name", "field"),
+    [
+        *(("earth, with a map", field) for field in FIELDS),
+        *(("earth, light straight", field) for field in FIELDS[::2]),
+    ],
+)
 def test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out(
     name: str, field: float, lit: Lit, shows: Shows
 ) -> None:
@@ -350,7 +357,7 @@ def test_a_point_star_has_no_disc(device: Device, lit: Lit) -> None:
 def test_outside_the_circle_a_dome_is_black(shows: Shows) -> None:
     seen = scene_of(PLANETS["earth, with a map"](), "dome")
     outside = ~np.any(seen.camera.directions() != 0.0, axis=-1)
-    assert outside.sum() > 500
+    assert outside.sum() > 400
     for exact in (True, False):
         assert_array_equal(shows().render(seen, exact=exact).rgb[outside], 0.0)
 
@@ -382,11 +389,11 @@ def test_a_picture_in_strips_is_the_whole_one(
     # The same arithmetic for each pixel: bit for bit.
     seen = scene_of(PLANETS["earth, with a map"](), "sunset")
     whole = shows().render(seen, exact=exact).rgb
-    monkeypatch.setattr(pictures_module, "_PIXELS_AT_ONCE", (96 * 7, 96 * 7, 96 * 7))
+    monkeypatch.setattr(pictures_module, "_PIXELS_AT_ONCE", (WIDTH * 5,) * 3)
     said: list[tuple[int, int]] = []
     rgb = shows().render(seen, exact=exact, progress=lambda *one: said.append(one[:2])).rgb
     assert_array_equal(rgb.view(np.uint32), whole.view(np.uint32))
-    assert said == [(min(7 * (k + 1), 54), 54) for k in range(8)]
+    assert said == [(min(5 * (k + 1), HEIGHT), HEIGHT) for k in range(8)]
 
 
 def test_a_picture_can_be_cancelled_and_one_too_wide_is_refused(shows: Shows) -> None:
@@ -402,7 +409,7 @@ def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
 
     seen = scene_of(PLANETS["earth, with a map"](), "sunset")
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
-    target = device.device.create_texture(size=(96, 54, 1), format="rgba32float", usage=use)
+    target = device.device.create_texture(size=(WIDTH, HEIGHT, 1), format="rgba32float", usage=use)
     shows().display(seen, target.create_view(), "rgba32float")
     rgb = shows().render(seen).rgb
     assert_allclose(read_texture(device, target)[..., :3], rgb, rtol=1e-4, atol=1e-6 * rgb.max())
@@ -433,7 +440,7 @@ def test_what_is_drawn_is_exposed_and_tone_mapped(
     seen = scene_of(PLANETS["earth, with a map"](), "sunset" if name == "dusk" else name)
     seen = replace(seen, sun_zenith=99.0) if name == "dusk" else seen
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
-    target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
+    target = device.device.create_texture(size=(WIDTH, HEIGHT, 1), format="rgba8unorm", usage=use)
     shows().display(
         seen, target.create_view(), "rgba8unorm", exposure=exposure,
         settings=DisplaySettings(tone_map=tone_map, eye=eye, glare=0.0, white_balance=white),
@@ -457,7 +464,7 @@ def test_another_display_draws_no_light_again(
 
     seen = scene_of(PLANETS["earth, with a map"](), "aloft")
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
-    target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
+    target = device.device.create_texture(size=(WIDTH, HEIGHT, 1), format="rgba8unorm", usage=use)
 
     def shown(pictures: GpuRenderer, exposure: float, tone_map: str, scene: Scene) -> np.ndarray:
         settings = DisplaySettings(tone_map=tone_map, glare=0.0)

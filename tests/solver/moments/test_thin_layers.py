@@ -87,6 +87,7 @@ def test_radiances_of_thin_layers_are_those_of_monte_carlo(name: str) -> None:
         assert_array_less(np.abs(got / radiance - 1.0), bound + 4.0 * noise / radiance)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "quality", ["preview", pytest.param("default", marks=pytest.mark.validation)]
 )
@@ -154,7 +155,10 @@ def test_ordinary_planets_have_one_step_a_cell_and_no_warning() -> None:
     assert_allclose(np.diff(first), 1.0)
 
 
-@pytest.mark.parametrize("room", [pytest.param(1.0, marks=pytest.mark.validation), 1.1, 3.0])
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "room", [*(pytest.param(one, marks=pytest.mark.validation) for one in (1.0, 1.1)), 3.0]
+)
 def test_deep_clouds_that_fill_much_of_their_shell_are_resolved(room: float) -> None:
     # flat air, against discrete ordinates (``validation.plane_parallel``): its shell is cut. With
     # no room at all light converges slowly; the other two are solved once more on finer grids.

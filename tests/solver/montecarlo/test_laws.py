@@ -137,7 +137,7 @@ def test_places_drawn_in_light_change_the_noise_only(
     from airlight.solver.montecarlo import estimate
 
     planet = reference_earth(albedo=0.1)
-    settings = MonteCarloSettings(relative_error=1e-6, most_histories=400_000)
+    settings = MonteCarloSettings(relative_error=1e-6, most_histories=200_000)
     where = {"altitude": 0.0, "sun_zenith": [93.0, 95.0], "view_zenith": [80.0, 20.0]}
     results = []
     for share in (0.0, 0.5):
@@ -151,11 +151,16 @@ def test_places_drawn_in_light_change_the_noise_only(
     assert_array_less(lit["standard_error"].values, 0.8 * plain["standard_error"].values)
 
 
-def test_light_that_grazes_a_cloud_of_many_depths_is_finite(one_air: Callable[..., Planet]) -> None:
+def test_light_that_grazes_a_cloud_of_many_depths_is_finite(
+    one_air: Callable[..., Planet], monkeypatch: pytest.MonkeyPatch
+) -> None:
     # Half a thousand optical depths that absorb nothing: radiance from above lies between 0 and
     # that of a white Lambert ground, and the histories end although nothing absorbs.
     planet = one_air(depth=500.0, profile=Exponential(scale_height=8e3))
-    settings = MonteCarloSettings(relative_error=0.1, most_histories=2_000)
+    from airlight.solver.montecarlo import estimate
+
+    monkeypatch.setattr(estimate, "BLOCK", 256)
+    settings = MonteCarloSettings(relative_error=0.1, most_histories=1_000)
     data = solve(planet, [550.0], settings, solver="montecarlo").estimate(
         altitude=100e3, sun_zenith=30.0, view_zenith=150.0, azimuth=90.0
     )
@@ -172,6 +177,7 @@ def test_night_far_from_the_terminator_is_dark(one_air: Callable[..., Planet]) -
     assert "NOT within" in str(solution.report)
 
 
+@pytest.mark.slow
 def test_light_that_is_scattered_thousands_of_times_is_not_cut_off(
     one_air: Callable[..., Planet], tell: Callable[[str], None]
 ) -> None:

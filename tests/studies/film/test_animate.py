@@ -124,6 +124,7 @@ def test_a_folder_takes_one_film_at_a_time_and_what_a_killed_one_left_goes(tmp_p
     assert [file.name for file in frames.folder.iterdir()] == [".0123.part"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no kill -9")
 def test_a_killed_film_is_finished_by_a_second_start(rock: Path, tmp_path: Path) -> None:
     # first a worker is killed, whose frames others draw; then the scheduler with its process

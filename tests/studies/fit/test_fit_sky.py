@@ -58,7 +58,7 @@ def degree_at(amount: float, quality: str) -> int:
     return Optics.chosen(medium, settings_for(quality)).degree
 
 
-@pytest.mark.parametrize("quality", ["preview", "default"])
+@pytest.mark.parametrize("quality", ["preview", pytest.param("default", marks=pytest.mark.slow)])
 def test_predictions_do_not_jump_where_haze_becomes_thick(
     quality: str, tell: Callable[[str], None]
 ) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, Final
 
 from airlight.errors import AirlightError, ParameterError
@@ -20,6 +20,8 @@ _DECLARATION: Final = re.compile(
 _COMMENT: Final = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _TEXTURES: Final = {"texture_2d": "2d", "texture_2d_array": "2d-array", "texture_3d": "3d"}
 _SAMPLES: Final = {"f32": "unfilterable-float", "i32": "sint", "u32": "uint"}
+#: Number of pipelines that are kept for further passes of the same text.
+_KEPT_PIPELINES: Final = 64
 #: Position in a message of naga.
 _PLACE: Final = re.compile(r"┌─ [^\n]*?:(\d+):(\d+)")
 
@@ -141,46 +143,12 @@ class FragmentPass:
     def __init__(
         self, device: Device, source: str, entry: str, targets: Sequence[str], label: str = ""
     ) -> None:
-        import wgpu
-
         self.device = device
         self.label = label or entry
         self.targets = tuple(targets)
-        self.bindings = declared_bindings(source, self.label)
-        gpu = device.device
-        module = compiled(device, source, self.label)
-        try:
-            self._layouts = [
-                gpu.create_bind_group_layout(label=self.label, entries=entries)
-                for entries in self._entries()
-            ]
-            self.pipeline = gpu.create_render_pipeline(
-                label=self.label,
-                layout=gpu.create_pipeline_layout(bind_group_layouts=self._layouts),
-                vertex={"module": _triangle(device), "entry_point": "full_screen_triangle"},
-                primitive={"topology": "triangle-list"},
-                fragment={
-                    "module": module,
-                    "entry_point": entry,
-                    "targets": [{"format": one} for one in self.targets],
-                },
-            )
-        except wgpu.GPUError as error:
-            raise _shader_error(source, self.label, _without_frame(str(error))) from error
-
-    def _entries(self) -> list[list[dict[str, Any]]]:
-        import wgpu
-
-        seen = wgpu.ShaderStage.FRAGMENT
-        groups = 1 + max((one.group for one in self.bindings), default=-1)
-        return [
-            [
-                {"binding": one.binding, "visibility": seen, **one.layout}
-                for one in self.bindings
-                if one.group == group
-            ]
-            for group in range(groups)
-        ]
+        self.bindings, self._layouts, self.pipeline = _pipeline(
+            device, source, entry, self.targets, self.label
+        )
 
     def bind(self, resources: Mapping[str, Any]) -> list[Any]:
         """Bind groups of named resources, for ``run``; reusable.
@@ -278,6 +246,53 @@ def _without_frame(report: str) -> str:
     """Last lines of a pipeline error message."""
     lines = [line.strip() for line in report.splitlines() if line.strip()]
     return ": ".join(lines[2:]) if len(lines) > 2 else report
+
+
+@lru_cache(_KEPT_PIPELINES)
+def _pipeline(
+    device: Device, source: str, entry: str, targets: tuple[str, ...], label: str
+) -> tuple[tuple[Binding, ...], list[Any], Any]:
+    """Bindings, bind group layouts and render pipeline, which all passes of one text share."""
+    import wgpu
+
+    gpu = device.device
+    bindings = declared_bindings(source, label)
+    module = compiled(device, source, label)
+    try:
+        layouts = [
+            gpu.create_bind_group_layout(label=label, entries=entries)
+            for entries in _entries(bindings)
+        ]
+        pipeline = gpu.create_render_pipeline(
+            label=label,
+            layout=gpu.create_pipeline_layout(bind_group_layouts=layouts),
+            vertex={"module": _triangle(device), "entry_point": "full_screen_triangle"},
+            primitive={"topology": "triangle-list"},
+            fragment={
+                "module": module,
+                "entry_point": entry,
+                "targets": [{"format": one} for one in targets],
+            },
+        )
+    except wgpu.GPUError as error:
+        raise _shader_error(source, label, _without_frame(str(error))) from error
+    return bindings, layouts, pipeline
+
+
+def _entries(bindings: Sequence[Binding]) -> list[list[dict[str, Any]]]:
+    """Entries of the layout of each bind group."""
+    import wgpu
+
+    seen = wgpu.ShaderStage.FRAGMENT
+    groups = 1 + max((one.group for one in bindings), default=-1)
+    return [
+        [
+            {"binding": one.binding, "visibility": seen, **one.layout}
+            for one in bindings
+            if one.group == group
+        ]
+        for group in range(groups)
+    ]
 
 
 @cache
