@@ -141,10 +141,15 @@ def test_uniform_cloud_is_a_layer_of_the_atmosphere(
 def test_cloud_of_no_depth_changes_nothing(one_air: Callable[..., Planet]) -> None:
     # Optical depth 1e-6; 3.5 combined standard errors of 1 %.
     planet = one_air(depth=0.3, albedo=0.3)
-    where = {"altitude": [0.0, 20e3], "view_zenith": [70.0, 130.0], "sun_zenith": 60.0}
+    altitude, view = [0.0, 20e3], [70.0, 130.0]
     thin = cloudy(planet, field(np.full((2, 2, 2), 1e-6 / 300.0)))
-    clear = thin.solution.radiance(azimuth=0.0, **where)
-    got = thin.radiance(latitude=0.0, longitude=0.0, azimuth=90.0, sun_azimuth=90.0, **where)
+    clear = thin.solution.radiance(
+        altitude=altitude, view_zenith=view, sun_zenith=60.0, azimuth=0.0
+    )
+    got = thin.radiance(
+        latitude=0.0, longitude=0.0, altitude=altitude, view_zenith=view, azimuth=90.0,
+        sun_zenith=60.0, sun_azimuth=90.0,
+    )  # fmt: skip
     error = np.hypot(got.total_error[:, 0], clear["standard_error"].values[:, 0])
     assert_array_less(error, 0.02 * clear.values[:, 0])
     assert_array_less(np.abs(got.total[:, 0] - clear.values[:, 0]), 3.5 * error)
