@@ -18,8 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel
-from airlight.kernel.threads import run_blocks
-from airlight.solver.boxes.linear import FaceCoefficients
+from airlight.solver.boxes.linear import FaceCoefficients, in_chunks
 
 Float32Array = NDArray[np.float32]
 FloatArray = NDArray[np.float64]
@@ -276,6 +275,15 @@ def coefficients_for(
 
     found = FaceCoefficients(new(), (new(), new(), new()), (new(), new(), new()))
     levels = phi.shape[0]
-    run_blocks(lambda k: level_coefficients(k, cells, currents, phi, first, found), levels)
-    run_blocks(lambda k: add_losses(k, cells, found), levels)
+
+    def coefficients(first_level: int, last: int) -> None:
+        for k in range(first_level, last):
+            level_coefficients(k, cells, currents, phi, first, found)
+
+    def losses(first_level: int, last: int) -> None:
+        for k in range(first_level, last):
+            add_losses(k, cells, found)
+
+    in_chunks(coefficients, levels, phi.size // 4)
+    in_chunks(losses, levels, phi.size // 4)
     return found
