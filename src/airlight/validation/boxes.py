@@ -94,7 +94,7 @@ def box_consensus(run: SuiteRun) -> tuple[list[Threshold], ReportTable]:
             "experiment | quantity | quality | root mean square [% of the mean] | mean [%]"
         ),
         rows=rows,
-        note="R, T: irradiances up and down; Iu, I601, I602, Id: radiances to the nadir, at 60° and "
-        "to the zenith, in all columns.",
+        note="R, T: irradiances up and down; Iu, I601, I602, Id: radiances to the nadir, at 60° "
+        "and to the zenith, in all columns.",
     )
     return thresholds, table

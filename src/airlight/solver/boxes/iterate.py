@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -337,7 +337,12 @@ class BoxIteration:
         """Fill the moments with the light of diffusion."""
         phi = np.zeros_like(self.beam)
         coefficients = coefficients_for(self.balanced, self.light.currents, phi, first=True)
-        phi = np.maximum(solve_linear(coefficients, self.thickness, self.gain, phi), 0.0)
+        along = self._beam_currents()
+        gain = self.gain.copy()
+        for axis, (current, width) in enumerate(along):
+            gain -= (current - np.roll(current, 1, axis=axis)) / width
+        phi = solve_linear(coefficients, self.thickness, gain, phi)
+        np.maximum(phi, 0.0, out=phi)
         in_chunks(
             lambda a, b: correct(
                 a, b, self.balanced, coefficients, phi, self.light.moments, self.shares
@@ -347,6 +352,27 @@ class BoxIteration:
         )
         if self.problem.grid.periodic:
             self._fill_sides()
+
+    def _beam_currents(self) -> list[tuple[Float32Array, Any]]:
+        """Net currents by light that is scattered forwards, through upper faces, and cell widths.
+
+        Of the equation of diffusion, with the anisotropic part of the beam's scattering. [1], [m]
+        """
+        grid, cells, towards = self.problem.grid, self.cells, self.problem.towards
+        forward = grid.extinction[..., None] * cells.cloud_source[1]
+        forward += cells.air_source[:, None, None, 1]
+        forward *= self.beam
+        least = 1.0 / np.float32(grid.edges[-1] - grid.edges[0])
+        forward /= np.maximum(self.balanced.transport, least)
+        found = []
+        widths = (self.thickness[:, None, None, None], grid.widths[1], grid.widths[0])
+        for axis, width in enumerate(widths):
+            current = np.float32(-0.5 * towards[2 - axis]) * forward
+            current += np.roll(current, -1, axis=axis)
+            if axis == 0 or not grid.periodic:
+                current.swapaxes(0, axis)[-1] = 0.0
+            found.append((current, width))
+        return found
 
     def _fill_sides(self) -> None:
         """Fill the light that enters at the sides with that of the guess."""

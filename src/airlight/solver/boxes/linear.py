@@ -19,11 +19,11 @@ Float32Array = NDArray[np.float32]
 FloatArray = NDArray[np.float64]
 
 #: Largest number of steps, and its tolerance. [1]
-_STEPS, _TOLERANCE = 30, 0.03
+_STEPS, _TOLERANCE = 30, 0.1
 #: Number of cells up to which other threads cost more time than they save.
 _FEW_CELLS: Final = 40_000
 #: Number of blocks of cells aimed at.
-_BLOCKS: Final = 1500
+_BLOCKS: Final = 700
 
 
 class FaceCoefficients(NamedTuple):

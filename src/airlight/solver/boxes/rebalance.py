@@ -125,12 +125,12 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                         low_x[k, y, x, w] = forward * per_x
                         high_x[k, y, x, w] = backward * per_x
                     elif first:
-                        loss += 0.25 * per_x
+                        loss += 0.5 * per_x
                     else:
                         loss += current_x[k, y, nx, w] / max(here, _LEAST) * per_x
                     if x == 0 and not periodic:
                         if first:
-                            loss += 0.25 * per_x
+                            loss += 0.5 * per_x
                         else:
                             loss -= current_x[k, y, 0, w] / max(here, _LEAST) * per_x
                 if not flat_y:
@@ -153,12 +153,12 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                         low_y[k, y, x, w] = forward * per_y
                         high_y[k, y, x, w] = backward * per_y
                     elif first:
-                        loss += 0.25 * per_y
+                        loss += 0.5 * per_y
                     else:
                         loss += current_y[k, ny, x, w] / max(here, _LEAST) * per_y
                     if y == 0 and not periodic:
                         if first:
-                            loss += 0.25 * per_y
+                            loss += 0.5 * per_y
                         else:
                             loss -= current_y[k, 0, x, w] / max(here, _LEAST) * per_y
                 upper = current_z[0, k + 1, y, x, w] + current_z[1, k + 1, y, x, w]
@@ -176,11 +176,11 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                     forward, backward = face(d, upper, here, beyond)
                     low_z[k, y, x, w], high_z[k, y, x, w] = forward, backward
                 elif first:
-                    loss += 0.25 * per_z
+                    loss += 0.5 * per_z
                 else:
                     loss += upper / max(here, _LEAST) * per_z
                 if k == 0:
-                    down = 0.25
+                    down = 0.5 / (1.0 + ground[w])  # Marshak's condition, as at the other ends
                     if not first:
                         lower = current_z[0, 0, y, x, w] + current_z[1, 0, y, x, w]
                         down = (0.0 - lower) / max(here, _LEAST)
