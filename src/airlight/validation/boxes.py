@@ -33,8 +33,8 @@ def compared(experiment: Experiment, solution: BoxSolution) -> dict[str, FloatAr
     columns = field.extinction.shape[0]
     east = field.west + (np.arange(_ACROSS * columns) + 0.5) * field.spacing[0] / _ACROSS
     found = {
-        "R": solution.up[:, 0, 0] / cosine,
-        "T": (solution.down + solution.direct)[:, 0, 0] / cosine,
+        "R": np.asarray(solution.up[:, 0, 0], float) / cosine,
+        "T": np.asarray((solution.down + solution.direct)[:, 0, 0], float) / cosine,
     }
     for name, light in DIRECTIONS.items():
         looking = -np.array(light)
