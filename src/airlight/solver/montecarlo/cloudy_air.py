@@ -277,7 +277,7 @@ class CloudyAir:
 
 def _cosine(a: FloatArray, b: FloatArray) -> FloatArray:
     """Cosine between unit vectors, shape (n,)."""
-    return np.clip(np.einsum("nk,nk->n", a, b), -1.0, 1.0)
+    return np.asarray(np.clip(np.einsum("nk,nk->n", a, b), -1.0, 1.0))
 
 
 def _way_in(r: FloatArray, mu: FloatArray, sine: FloatArray, inside: FloatArray) -> FloatArray:
