@@ -337,7 +337,8 @@ class BoxIteration:
         """Fill the moments with the light of diffusion."""
         phi = np.zeros_like(self.beam)
         coefficients = coefficients_for(self.balanced, self.light.currents, phi, first=True)
-        along = self._beam_currents()
+        forward = self._scattered_forward()
+        along = self._beam_currents(forward)
         gain = self.gain.copy()
         for axis, (current, width) in enumerate(along):
             gain -= (current - np.roll(current, 1, axis=axis)) / width
@@ -350,20 +351,26 @@ class BoxIteration:
             len(self.thickness),
             self.problem.grid.extinction.size,
         )
+        direction = -np.array(self.problem.towards)
+        currents = np.einsum("hti,i->ht", self.shares[:, :, 1:], direction).astype(np.float32)
+        for moments, current in zip(self.light.moments, currents, strict=True):
+            for t, share in enumerate(current):
+                moments[..., t, :] += share * forward
         if self.problem.grid.periodic:
             self._fill_sides()
 
-    def _beam_currents(self) -> list[tuple[Float32Array, Any]]:
-        """Net currents by light that is scattered forwards, through upper faces, and cell widths.
-
-        Of the equation of diffusion, with the anisotropic part of the beam's scattering. [1], [m]
-        """
-        grid, cells, towards = self.problem.grid, self.cells, self.problem.towards
+    def _scattered_forward(self) -> Float32Array:
+        """Net current in the beam's direction by its anisotropic scattering, of diffusion. [1]"""
+        grid, cells = self.problem.grid, self.cells
         forward = grid.extinction[..., None] * cells.cloud_source[1]
         forward += cells.air_source[:, None, None, 1]
         forward *= self.beam
         least = 1.0 / np.float32(grid.edges[-1] - grid.edges[0])
-        forward /= np.maximum(self.balanced.transport, least)
+        return np.asarray(forward / np.maximum(self.balanced.transport, least))
+
+    def _beam_currents(self, forward: Float32Array) -> list[tuple[Float32Array, Any]]:
+        """Net currents by forward scattering through upper faces, and cell widths. [1], [m]"""
+        grid, towards = self.problem.grid, self.problem.towards
         found = []
         widths = (self.thickness[:, None, None, None], grid.widths[1], grid.widths[0])
         for axis, width in enumerate(widths):
