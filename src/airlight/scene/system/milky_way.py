@@ -18,7 +18,8 @@ FloatArray = npt.NDArray[np.float64]
 #: Brightness of the largest value of the map, in S10: stars of V = 10 per square degree.
 BRIGHTEST: Final = 1200.0
 #: Colour B - V of the light: Mattila (1980), Astronomy & Astrophysics Supplement 39, 53, 0.7 to
-#: 0.9 over the sky; zodiacal light, the sun's reddened by Leinert et al. (1998), eq. 22, 0.73. [mag]
+#: 0.9 over the sky; zodiacal light has 0.73, sunlight reddened by Leinert et al. (1998), eq. 22.
+#: [mag]
 _COLOR: Final = 0.8
 _TENTH: Final = 10.0
 #: A square degree. [sr]
