@@ -104,7 +104,8 @@ def test_the_zenith_is_as_bright_as_measured(
 ) -> None:
     solution = solve(load_planet("earth"), NM, "preview")
     camera = Camera(width=1, height=1, field_of_view=1.0, look_zenith=0.0)
-    place = {"latitude": latitude, "longitude": longitude}
-    scene = Scene(camera=camera, altitude=2.0, sun_zenith=150.0, **place)
+    scene = Scene(
+        camera=camera, altitude=2.0, sun_zenith=150.0, latitude=latitude, longitude=longitude
+    )
     seen = LUMINOUS_EFFICACY * float(luminance(render(solution, scene).rgb[0, 0]))
     assert brightest < 2.5 * np.log10(1.08e5 / seen) < darkest
