@@ -42,10 +42,12 @@ DARK, BRIGHT = 0.06, 0.30
 #: Place of the step between both kinds of ground in the picture's tones, from 0 to 1, and its
 #: sharpness: Mars is either dark or bright, the picture, made for the eye, mostly in between.
 STEP, SHARPNESS = 0.42, 1.7
-#: Contrast of the albedos in red, green and blue; those of dark and bright ground cross between 400
-#: and 500 nm (McCord 1969, Science 163, 1058; McCord & Westphal 1971, Astrophysical Journal 168,
-#: 141).
-CONTRAST = np.array([1.1, 0.9, 0.4])
+#: Contrast of the albedos in red, green and blue. Seen from the surface soils and rocks, dark and
+#: bright, are yellowish brown with only subtle variations (Maki et al. 1999, JGR 104, 8781:
+#: Pathfinder and Viking); dark ground is less red by 1.5. That dark and bright ground are alike in
+#: blue light from above (McCord 1969, Science 163, 1058) is in part the air's doing, which pictures
+#: add (Bellucci 1999, BAAS 31, 60.04). The numbers are a choice within that.
+CONTRAST = np.array([1.05, 0.95, 0.75])
 #: Latitude beyond which ground under ice is like the rest. [deg]
 POLAR = 70.0
 #: Albedo of Mars' residual polar cap, neutral: Kieffer (1990), JGR 95, 1481, 0.4 to 0.5. [1]

@@ -6,9 +6,9 @@ Run with ``python builders/earth_lights.py FILE.jpg``, the file ``example/img/ea
 The picture shows the land by moonlight in blue under the lights of the towns: lights are what is
 redder than that. Its tones are those of a display, and saturate: a tenth of all lit pixels, from
 town centres to whole conurbations, are one plateau. There the radiance follows from the lights
-around: large conurbations are brightest in their middle. The ends are those of Elvidge et al.
+around: large conurbations are brightest in their middle. The contrast is that of Elvidge et al.
 (2017, Int. J. Remote Sens. 38, 5860): villages 1e-9, suburbs 1e-8, centres of large towns
-1e-7 W cm⁻² sr⁻¹, which is white.
+1e-7 W cm⁻² sr⁻¹; white is the mean of 10 km, ``scene.ground_overlay.TOWN_LUMINANCE``.
 """
 
 from __future__ import annotations

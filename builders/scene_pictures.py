@@ -70,7 +70,10 @@ def picture(system: System, exposure: float | None, width: int = WIDTH) -> Image
     """One scene as it is displayed."""
     frame = render_system(system, width=width, height=HEIGHT, samples=6)
     chosen = frame.exposure if exposure is None else exposure
-    pixels = to_display(frame.rgb, exposure=chosen, pixel_angle=frame.pixel_angle)
+    pixels = to_display(
+        frame.rgb, exposure=chosen, pixel_angle=frame.pixel_angle, star_white=frame.star_white,
+        eye=exposure is None,
+    )  # fmt: skip
     return Image.fromarray(np.asarray(pixels))
 
 

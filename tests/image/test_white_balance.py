@@ -90,6 +90,8 @@ def test_auto_is_daylight_under_a_sun_and_the_star_under_others() -> None:
     # of the dusk's blue sky light nothing is taken away, by night moon and lamps are as the sun is
     assert_allclose(gains("auto", SUN, exposure=2.0), 1.0, atol=1e-3)
     assert_allclose(gains("auto", SUN, exposure=12.0), gains("daylight", SUN), rtol=1e-12)
+    # and airglow and lamps are shown in a warm white's balance, under a moon not
+    assert_allclose(gains("auto", SUN, exposure=15.0), gains("kelvin", SUN, 3700.0), rtol=1e-12)
     fading = [gains("auto", SUN, exposure=one)[2] for one in np.linspace(-4.0, 2.0, 25)]
     assert np.all(np.diff(fading) <= 0.0)
     assert gains("auto", (0.0, 0.0)) == gains("d65", SUN) == (1.0, 1.0, 1.0)

@@ -86,3 +86,26 @@ def test_by_day_there_is_none(sky: Callable[..., Callable[..., float]]) -> None:
     # Not drawn, so that the picture is the same to the last bit.
     bright, dark = (sky(np.full((8, 16), one, np.uint8))(sun=60.0) for one in (255, 0))
     assert_array_equal(bright, dark)
+
+
+@pytest.mark.parametrize(
+    ("latitude", "longitude", "darkest", "brightest"),
+    [
+        # Puschnig, Posch & Uttenthaler (2014), JQSRT 139, 64: observatory of Vienna, clear nights
+        # to 19.25; the map is good to a factor of two.
+        (48.232, 16.334, 19.25, 18.25),
+        # Jechow et al. (2016), JQSRT 181, 24: Lake Stechlin, 21.5 to 21.7 in clear nights, of which
+        # stars and zodiacal light are a fifth at least.
+        (53.14, 13.03, 22.2, 21.4),
+    ],
+)
+def test_the_zenith_is_as_bright_as_measured(
+    latitude: float, longitude: float, darkest: float, brightest: float
+) -> None:
+    solution = solve(load_planet("earth"), NM, "preview")
+    camera = Camera(width=1, height=1, field_of_view=1.0, look_zenith=0.0)
+    scene = Scene(
+        camera=camera, altitude=2.0, sun_zenith=150.0, latitude=latitude, longitude=longitude
+    )
+    seen = LUMINOUS_EFFICACY * float(luminance(render(solution, scene).rgb[0, 0]))
+    assert brightest < 2.5 * np.log10(1.08e5 / seen) < darkest

@@ -89,6 +89,7 @@ CASES: dict[str, tuple[Any, ...]] = {
         numbers(0.25, 0.5), numbers(0.25, 0.45), 2.0 ** numbers(-8.0, 12.0),
     ),
     "dusk_share": (2.0 ** numbers(-8.0, 12.0),),
+    "warm_share": (2.0 ** numbers(11.0, 16.0),),
     "scene_weight": (*(numbers(-0.1, 2.0) for _ in "rgb"), 0.3),
     "days_of_date": DATES,
     "date_after": (*DATES, numbers(-500.0, 500.0)),

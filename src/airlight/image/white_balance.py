@@ -23,9 +23,9 @@ from airlight.physics.units import quantity
 #: Chromaticity x, y of a light.
 White = tuple[float, float]
 
-#: Names of the adopted white. ``auto`` is ``daylight`` under a star like the sun and ``d65`` in its
-#: dusk, ``star`` under others, and ``d65`` where no star is known; ``kelvin`` is that of a given
-#: temperature.
+#: Names of the adopted white. ``auto`` is ``daylight`` under a star like the sun, ``d65`` in its
+#: dusk and warm in a dark night, ``star`` under others, and ``d65`` where no star is known;
+#: ``kelvin`` is that of a given temperature.
 WHITE_BALANCES: Final = ("auto", "daylight", "star", "scene", "d65", "kelvin")
 #: Colour temperature of photographic daylight. [K; ISO 7589:2002, daylight: 5500 K]
 DAYLIGHT: Final = 5500.0
@@ -42,6 +42,11 @@ _MOST_SUN: Final = 6500.0
 #: Exposures between which ``auto`` passes from the sun's light to that of dusk, which comes from
 #: the sky and is bluer, and by night, of moonlight and lamps, back. [EV]
 _DAY, _DUSK, _DARK, _NIGHT = -2.5, 0.5, 5.0, 7.0
+#: Exposures between which ``auto`` passes to a warm white, and its temperature: light of lamps and
+#: airglow, without moonlight, is yellow, and long exposures of it are balanced for 3500 to 4000 K.
+#: [EV], [K]
+_MOONLESS, _LONGEST = 13.0, 14.5
+_WARM: Final = 3700.0
 #: Displayed light at which a pixel has half its weight in the mean of ``scene``. [1]
 _HALF: Final = 0.18
 #: Smallest cone response of a white relative to its luminance, which limits the gain of blue under
@@ -117,6 +122,12 @@ def dusk_share(factor):
 
 
 @kernel
+def warm_share(factor):
+    """Share of the warm white of a dark night in that of ``auto``, by the exposure's factor. [1]"""
+    return max(min((log2(factor) - _MOONLESS) / (_LONGEST - _MOONLESS), 1.0), 0.0)
+
+
+@kernel
 def white_gains(which, temperature, star_x, star_y, scene_x, scene_y, factor):
     """Gains of the three cone responses that make an adopted white the display's. [1]
 
@@ -142,9 +153,11 @@ def white_gains(which, temperature, star_x, star_y, scene_x, scene_y, factor):
     if which == 0 and star_y > 0.0:
         hot = mccamy_temperature(star_x, star_y)
         if _LEAST_SUN < hot < _MOST_SUN:
-            dusk = dusk_share(factor)
+            dusk, warm = dusk_share(factor), warm_share(factor)
             x = black_body_x(DAYLIGHT) + dusk * (_X - black_body_x(DAYLIGHT))
             y = black_body_y(DAYLIGHT) + dusk * (_Y - black_body_y(DAYLIGHT))
+            x += warm * (black_body_x(_WARM) - x)
+            y += warm * (black_body_y(_WARM) - y)
     if which == 1:
         x, y = black_body_x(DAYLIGHT), black_body_y(DAYLIGHT)
     if which == 3:

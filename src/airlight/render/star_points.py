@@ -13,13 +13,14 @@ from airlight.errors import ConflictError
 from airlight.geometry.ephemeris.instant import days_of
 from airlight.geometry.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun
 from airlight.geometry.ephemeris.world import WORLDS
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets.light_source import LightSource
 from airlight.render.through_air import AirAround, SeenThrough, apparent_points
 from airlight.scene import Camera, Scene
 from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.projected import projected_rays
-from airlight.scene.system.milky_way import milky_way_radiance
+from airlight.scene.system.milky_way import Sun, milky_way_radiance
 from airlight.scene.system.stars import stars
 from airlight.solver.moments.solution import MomentsSolution
 
@@ -83,7 +84,17 @@ def add_catalogue(
     discs = [
         (light.direction, light.radius(solution.lights[0].angular_radius)) for light in scene.lights
     ]
-    add_milky_way(rgb, camera, camera.axes, air, solution.lights[0], turned @ axes, discs)
+    add_milky_way(
+        rgb, camera, camera.axes, air, solution.lights[0], turned @ axes, discs,
+        _sun(scene.lights[0].direction @ (turned @ axes), solution.lights[0]),
+    )  # fmt: skip
+
+
+def _sun(direction: FloatArray, source: LightSource) -> Sun:
+    """The sun in a direction of the frame of the J2000 equator [1], as far as it is bright."""
+    x, y, z = direction.tolist()
+    whole = float(solar_irradiance(source.wavelengths).sum())
+    return Sun(x, y, z, math.sqrt(whole / float(source.irradiance.sum())))
 
 
 def add_milky_way(
@@ -94,8 +105,9 @@ def add_milky_way(
     source: LightSource,
     sky: FloatArray | None = None,
     discs: Sequence[tuple[FloatArray, float]] = (),
+    sun: Sun | None = None,
 ) -> None:
-    """Add the Milky Way, attenuated and refracted by air or occulted.
+    """Add the Milky Way and zodiacal light, attenuated and refracted by air or occulted.
 
     Parameters
     ----------
@@ -106,6 +118,8 @@ def add_milky_way(
         [1]
     discs : sequence of (array, float)
         Directions and angular radii of lights that hide it. [1], [rad]
+    sun : Sun, optional
+        The sun, for zodiacal light; without it there is none.
     """
     rows, columns = rgb.shape[:2]
     weights = source.colors() / source.irradiance[:, None]
@@ -124,7 +138,7 @@ def add_milky_way(
             through[true @ towards > math.cos(radius)] = 0.0
         seen = np.flatnonzero(through.max(axis=1) > 0.0)
         known = true[seen] if sky is None else true[seen] @ sky
-        light = (through[seen] * milky_way_radiance(known, source.wavelengths)) @ weights
+        light = (through[seen] * milky_way_radiance(known, source.wavelengths, sun)) @ weights
         rgb[first : first + y.size].reshape(-1, 3)[shown[seen]] += light
 
 

@@ -26,10 +26,12 @@ from airlight.scene.surface_map import SurfaceMap, levels_of, map_size, packed_t
 _SUFFIX: Final = "-lights.jpg"
 #: Suffix of packaged heights: ``earth`` is in ``data/earth-relief.png``.
 _RELIEF: Final = "-relief.png"
-#: Luminance for a map value of 1: 1e-7 W cm⁻² sr⁻¹ between 0.5 and 0.9 µm, as seen by VIIRS over
-#: the centre of large towns (Elvidge et al. 2017, Int. J. Remote Sens. 38, 5860: up to some 1e-7,
-#: suburbs 1e-8, villages 1e-9), at 200 lm/W, between sodium lamps and warm white LEDs. [cd m⁻²]
-TOWN_LUMINANCE: Final = 0.2
+#: Luminance for a map value of 1, the mean of a texel of 10 km: with it the zenith has 19.0 mag per
+#: square arcsecond over the observatory of Vienna, measured are up to 19.25 (Puschnig, Posch &
+#: Uttenthaler 2014, JQSRT 139, 64). At 200 lm/W, between sodium lamps and warm white LEDs, it is
+#: 4e-8 W cm⁻² sr⁻¹ between 0.5 and 0.9 µm; VIIRS sees up to some 1e-7 in pixels of 0.5 km in the
+#: centre of large towns (Elvidge et al. 2017, Int. J. Remote Sens. 38, 5860). [cd m⁻²]
+TOWN_LUMINANCE: Final = 0.085
 #: Black-body temperature of the colour of the lamps. [K]
 LAMP_TEMPERATURE: Final = 2700.0
 #: sRGB codes of heights from their linear ones: lowlands, which are smooth, get most of the steps.

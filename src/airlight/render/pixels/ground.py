@@ -19,6 +19,7 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
 from airlight.physics.optics.clouds import GroundFactors, clouds_shown, layer_distance, under_clouds
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
+from airlight.physics.optics.rpv import land_diffuse, land_direct, unsaturated
 from airlight.physics.optics.water import water_reflectances
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
 from airlight.render.pixels.relief import relief_light
@@ -326,6 +327,9 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
             star_diffuse *= color[11]
             star_specular *= color[11]
             sky_diffuse, sky_specular = brdf_diffuse(tables.ground.law, tables.ground, mu_r)
+            if view.detailed and view.mapped and tables.ground.law == 0:
+                star_diffuse *= unsaturated(land_direct(mu_s, mu_r, nu), color[1])
+                sky_diffuse *= unsaturated(land_diffuse(mu_r), color[1])
             if tables.ground.wet and view.mapped:
                 share = color[3]
         if share > 0.0:

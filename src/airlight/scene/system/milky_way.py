@@ -1,35 +1,56 @@
-"""Milky Way: integrated light of the stars fainter than the catalogue."""
+"""Milky Way: integrated light of the stars fainter than the catalogue, and zodiacal light."""
 
 from __future__ import annotations
 
 import math
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from airlight.scene.system.stars import black_body_irradiances
+from airlight.scene.system.zodiacal_light import zodiacal_light
 
 FloatArray = npt.NDArray[np.float64]
 
 #: Brightness of the largest value of the map, in S10: stars of V = 10 per square degree.
 BRIGHTEST: Final = 1200.0
 #: Colour B - V of the light: Mattila (1980), Astronomy & Astrophysics Supplement 39, 53, 0.7 to
-#: 0.9 over the sky. [mag]
+#: 0.9 over the sky; zodiacal light has 0.73, sunlight reddened by Leinert et al. (1998), eq. 22.
+#: [mag]
 _COLOR: Final = 0.8
 _TENTH: Final = 10.0
 #: A square degree. [sr]
 _SQUARE_DEGREE: Final = (math.pi / 180.0) ** 2
 
 
-def milky_way_radiance(directions: FloatArray, wavelengths: npt.ArrayLike) -> FloatArray:
+class Sun(NamedTuple):
+    """The sun that an observer's zodiacal light surrounds.
+
+    Attributes
+    ----------
+    x, y, z : float
+        Its direction in the frame of the J2000 equator. [1]
+    distance : float
+        Its distance. [au]
+    """
+
+    x: float
+    y: float
+    z: float
+    distance: float
+
+
+def milky_way_radiance(
+    directions: FloatArray, wavelengths: npt.ArrayLike, sun: Sun | None = None
+) -> FloatArray:
     """Spectral radiance outside the atmosphere, shape (n, nl). [W m⁻² sr⁻¹ nm⁻¹]
 
     Integrated starlight of published brightness with the structure of a photographed panorama; see
-    ``scene/system/data/SOURCES.md``. Zodiacal light and light scattered by dust away from the Milky
-    Way, each up to as much, are left out.
+    ``scene/system/data/SOURCES.md``. Starlight that dust scatters away from the Milky Way, up to as
+    much, is left out.
 
     Parameters
     ----------
@@ -37,6 +58,8 @@ def milky_way_radiance(directions: FloatArray, wavelengths: npt.ArrayLike) -> Fl
         Unit vectors in the frame of the J2000 equator. [1]
     wavelengths : array, shape (nl,)
         Wavelengths. [nm]
+    sun : Sun, optional
+        The sun, for zodiacal light; without it there is none.
 
     Examples
     --------
@@ -45,18 +68,18 @@ def milky_way_radiance(directions: FloatArray, wavelengths: npt.ArrayLike) -> Fl
     '3.3e-10'
     """
     star = black_body_irradiances(np.array([_TENTH]), np.array([_COLOR]), wavelengths)
-    return np.asarray(starlight(directions)[:, None] * star / _SQUARE_DEGREE)
+    return np.asarray(starlight(directions, sun)[:, None] * star / _SQUARE_DEGREE)
 
 
-def starlight(directions: FloatArray) -> FloatArray:
+def starlight(directions: FloatArray, sun: Sun | None = None) -> FloatArray:
     """Brightness of the light, bilinear, in S10, shape (n,).
 
     Parameters
     ----------
-    directions : array, shape (n, 3)
-        Unit vectors in the frame of the J2000 equator. [1]
+    directions, sun :
+        Arguments of ``milky_way_radiance``.
     """
-    picture = _picture()
+    picture = _picture() if sun is None else _with_zodiacal_light(sun)
     rows, columns = picture.shape
     y = (0.5 - np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)) / math.pi) * rows - 0.5
     turn = 0.25 - np.arctan2(directions[:, 1], directions[:, 0]) / (2.0 * math.pi)
@@ -100,3 +123,20 @@ def _picture() -> FloatArray:
     with resources.as_file(file) as path, Image.open(path) as picture:
         codes = np.asarray(picture, float) / 255.0
     return np.asarray(BRIGHTEST * codes * codes)
+
+
+@lru_cache(maxsize=2)
+def _with_zodiacal_light(sun: Sun) -> FloatArray:
+    """``_picture`` with zodiacal light, in S10."""
+    rows, columns = _picture().shape
+    declination = math.pi * (0.5 - (np.arange(rows) + 0.5) / rows)
+    ascension = 2.0 * math.pi * (0.25 - (np.arange(columns) + 0.5) / columns)
+    flat = np.cos(declination)[:, None]
+    places = np.stack(
+        np.broadcast_arrays(
+            flat * np.cos(ascension), flat * np.sin(ascension), np.sin(declination)[:, None]
+        ),
+        axis=-1,
+    )
+    light = zodiacal_light(places.reshape(-1, 3), np.array(sun[:3]), sun.distance)
+    return np.asarray(_picture() + light.reshape(rows, columns))
