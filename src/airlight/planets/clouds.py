@@ -343,8 +343,7 @@ def check_clear(planet: HasClouds, consumer: str = "this computation") -> None:
     if planet.clouds:
         raise ConflictError(
             "clouds",
-            f"cannot be used by {consumer}, which has no three-dimensional clouds: remove them"
-            " (--clouds none)",
+            f"cannot be used by {consumer}, which has no three-dimensional clouds: remove them",
         )
 
 
