@@ -102,6 +102,9 @@ def test_editors_show_every_key_of_clouds():
     shown = [one.path for one in parameters_of({"clouds": [{"kind": "cumulus"}]})]
     own = {path.removeprefix("clouds[0].") for path in shown if "clouds" in path}
     assert own == names - {"name"}
+    two = parameters_of({"clouds": [{"kind": "cumulus"}, {"kind": "cirrus", "name": "high"}]})
+    covers = [(one.group, one.label) for one in two if one.path.endswith("cover")]
+    assert covers == [("3-D clouds", "cumulus: cover"), ("3-D clouds", "high: cover")]
     assert parameters_of({"clouds": []}) == parameters_of({})
 
 
