@@ -167,6 +167,14 @@ def test_other_files_get_one_line(tmp_path):
         assert "\n" not in str(error.value)
 
 
+def test_links_of_a_folder_are_refused(tmp_path):
+    path = tmp_path / "clouds.zarr"
+    _les().to_zarr(path, consolidated=False)
+    (path / "other").symlink_to("/dev/zero")
+    with pytest.raises(AirlightError, match="other: is neither a file nor a folder"):
+        read_cloud_file(CloudFile(file=str(path)))
+
+
 def test_a_field_larger_than_allowed_is_rejected_unread():
     huge = np.broadcast_to(np.float32(0.0), (2048, 2048, 128))
     data = xr.Dataset(
