@@ -49,7 +49,7 @@ def test_extinction_of_a_file_is_that_of_the_field(tmp_path, kind):
 
 
 def test_large_droplets_extinguish_twice_their_cross_section():
-    # van de Hulst (1957), section 17.25: Q = 2 + 2 s x^(-2/3), with s of about 1
+    # van de Hulst (1957), chapter 17: Q = 2 + 2 s x^(-2/3), with s of about 1
     for radius in (4e-6, 8e-6):
         x = 2.0 * np.pi * radius / 550e-9
         excess = extinction_efficiency(radius, 1 / 9) - 2.0

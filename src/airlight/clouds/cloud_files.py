@@ -272,7 +272,7 @@ def _of_water(
     if not ice:
         efficiency = np.float32(extinction_efficiency(low, clouds.effective_variance))
         if high > _NARROW * low:
-            # Q - 2 is proportional to r^(-2/3) for large droplets (van de Hulst 1957, 17.25)
+            # Q - 2 is proportional to r^(-2/3) for large droplets (van de Hulst 1957, chapter 17)
             excess = np.array([efficiency, extinction_efficiency(high, clouds.effective_variance)])
             radii = np.geomspace(low, high, _NODES)
             powers = radii[::-1] ** (-2.0 / 3.0)

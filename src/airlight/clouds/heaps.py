@@ -6,7 +6,7 @@ positive within; the cover determines the level at which the surface lies.
 
 Widths follow n(D) ∝ D^-1.7 up to the largest (Neggers, Jonker & Siebesma 2003, JAS 60, 1060).
 Extinction grows with height above the base as that of a constant number of droplets in adiabatic
-ascent, h^(2/3) (Brenguier et al. 2000, JAS 57, 803, eq. 9 and 10), and falls to zero within 20 m
+ascent, h^(2/3) (Brenguier et al. 2000, JAS 57, 803), and falls to zero within 20 m
 and seven tenths of a cell of the surface, as in the shells of Heus & Jonker (2008), JAS 65, 1003.
 """
 
