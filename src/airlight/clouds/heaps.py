@@ -168,7 +168,7 @@ def cloud_widths(
     grid: CloudGrid, random: np.random.Generator, cell: float, cover: float
 ) -> FloatArray:
     """Widths of clouds of the cover, the largest first. [m]"""
-    widest = min(cell, 0.5 * grid.size)
+    widest = min(max(cell, 4.0 * grid.spacing), 0.5 * grid.size)
     least = min(max(2.5 * grid.spacing, 0.1 * widest), 0.7 * widest)
     if cover > _CROWDED:
         least = 0.7 * widest
@@ -241,7 +241,7 @@ def _plume(
     random: np.random.Generator, x: float, y: float, radius: float, peak: float
 ) -> Iterator[tuple[float, ...]]:
     """Thermals above each other up to a height: rows of ``Heaps``."""
-    low = min(radius, peak)  # in flat clouds thermals are flattened
+    low = max(min(radius, peak), 0.1 * peak)  # flattened in flat clouds, stretched in slender ones
     h = 0.0
     while True:
         size = 1.0 - 0.3 * h / peak

@@ -68,6 +68,7 @@ def layer_extinction(
     pattern : Pattern
         Contrasts of the layer.
     """
+    cell = max(cell, 2.0 * grid.spacing)
     stretch = 1.0 + abs(shear) / STRETCHING
     fine = power_law_field(grid, random, longest=cell, stretch=stretch)
     logarithm = pattern.spread * fine
