@@ -49,7 +49,7 @@ def test_extinction_of_a_file_is_that_of_the_field(tmp_path, kind):
 
 
 def test_large_droplets_extinguish_twice_their_cross_section():
-    # van de Hulst (1957), section 17.25: Q = 2 + 2 s x^(-2/3), with s of about 1
+    # van de Hulst (1957), chapter 17: Q = 2 + 2 s x^(-2/3), with s of about 1
     for radius in (4e-6, 8e-6):
         x = 2.0 * np.pi * radius / 550e-9
         excess = extinction_efficiency(radius, 1 / 9) - 2.0
@@ -165,6 +165,14 @@ def test_other_files_get_one_line(tmp_path):
             read_cloud_file(CloudFile(file=str(path)))
         assert path.name in str(error.value)
         assert "\n" not in str(error.value)
+
+
+def test_links_of_a_folder_are_refused(tmp_path):
+    path = tmp_path / "clouds.zarr"
+    _les().to_zarr(path, consolidated=False)
+    (path / "other").symlink_to("/dev/zero")
+    with pytest.raises(AirlightError, match="other: is neither a file nor a folder"):
+        read_cloud_file(CloudFile(file=str(path)))
 
 
 def test_a_field_larger_than_allowed_is_rejected_unread():

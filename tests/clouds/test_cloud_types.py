@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.cloud_types import cloud_field
-from airlight.clouds.grid import Grid
 from airlight.clouds.layers import STRATOCUMULUS, adiabatic, layer_extinction
 from airlight.clouds.power_law_field import power_law_field
 from airlight.planets.clouds import (
@@ -65,7 +65,7 @@ def test_cumuli_have_flat_bases_and_grow_with_height():
 def test_widths_of_cumuli_follow_a_power_law():
     from airlight.clouds.heaps import WIDTHS, cloud_widths
 
-    grid = Grid(columns=1024, levels=4, spacing=25.0, depth=900.0)
+    grid = CloudGrid(columns=1024, levels=4, spacing=25.0, depth=900.0)
     widths = cloud_widths(grid, np.random.default_rng(0), 2000.0, 0.3)
     # the share above w is that of the integral of w^-1.7
     low, high, power = widths.min(), 2000.0, 1.0 - WIDTHS
@@ -76,7 +76,7 @@ def test_widths_of_cumuli_follow_a_power_law():
 
 
 def test_optical_depth_of_stratocumulus_falls_as_wavenumber_to_the_five_thirds():
-    grid = Grid(columns=512, levels=4, spacing=50.0, depth=300.0)
+    grid = CloudGrid(columns=512, levels=4, spacing=50.0, depth=300.0)
     random = np.random.default_rng(4)
     parts = {"cell": 3000.0, "cover": 1.0, "shear": 0.0}
     columns = np.log(layer_extinction(grid, random, pattern=STRATOCUMULUS, **parts).sum(axis=2))
@@ -90,7 +90,7 @@ def test_optical_depth_of_stratocumulus_falls_as_wavenumber_to_the_five_thirds()
 
 def test_layers_are_adiabatic():
     # means over cells of h^(2/3) up to the top; the optical depth grows as the 5/3rd power
-    grid = Grid(columns=4, levels=40, spacing=50.0, depth=400.0)
+    grid = CloudGrid(columns=4, levels=40, spacing=50.0, depth=400.0)
     depths = np.full((4, 4), 200.0)
     depths[0] = 400.0
     layer = adiabatic(grid, depths)

@@ -6,6 +6,7 @@ from airlight.cli.planet_options import PlanetOptions
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets import Medium, load_planet, replace
 from airlight.planets.clouds import CLOUDS, Cirrus, CloudFile, CumulusHumilis
+from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.overrides import parsed
 from airlight.viewer.parameters.parameter_list import parameters_of
 
@@ -101,4 +102,12 @@ def test_editors_show_every_key_of_clouds():
     shown = [one.path for one in parameters_of({"clouds": [{"kind": "cumulus"}]})]
     own = {path.removeprefix("clouds[0].") for path in shown if "clouds" in path}
     assert own == names - {"name"}
+    two = parameters_of({"clouds": [{"kind": "cumulus"}, {"kind": "cirrus", "name": "high"}]})
+    covers = [(one.group, one.label) for one in two if one.path.endswith("cover")]
+    assert covers == [("3-D clouds", "cumulus: cover"), ("3-D clouds", "high: cover")]
     assert parameters_of({"clouds": []}) == parameters_of({})
+
+
+def test_paths_of_clouds_are_made_absolute_for_editors(tmp_path):
+    tables = {"clouds": [{"file": "les.nc"}]}
+    assert spelled_out(tables, tmp_path)["clouds"][0]["file"] == str(tmp_path / "les.nc")

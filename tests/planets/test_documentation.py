@@ -93,6 +93,8 @@ def test_the_tables_of_the_page_are_those_of_the_declarations():
     kinds = re.findall(r"<!-- keys: (\w+) -->", PAGE)
     assert sorted(kinds) == sorted(BUILDER["PAGES"]["planet-files.md"])
     assert BUILDER["filled"]("planet-files.md") == PAGE
+    clouds = (BUILDER["DOCS"] / "clouds.md").read_text(encoding="utf-8")
+    assert BUILDER["filled"]("clouds.md") == clouds
 
 
 def test_a_range_of_a_declaration_is_the_one_that_is_checked_and_printed():

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import inspect
-from importlib import util
+import os
+import re
+import stat
+from importlib import metadata, util
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
@@ -52,6 +55,8 @@ _CRYSTALS: Final = 2.0
 _RADII: Final = (1e-7, 1e-3)
 #: Number of radii between which the efficiency is linear.
 _NODES: Final = 64
+#: Largest number of files of a Zarr folder.
+_MOST_FILES: Final = 1_000_000
 #: Memory of a cell while a file is read, measured with 512 × 512 × 128 cells. [byte]
 _CELL: Final = 40.0
 #: Largest ratio of effective radii whose efficiency is taken as one.
@@ -267,7 +272,7 @@ def _of_water(
     if not ice:
         efficiency = np.float32(extinction_efficiency(low, clouds.effective_variance))
         if high > _NARROW * low:
-            # Q - 2 is proportional to r^(-2/3) for large droplets (van de Hulst 1957, 17.25)
+            # Q - 2 is proportional to r^(-2/3) for large droplets (van de Hulst 1957, chapter 17)
             excess = np.array([efficiency, extinction_efficiency(high, clouds.effective_variance)])
             radii = np.geomspace(low, high, _NODES)
             powers = radii[::-1] ** (-2.0 / 3.0)
@@ -313,8 +318,9 @@ def _opened(path: Path) -> xr.Dataset:
 def _engine(path: Path) -> str:
     """Engine of xarray for a file, by its first bytes."""
     if path.is_dir():
-        if util.find_spec("zarr") is None:
+        if util.find_spec("zarr") is None or not _safe_numcodecs():
             raise ConflictError(str(path), "requires zarr: pip install airlight[clouds]")
+        _check_folder(path)
         return "zarr"
     check_input(path, LARGEST_PICTURE)
     with path.open("rb") as stream:
@@ -327,6 +333,29 @@ def _engine(path: Path) -> str:
                 return engine
         raise ConflictError(str(path), "requires netCDF4: pip install airlight[clouds]")
     raise FileError(path, "is neither a NetCDF file nor a Zarr folder")
+
+
+def _safe_numcodecs() -> bool:
+    """Whether numcodecs executes no code of a store: GHSA-jqc8-qjfv-5m6r."""
+    try:
+        version = metadata.version("numcodecs")
+    except metadata.PackageNotFoundError:
+        return False
+    numbers = tuple(int(part) for part in re.findall(r"\d+", version)[:3])
+    return numbers >= (0, 16, 6) and numbers != (0, 17, 0)
+
+
+def _check_folder(path: Path) -> None:
+    """Raise an error for links, devices, and more files than a field has."""
+    count = 0
+    for folder, folders, files in os.walk(path):
+        for name in (*folders, *files):
+            count += 1
+            mode = (Path(folder) / name).lstat().st_mode
+            if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+                raise FileError(Path(folder) / name, "is neither a file nor a folder")
+        if count > _MOST_FILES:
+            raise FileError(path, f"has too many files; allowed: at most {_MOST_FILES}")
 
 
 def _damaged(path: str | Path, error: Exception) -> FileError:

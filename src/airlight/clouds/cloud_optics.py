@@ -98,9 +98,9 @@ class CloudOptics:
 
         References
         ----------
-        van Diedenhoven et al. (2012), Atmos. Meas. Tech. 5, 2361, eq. 1 (halves); Platnick et al.
-        (2017), IEEE Trans. Geosci. Remote Sens. 55, 502, section II.D (0.75, roughened
-        aggregates of columns).
+        Macke, Mueller & Raschke (1996), JAS 53, 2813 (rays and diffraction); Platnick et al.
+        (2017), IEEE Trans. Geosci. Remote Sens. 55, 502 (0.75 of severely roughened aggregates
+        of columns).
         """
         nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not LEAST_CRYSTAL <= effective_radius <= 1e-3:

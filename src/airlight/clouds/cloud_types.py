@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.fibres import fibre_extinction
-from airlight.clouds.grid import Grid
 from airlight.clouds.heaps import heap_extinction
 from airlight.clouds.layers import ALTOCUMULUS, STRATOCUMULUS, STRATUS, layer_extinction
 from airlight.planets.clouds import (
@@ -68,7 +68,7 @@ def cloud_field(
     """
     step = clouds.spacing if spacing is None else spacing
     columns = max(round(size / step), 4)
-    grid = Grid(columns=columns, levels=levels, spacing=step, depth=clouds.depth)
+    grid = CloudGrid(columns=columns, levels=levels, spacing=step, depth=clouds.depth)
     random = np.random.default_rng(int(clouds.seed))
     relative = np.zeros(grid.shape)
     if clouds.cover > 0.0:
@@ -84,7 +84,7 @@ def cloud_field(
     )
 
 
-def scaled(relative: FloatArray, grid: Grid, optical_depth: float) -> NDArray[np.float32]:
+def scaled(relative: FloatArray, grid: CloudGrid, optical_depth: float) -> NDArray[np.float32]:
     """Extinction whose cloudy columns have a mean optical depth. [m⁻¹]"""
     columns = relative.sum(axis=2) * grid.level
     cloudy = columns > 0.0

@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.clouds.grid import Grid
+from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.power_law_field import power_law_field
 
 FloatArray = NDArray[np.float64]
@@ -22,7 +22,7 @@ FALL: Final = 0.8
 
 
 def fibre_extinction(
-    grid: Grid, random: np.random.Generator, *, cell: float, cover: float, shear: float
+    grid: CloudGrid, random: np.random.Generator, *, cell: float, cover: float, shear: float
 ) -> FloatArray:
     """Relative extinction of cirrus of a cover, shape of the grid. [1]
 

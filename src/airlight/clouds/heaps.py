@@ -6,7 +6,7 @@ positive within; the cover determines the level at which the surface lies.
 
 Widths follow n(D) ∝ D^-1.7 up to the largest (Neggers, Jonker & Siebesma 2003, JAS 60, 1060).
 Extinction grows with height above the base as that of a constant number of droplets in adiabatic
-ascent, h^(2/3) (Brenguier et al. 2000, JAS 57, 803, eq. 9 and 10), and falls to zero within 20 m
+ascent, h^(2/3) (Brenguier et al. 2000, JAS 57, 803), and falls to zero within 20 m
 and seven tenths of a cell of the surface, as in the shells of Heus & Jonker (2008), JAS 65, 1003.
 """
 
@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
-from airlight.clouds.grid import Grid
+from airlight.clouds.cloud_grid import CloudGrid
 from airlight.geometry.gradient_noise import gradient_noise
 from airlight.kernel import compiled_loop, kernel
 
@@ -127,13 +127,13 @@ def raise_thermals(field, heaps, east_step, up_step, rough):
 
 
 def heap_extinction(
-    grid: Grid, random: np.random.Generator, *, cell: float, cover: float, shear: float
+    grid: CloudGrid, random: np.random.Generator, *, cell: float, cover: float, shear: float
 ) -> FloatArray:
     """Relative extinction of cumuli of a cover, shape of the grid. [1]
 
     Parameters
     ----------
-    grid : Grid
+    grid : CloudGrid
         Box, as high as the deepest clouds.
     random : numpy.random.Generator
         Source of places and sizes.
@@ -164,9 +164,11 @@ def heap_extinction(
     return np.asarray(inside * grid.heights ** (2.0 / 3.0))
 
 
-def cloud_widths(grid: Grid, random: np.random.Generator, cell: float, cover: float) -> FloatArray:
+def cloud_widths(
+    grid: CloudGrid, random: np.random.Generator, cell: float, cover: float
+) -> FloatArray:
     """Widths of clouds of the cover, the largest first. [m]"""
-    widest = min(cell, 0.5 * grid.size)
+    widest = min(max(cell, 4.0 * grid.spacing), 0.5 * grid.size)
     least = min(max(2.5 * grid.spacing, 0.1 * widest), 0.7 * widest)
     if cover > _CROWDED:
         least = 0.7 * widest
@@ -180,7 +182,7 @@ def cloud_widths(grid: Grid, random: np.random.Generator, cell: float, cover: fl
     return found
 
 
-def _places(grid: Grid, random: np.random.Generator, widths: FloatArray) -> FloatArray:
+def _places(grid: CloudGrid, random: np.random.Generator, widths: FloatArray) -> FloatArray:
     """Places of clouds, the farthest from others of a few random ones, shape (n, 2). [m]"""
     places = np.zeros((widths.size, 2))
     for n, width in enumerate(widths):
@@ -196,7 +198,7 @@ def _places(grid: Grid, random: np.random.Generator, widths: FloatArray) -> Floa
 
 
 def _heaps(
-    grid: Grid, random: np.random.Generator, widths: FloatArray, cell: float, shear: float
+    grid: CloudGrid, random: np.random.Generator, widths: FloatArray, cell: float, shear: float
 ) -> Heaps:
     """Thermals of clouds of these widths."""
     places = _places(grid, random, widths)
@@ -239,7 +241,7 @@ def _plume(
     random: np.random.Generator, x: float, y: float, radius: float, peak: float
 ) -> Iterator[tuple[float, ...]]:
     """Thermals above each other up to a height: rows of ``Heaps``."""
-    low = min(radius, peak)  # in flat clouds thermals are flattened
+    low = max(min(radius, peak), 0.1 * peak)  # flattened in flat clouds, stretched in slender ones
     h = 0.0
     while True:
         size = 1.0 - 0.3 * h / peak

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from airlight.clouds.grid import Grid
+from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.power_law_field import power_law_field
 
 FloatArray = NDArray[np.float64]
@@ -51,7 +51,7 @@ ALTOCUMULUS: Final = Pattern(cells=2.0, spread=0.5, patches=0.8)
 
 
 def layer_extinction(
-    grid: Grid,
+    grid: CloudGrid,
     random: np.random.Generator,
     *,
     pattern: Pattern,
@@ -68,6 +68,7 @@ def layer_extinction(
     pattern : Pattern
         Contrasts of the layer.
     """
+    cell = max(cell, 2.0 * grid.spacing)
     stretch = 1.0 + abs(shear) / STRETCHING
     fine = power_law_field(grid, random, longest=cell, stretch=stretch)
     logarithm = pattern.spread * fine
@@ -88,12 +89,12 @@ def layer_extinction(
     return np.asarray(layer * (wanted / np.maximum(layer.sum(axis=2), 1e-30))[..., None])
 
 
-def adiabatic(grid: Grid, depths: FloatArray) -> FloatArray:
+def adiabatic(grid: CloudGrid, depths: FloatArray) -> FloatArray:
     """Means over cells of h^(2/3) up to the top of each column, shape of the grid. [m^(2/3)]
 
     Parameters
     ----------
-    grid : Grid
+    grid : CloudGrid
         Box.
     depths : array, shape (columns, columns)
         Depths of the columns. [m]
@@ -104,7 +105,7 @@ def adiabatic(grid: Grid, depths: FloatArray) -> FloatArray:
 
 
 def cell_pattern(
-    grid: Grid, random: np.random.Generator, cell: float, stretch: float
+    grid: CloudGrid, random: np.random.Generator, cell: float, stretch: float
 ) -> FloatArray:
     """Closed cells: 1 in their middles, 0 at their edges, shape (columns, columns). [1]
 

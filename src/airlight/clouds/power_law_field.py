@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.clouds.grid import Grid
+from airlight.clouds.cloud_grid import CloudGrid
 
 FloatArray = NDArray[np.float64]
 
 
 def power_law_field(
-    grid: Grid,
+    grid: CloudGrid,
     random: np.random.Generator,
     *,
     slope: float = -5.0 / 3.0,
@@ -24,7 +24,7 @@ def power_law_field(
 
     Parameters
     ----------
-    grid : Grid
+    grid : CloudGrid
         Periodic box.
     random : numpy.random.Generator
         Source of the phases.

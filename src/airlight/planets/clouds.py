@@ -1,10 +1,11 @@
 """Three-dimensional clouds of a planet: tables ``[[clouds]]`` of its file.
 
 Defaults follow: heights, WMO (2017), International Cloud Atlas, section 2.2.1, and for cirrus
-Sassen & Campbell (2001), JAS 58, 481; optical depths, the classes of Rossow & Schiffer (1999), BAMS
-80, 2261; water droplets, Miles, Verlinde & Clothiaux (2000), JAS 57, 295 (9.6 µm marine, 5.4 µm
-continental), and the C1 cumulus of Deirmendjian (1969), Electromagnetic Scattering on Spherical
-Polydispersions (6 µm, effective variance 1/9); stratocumulus, Wood (2012), MWR 140, 2373.
+Sassen & Campbell (2001), JAS 58, 481; optical depths of layers, the classes of Rossow & Schiffer
+(1999), BAMS 80, 2261, and of heaps, about two fifths of the water of adiabatic ascent; water
+droplets, Miles, Verlinde & Clothiaux (2000), JAS 57, 295 (9.6 µm marine, 5.4 µm continental), and
+the C1 cumulus of Deirmendjian (1969), Electromagnetic Scattering on Spherical Polydispersions
+(6 µm, effective variance 1/9); stratocumulus, Wood (2012), MWR 140, 2373.
 """
 
 from __future__ import annotations
@@ -343,8 +344,7 @@ def check_clear(planet: HasClouds, consumer: str = "this computation") -> None:
     if planet.clouds:
         raise ConflictError(
             "clouds",
-            f"cannot be used by {consumer}, which has no three-dimensional clouds: remove them"
-            " (--clouds none)",
+            f"cannot be used by {consumer}, which has no three-dimensional clouds: remove them",
         )
 
 

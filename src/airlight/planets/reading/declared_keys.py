@@ -59,10 +59,15 @@ def _spelled(value: Any, kind: KindOfTable, path: str, folder: Path | None) -> A
             one = _spelled(one, key.table, joined(path, name), folder)
         elif isinstance(one, str) and key.kind == "number" and "," in one:
             one = listed(one, key.unit)
-        elif isinstance(one, str) and one.endswith(".csv") and folder is not None:
+        elif isinstance(one, str) and folder is not None and _names_file(key, one):
             one = str((folder / one).resolve())
         result[name] = one
     return result
+
+
+def _names_file(key: Field, text: str) -> bool:
+    """Whether the text of a key is the path of a table or of clouds."""
+    return text.endswith(".csv") or (key.name == "file" and key.kind == "text")
 
 
 def is_flat(value: Any) -> bool:

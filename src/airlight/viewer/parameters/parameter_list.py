@@ -26,7 +26,8 @@ from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.view_parameters import VIEW_GROUPS
 
 #: Groups of a planet other than constituents.
-PLANET_GROUPS: Final = (AMOUNTS, "planet", "shell", "ground", "star")
+CLOUD_GROUP: Final = "3-D clouds"
+PLANET_GROUPS: Final = (AMOUNTS, "planet", "shell", "ground", "star", CLOUD_GROUP)
 #: Tables of the file that form a group.
 _GROUPED: Final = (Shell, Ground, Star)
 
@@ -131,6 +132,9 @@ def _value(key: Field, value: Any, path: str, cursor: _Cursor) -> Iterator[Param
             if key.name == "constituents":
                 group = group_of(value, index)
                 yield from _table(one, _Cursor(here, key.table, group, "", {}))
+            elif key.table is CLOUDS:
+                prefix = f"{one.get('name', one.get('kind', 'file'))}: " if len(value) > 1 else ""
+                yield from _table(one, _Cursor(here, key.table, CLOUD_GROUP, prefix, {}))
             else:
                 prefix = f"{cursor.prefix}{key.label} {index + 1}: "
                 yield from _table(one, replace(cursor, path=here, kind=key.table, prefix=prefix))

@@ -1,4 +1,4 @@
-"""``Grid``: the periodic box in which clouds are generated."""
+"""``CloudGrid``: the periodic box in which clouds are generated."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Grid:
+class CloudGrid:
     """Square periodic box of cells.
 
     Parameters
