@@ -102,11 +102,12 @@ def test_rays_through_cells_obey_beer(radius: float, interpolated: bool, beyond:
     assert_array_less(np.abs(free - light), 4.5 * error)
 
 
+@pytest.mark.slow
 def test_uniform_cloud_is_a_layer_of_the_atmosphere(
     one_air: Callable[..., Planet], tell: Callable[[str], None]
 ) -> None:
     # A second method: the same cloud as a constituent, spherical geometry, gas and ground; 3.5
-    # combined standard errors of 1 %.
+    # combined standard errors of 1.5 %.
     clear = one_air(depth=0.3, albedo=0.3)
     coefficient = 4.0 / DEPTH
     layers = (
@@ -122,19 +123,19 @@ def test_uniform_cloud_is_a_layer_of_the_atmosphere(
         phase_function=HenyeyGreenstein(asymmetry=0.7),
     )
     layered = replace(clear, constituents=(*clear.constituents, cloud))
-    settings = MonteCarloSettings(relative_error=0.01, polarisation=False, exact_first_order=False)
+    settings = MonteCarloSettings(relative_error=0.015, polarisation=False, exact_first_order=False)
     judge = MonteCarloSolution(Medium.from_planet(layered, [550.0]), settings)
     altitude, view = np.array([0.0, 0.0, 1300.0, 300e3]), np.array([0.0, 65.0, 100.0, 140.0])
     known = judge.radiance(altitude=altitude, sun_zenith=50.0, view_zenith=view, azimuth=60.0)
     uniform = field(np.full((5, 4, 4), coefficient), latitude=40.0, longitude=20.0)
-    got = cloudy(clear, uniform, albedo=0.9).radiance(
+    got = cloudy(clear, uniform, 0.015, albedo=0.9).radiance(
         latitude=40.0, longitude=20.0, altitude=altitude, view_zenith=view, azimuth=150.0,
         sun_zenith=50.0, sun_azimuth=90.0,
     )  # fmt: skip
     off = got.total[:, 0] - known.values[:, 0]
     error = np.hypot(got.total_error[:, 0], known["standard_error"].values[:, 0])
     tell(f"uniform cloud and layer: {off / known.values[:, 0]} ± {error / known.values[:, 0]}")
-    assert_array_less(error, 0.02 * known.values[:, 0])
+    assert_array_less(error, 0.03 * known.values[:, 0])
     assert_array_less(np.abs(off), 3.5 * error)
 
 
@@ -165,9 +166,9 @@ def broken_cloud(interpolated: bool = False) -> CloudField:
 def test_conservative_cloud_keeps_energy(
     interpolated: bool, one_air: Callable[..., Planet], tell: Callable[[str], None]
 ) -> None:
-    # R + T = 1 over a flat black ground without air; 3.5 standard errors of 0.5 %.
+    # R + T = 1 over a flat black ground without air; 3.5 standard errors of 1.5 %.
     cloud = broken_cloud(interpolated)
-    air = cloudy(one_air(depth=0.0, bottom=6.36e9), cloud, 0.005)
+    air = cloudy(one_air(depth=0.0, bottom=6.36e9), cloud, 0.015)
     box, sun = Areas.box(cloud), {"sun_zenith": 50.0, "sun_azimuth": 200.0}
     up = air.irradiance_over(box, altitude=cloud.top, upward=True, **sun)
     down = air.irradiance_over(box, altitude=0.0, upward=False, **sun)
@@ -175,15 +176,15 @@ def test_conservative_cloud_keeps_energy(
     total = float(up.total[0, 0] + down.total[0, 0] + direct[0, 0]) / np.cos(np.radians(50.0))
     error = float(np.hypot(up.total_error[0, 0], down.total_error[0, 0])) / 0.64
     tell(f"R + T of a conservative cloud: {total:.4f} ± {error:.4f}")
-    assert error < 0.006
+    assert error < 0.018
     assert_allclose(total, 1.0, rtol=0, atol=3.5 * error)
 
 
 def test_light_goes_both_ways(one_air: Callable[..., Planet]) -> None:
     # Reciprocity of the mean reflected radiance: L over the cosine of the sun's zenith angle is
-    # the same after sun and view have changed places; 3.5 combined standard errors of 1 %.
+    # the same after sun and view have changed places; 3.5 combined standard errors of 1.5 %.
     cloud = broken_cloud()
-    air = cloudy(one_air(depth=0.0, bottom=6.36e9, albedo=0.2), cloud)
+    air = cloudy(one_air(depth=0.0, bottom=6.36e9, albedo=0.2), cloud, 0.015)
     ways = ((60.0, 40.0), (25.0, 170.0))
     found = []
     for (sun, sun_azimuth), (view, azimuth) in (ways, ways[::-1]):
