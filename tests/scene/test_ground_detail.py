@@ -8,21 +8,18 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_less
 
+from airlight.geometry.gradient_noise import PERIOD, corner_slope, gradient_noise, smooth_noise
 from airlight.geometry.vectors import Vec3
 from airlight.image.encoding import srgb_encode
 from airlight.scene.ground_detail import (
     OCTAVES,
-    PERIOD,
     STEP,
     GroundNoise,
-    corner_slope,
     finest_cell,
-    gradient_noise,
     grained_cover,
     ground_detail,
     lattice_origin,
     sharper_share,
-    smooth_noise,
 )
 from airlight.scene.map_grain import grain_of
 from airlight.scene.observer import planet_frame

@@ -17,6 +17,7 @@ from airlight.kernel.cache import Cache
 from airlight.physics.optics.airglow import airglow_names
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.units import values_in
+from airlight.planets.clouds import CLOUDS, Clouds
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.parameters import MISSING, between, instance_of, parameters
@@ -53,6 +54,8 @@ RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
 MEDIA: Final = 2
 #: Largest number of constituents of a planet.
 MAX_CONSTITUENTS: Final = 64
+#: Largest number of kinds of clouds of a planet.
+MAX_CLOUDS: Final = 8
 #: Smallest thickness of the shell relative to the ground radius, and largest ratio of the radii.
 #: [1]
 LEAST_THICKNESS: Final = 1e-7
@@ -128,6 +131,8 @@ class Planet(TomlModel):
         Radii of the ground and of the top of the atmosphere. [m]
     constituents : tuple of Constituent
         Constituents, 1 to 64.
+    clouds : tuple of Clouds
+        Three-dimensional clouds, at most 8.
     default_wavelengths : tuple of float, optional
         Default wavelengths of the planet. [nm]
     description : str, optional
@@ -217,6 +222,13 @@ class Planet(TomlModel):
         table=Constituent,
         example="a list of tables [[constituents]]",
     )
+    clouds: tuple[Annotated[Clouds, instance_of(Clouds)], ...] = key(
+        help="Three-dimensional clouds.",
+        note="Up to 8 tables, each with a name or kind of its own.",
+        table=CLOUDS,
+        example="a list of tables [[clouds]]",
+        default=(),
+    )
 
     @classmethod
     def declared(cls, table: FileTable | None = None) -> tuple[Field, ...]:
@@ -277,6 +289,7 @@ class Planet(TomlModel):
                     f"constituents[{index}].name", constituent.name, "a unique name"
                 )
             names.add(constituent.name)
+        self._check_clouds()
         if self.wavelength_limits[0] > self.wavelength_limits[1]:
             raise ParameterError(
                 "wavelengths",
@@ -286,6 +299,14 @@ class Planet(TomlModel):
         if self.default_wavelengths is not None:
             check_wavelength_list(self.default_wavelengths)
             self.check_wavelengths(self.default_wavelengths)
+
+    def _check_clouds(self) -> None:
+        if len(self.clouds) > MAX_CLOUDS:
+            raise ParameterError("clouds", len(self.clouds), f"at most {MAX_CLOUDS} of them")
+        titles = [one.title for one in self.clouds]
+        for index, title in enumerate(titles):
+            if title in titles[:index]:
+                raise ParameterError(f"clouds[{index}].name", title, "a unique name")
 
     @cached_property
     def media(self) -> Cache[bytes, Any]:

@@ -18,20 +18,14 @@ from __future__ import annotations
 from math import exp, floor, log, pi, sqrt
 from typing import Final, NamedTuple
 
+from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, PERIOD, gradient_noise
 from airlight.kernel import kernel
 
 #: Number of octaves of noise, and ratio between their sizes.
 OCTAVES: Final = 9
 STEP: Final = 4
-#: Period of the noise in cells of each size.
-PERIOD: Final = 256
 #: Period of the finest cells, a multiple of all others' periods.
 WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
-#: Standard deviation of one octave: 1/√3 on the lattice, times (181/231)^1.5 between its points, as
-#: 181/231 is the mean of u² + (1 - u)² over a cell for the quintic fade u. [1]
-DEVIATION: Final = 0.4005
-#: The same of ``gradient_noise``, the mean of 2 million places. [1]
-GRADIENT_DEVIATION: Final = 0.1344
 #: Contrast of the coarsest octave where there is no map, and ratio of successive octaves'. [1]
 PLAIN_CONTRAST: Final = 0.04
 PLAIN_FALL: Final = 1.0
@@ -111,139 +105,6 @@ def lattice_origin(component, radius, cell):
     place = component * radius / cell
     whole = floor(place)
     return float(whole % WHOLE_PERIOD), place - whole
-
-
-@kernel
-def below_289(number):
-    """Positive integer modulo 289, as a float; exact despite rounded quotients.
-
-    Drivers compute integer remainders lane by lane; SwiftShader then needed ten gigabytes to
-    compile.
-
-    Examples
-    --------
-    >>> below_289(289.0), below_289(83231.0)
-    (0.0, 288.0)
-    """
-    return number - 289.0 * float(floor((number + 0.5) * (1.0 / 289.0)))
-
-
-@kernel
-def shuffled(number):
-    """Permutation polynomial modulo 289, on integers as floats.
-
-    McEwan, Sheets, Gustavson and Richardson (2012), J. Graphics Tools 16, 85, section 3.
-
-    Examples
-    --------
-    >>> shuffled(1.0), sorted(shuffled(float(n)) for n in range(289)) == list(range(289))
-    (35.0, True)
-    """
-    return below_289(below_289(34.0 * number + 1.0) * number)
-
-
-@kernel
-def lattice_value(column, k):
-    """Pseudorandom value of a lattice point, -1 to 1, mean 0. [1]
-
-    Parameters
-    ----------
-    column : float
-        Permuted indices along two axes, 0 to 288.
-    k : float
-        Index along the third axis, 0 to 255.
-    """
-    return shuffled(column + k) / 144.0 - 1.0
-
-
-@kernel
-def quintic(part):
-    """Quintic fade 6t⁵ - 15t⁴ + 10t³, with two continuous derivatives. [1]"""
-    return part * part * part * (part * (part * 6.0 - 15.0) + 10.0)
-
-
-@kernel
-def in_period(number):
-    """Integer modulo the period, as a float."""
-    return number - PERIOD * float(floor(number * (1.0 / PERIOD)))
-
-
-@kernel
-def smooth_noise(x, y, z):
-    """Value noise, interpolated between lattice points. [1]
-
-    Parameters
-    ----------
-    x, y, z : float
-        Position. [cell]
-    """
-    i, j, k = float(floor(x)), float(floor(y)), float(floor(z))
-    u, v, w = quintic(x - i), quintic(y - j), quintic(z - k)
-    i, j, k = in_period(i), in_period(j), in_period(k)
-    far, high = in_period(j + 1.0), in_period(k + 1.0)
-    left, right = shuffled(i), shuffled(in_period(i + 1.0))
-    near_left, near_right = shuffled(left + j), shuffled(right + j)
-    far_left, far_right = shuffled(left + far), shuffled(right + far)
-    a = lattice_value(near_left, k) * (1.0 - u) + lattice_value(near_right, k) * u
-    b = lattice_value(far_left, k) * (1.0 - u) + lattice_value(far_right, k) * u
-    c = lattice_value(near_left, high) * (1.0 - u) + lattice_value(near_right, high) * u
-    d = lattice_value(far_left, high) * (1.0 - u) + lattice_value(far_right, high) * u
-    return (a * (1.0 - v) + b * v) * (1.0 - w) + (c * (1.0 - v) + d * v) * w
-
-
-@kernel
-def corner_slope(column, k, x, y, z):
-    """Height of a slope through a lattice point, in one of 49 directions. [1]
-
-    Octahedral map of 7 × 7 directions (McEwan et al. 2012, section 4), not normalised.
-
-    Parameters
-    ----------
-    column, k : float
-        Arguments of ``lattice_value``.
-    x, y, z : float
-        Position from the point. [cell]
-    """
-    value = shuffled(column + k)
-    value -= 49.0 * float(floor((value + 0.5) * (1.0 / 49.0)))
-    row = float(floor((value + 0.5) * (1.0 / 7.0)))
-    # centres of cells of the map, so that directions balance
-    a, b = (row - 3.0) * (2.0 / 7.0), (value - 7.0 * row - 3.0) * (2.0 / 7.0)
-    c = 1.0 - abs(a) - abs(b)
-    fold = max(-c, 0.0)
-    a += -fold if a >= 0.0 else fold
-    b += -fold if b >= 0.0 else fold
-    return a * x + b * y + c * z
-
-
-@kernel
-def gradient_noise(x, y, z):
-    """Gradient noise (Perlin 2002, ACM Trans. Graph. 21, 681), 0 at lattice points. [1]
-
-    Parameters
-    ----------
-    x, y, z : float
-        Position. [cell]
-    """
-    i, j, k = float(floor(x)), float(floor(y)), float(floor(z))
-    x, y, z = x - i, y - j, z - k
-    u, v, w = quintic(x), quintic(y), quintic(z)
-    i, j, k = in_period(i), in_period(j), in_period(k)
-    far, high = in_period(j + 1.0), in_period(k + 1.0)
-    left, right = shuffled(i), shuffled(in_period(i + 1.0))
-    total = 0.0
-    for corner in range(4):
-        column, start, height, share = left, j, y, 1.0 - v
-        if corner > 1:
-            start, height, share = far, y - 1.0, v
-        across, part = x, 1.0 - u
-        if corner - 2 * (corner // 2) == 1:
-            column, across, part = right, x - 1.0, u
-        column = shuffled(column + start)
-        low = corner_slope(column, k, across, height, z)
-        above = corner_slope(column, high, across, height, z - 1.0)
-        total += share * part * (low * (1.0 - w) + above * w)
-    return total
 
 
 @kernel

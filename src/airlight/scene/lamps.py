@@ -12,17 +12,16 @@ from __future__ import annotations
 from math import floor, pi
 from typing import Final
 
-from airlight.kernel import inlined, kernel
-from airlight.scene.ground_detail import (
+from airlight.geometry.gradient_noise import (
     GRADIENT_DEVIATION,
-    OCTAVES,
     PERIOD,
-    STEP,
     gradient_noise,
     in_period,
     lattice_value,
     shuffled,
 )
+from airlight.kernel import inlined, kernel
+from airlight.scene.ground_detail import OCTAVES, STEP
 
 #: Octaves of noise before that of the lamps.
 _DISTRICTS: Final = 3

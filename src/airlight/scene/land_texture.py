@@ -11,9 +11,10 @@ from __future__ import annotations
 from math import floor, sqrt
 from typing import Final, NamedTuple
 
+from airlight.geometry.gradient_noise import DEVIATION, PERIOD, smooth_noise
 from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import kernel
-from airlight.scene.ground_detail import DEVIATION, PERIOD, STEP, smooth_noise
+from airlight.scene.ground_detail import STEP
 
 #: Number of octaves, and sizes of the cells of the coarsest and of the finest over the finest of
 #: ``ground_detail``: 460 m to 3 cm on Earth.

@@ -10,16 +10,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet, render
+from airlight.geometry.gradient_noise import PERIOD, smooth_noise
 from airlight.geometry.vectors import Vec3
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
-from airlight.scene.ground_detail import (
-    PERIOD,
-    WHOLE_PERIOD,
-    finest_cell,
-    ground_detail,
-    smooth_noise,
-)
+from airlight.scene.ground_detail import WHOLE_PERIOD, finest_cell, ground_detail
 from airlight.solver.moments.solution import MomentsSolution
 
 CELL = np.float32(finest_cell(6371e3, 2700))

@@ -1,0 +1,92 @@
+"""Generated clouds: a ``CloudField`` from a type and its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.fibres import fibre_extinction
+from airlight.clouds.grid import Grid
+from airlight.clouds.heaps import heap_extinction
+from airlight.clouds.layers import ALTOCUMULUS, STRATOCUMULUS, STRATUS, layer_extinction
+from airlight.planets.clouds import (
+    Altocumulus,
+    Cirrus,
+    CloudType,
+    CumulusCongestus,
+    CumulusHumilis,
+    Stratocumulus,
+    Stratus,
+)
+
+FloatArray = NDArray[np.float64]
+
+#: Side of the box, and number of levels, by default. [m], [1]
+SIZE: Final = 25.6e3
+LEVELS: Final = 32
+#: Relative extinction by type: ``(grid, random, cell=, cover=, shear=)``.
+GENERATORS: Final[dict[type[CloudType], Callable[..., FloatArray]]] = {
+    Stratus: partial(layer_extinction, pattern=STRATUS),
+    Stratocumulus: partial(layer_extinction, pattern=STRATOCUMULUS),
+    CumulusHumilis: heap_extinction,
+    CumulusCongestus: heap_extinction,
+    Altocumulus: partial(layer_extinction, pattern=ALTOCUMULUS),
+    Cirrus: fibre_extinction,
+}
+
+
+def cloud_field(
+    clouds: CloudType,
+    *,
+    size: float = SIZE,
+    spacing: float | None = None,
+    levels: int = LEVELS,
+    latitude: float = 0.0,
+    longitude: float = 0.0,
+) -> CloudField:
+    """Field of generated clouds in a periodic box; the same for the same parameters.
+
+    Cover and mean optical depth of the cloudy columns are those of the clouds.
+
+    Parameters
+    ----------
+    clouds : CloudType
+        Kind and parameters.
+    size : float
+        Side of the box, rounded to whole cells. [m]
+    spacing : float, optional
+        Horizontal width of a cell; by default that of the type. [m]
+    levels : int
+        Number of levels.
+    latitude, longitude : float
+        The place, in the middle of the box. [deg]
+    """
+    step = clouds.spacing if spacing is None else spacing
+    columns = max(round(size / step), 4)
+    grid = Grid(columns=columns, levels=levels, spacing=step, depth=clouds.depth)
+    random = np.random.default_rng(int(clouds.seed))
+    relative = GENERATORS[type(clouds)](
+        grid, random, cell=clouds.cell, cover=clouds.cover, shear=clouds.shear
+    )
+    return CloudField(
+        extinction=scaled(relative, grid, clouds.optical_depth),
+        spacing=(step, step, grid.level),
+        base=clouds.base,
+        latitude=latitude,
+        longitude=longitude,
+        beyond="periodic",
+    )
+
+
+def scaled(relative: FloatArray, grid: Grid, optical_depth: float) -> NDArray[np.float32]:
+    """Extinction whose cloudy columns have a mean optical depth. [m⁻¹]"""
+    columns = relative.sum(axis=2) * grid.level
+    cloudy = columns > 0.0
+    if not cloudy.any():
+        return np.zeros(grid.shape, np.float32)
+    return np.asarray(relative * (optical_depth / columns[cloudy].mean()), np.float32)

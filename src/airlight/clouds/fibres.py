@@ -1,0 +1,61 @@
+"""Cirrus: generating heads whose falling crystals trail as fibres in the wind.
+
+Crystals leave heads at the top and fall at a constant speed v through the sheared wind, so that a
+trail is displaced by -s Δh²/(2 v) at the depth Δh below its head (Heymsfield 1975, JAS 32, 799),
+spreads, and sublimates towards the base.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.clouds.grid import Grid
+from airlight.clouds.power_law_field import power_law_field
+
+FloatArray = NDArray[np.float64]
+
+#: Speed of fall of crystals. [m s⁻¹] Heymsfield & Iaquinta (2000), JAS 57, 916: 0.3 to 1 m/s.
+FALL: Final = 0.8
+
+
+def fibre_extinction(
+    grid: Grid, random: np.random.Generator, *, cell: float, cover: float, shear: float
+) -> FloatArray:
+    """Relative extinction of cirrus of a cover, shape of the grid. [1]
+
+    Parameters
+    ----------
+    grid, random, cell, cover, shear
+        See ``heaps.heap_extinction``; ``cell`` is the distance between groups of heads.
+    """
+    groups = power_law_field(grid, random, slope=-3.0, longest=4.0 * cell, stretch=0.7)
+    heads = power_law_field(grid, random, slope=-5.0 / 3.0, longest=0.5 * cell)
+    sources = np.exp(1.1 * groups + 1.0 * heads)
+    spectrum = np.fft.fft2(sources)
+    waves = np.fft.fftfreq(grid.columns, grid.spacing)
+    east, north = waves[:, None], waves[None, :]
+    below = grid.depth - grid.heights
+    layers = np.empty(grid.shape)
+    for level, fallen in enumerate(below):
+        ends = [
+            shear * max(fallen + side * grid.level, 0.0) ** 2 / (2.0 * FALL) for side in (-0.5, 0.5)
+        ]
+        middle, length = 0.5 * (ends[0] + ends[1]), ends[1] - ends[0]
+        spread = 30.0 + 0.06 * fallen
+        response = (
+            np.exp(2j * np.pi * east * middle)
+            * np.sinc(east * length)
+            * np.exp(-2.0 * (np.pi * spread) ** 2 * (east**2 + north**2))
+        )
+        share = fallen / grid.depth
+        water = np.minimum(4.0 * share, 1.0) * (1.0 - share) ** 0.7
+        layers[:, :, level] = water * np.fft.ifft2(spectrum * response).real
+    layers = np.maximum(layers, 0.0)
+    columns = layers.sum(axis=2)
+    if cover < 1.0:
+        edge = np.quantile(columns, 1.0 - cover)
+        layers *= np.maximum(1.0 - edge / np.maximum(columns, 1e-30), 0.0)[..., None]
+    return np.asarray(layers)

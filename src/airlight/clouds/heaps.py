@@ -1,0 +1,230 @@
+"""Cumuli: heaps of overlapping thermals on a flat base.
+
+A cloud is a union of ellipsoids with a rough surface: a low, wide foot, towers of thermals that
+rise from it, and smaller thermals on their upper sides. Their level set f [m], positive within, is
+the union's; the cover determines the level at which the surface lies.
+
+Widths follow n(D) ∝ D^-1.7 up to the largest (Neggers, Jonker & Siebesma 2003, JAS 60, 1060).
+Extinction grows with height above the base as that of a constant number of droplets in adiabatic
+ascent, h^(2/3) (Brenguier et al. 2000, JAS 57, 803, eq. 9 and 10), and falls to zero within about
+half a cell and 40 m of the surface, as in the shells of Heus & Jonker (2008), JAS 65, 1003.
+"""
+
+from __future__ import annotations
+
+from math import ceil, floor, log, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.clouds.grid import Grid
+from airlight.geometry.gradient_noise import gradient_noise
+from airlight.kernel import compiled_loop, kernel
+
+FloatArray = NDArray[np.float64]
+
+#: Exponent of the distribution of widths.
+WIDTHS: Final = 1.7
+#: Upward velocity of thermals, over which shear displaces them. [m s⁻¹]
+ASCENT: Final = 2.0
+#: Level set where there is no thermal. [m]
+NOWHERE: Final = -1e9
+#: Projected area of a cloud over that of a circle of its width.
+_FILLED: Final = 0.75
+#: Largest number of clouds.
+_MOST: Final = 4000
+#: Roughness of a thermal's surface over its radius, in the coarsest octave.
+_ROUGH: Final = 0.55
+#: Distance over which extinction falls at the edge. [m]
+_EDGE: Final = 40.0
+
+
+class Heaps(NamedTuple):
+    """Thermals of all clouds, each array of shape (n,). [m]"""
+
+    east: FloatArray
+    north: FloatArray
+    height: FloatArray
+    width: FloatArray
+    depth: FloatArray
+    offset: FloatArray
+
+
+@kernel
+def roughness(x, y, z):
+    """Rounded bumps between sharp creases, three octaves of |gradient noise|, mean about 0. [1]"""
+    total, share, scale = 0.0, 1.0, 1.0
+    for _octave in range(3):
+        total += share * (abs(gradient_noise(x * scale, y * scale, z * scale)) - 0.11)
+        share *= 0.55
+        scale *= 2.07
+    return total
+
+
+@compiled_loop
+def raise_thermals(field, heaps, east_step, up_step, rough):
+    """Level set of the union of thermals, largest of each, in place. [m]
+
+    Parameters
+    ----------
+    field : array, shape (nx, ny, nz)
+        Level set, ``NOWHERE`` at first. [m]
+    heaps : Heaps
+        Thermals, from the corner of the periodic box.
+    east_step, up_step : float
+        Widths of a cell. [m]
+    rough : float
+        Displacement of the surface over the radius. [1]
+    """
+    nx, ny, nz = field.shape
+    for n in range(heaps.east.size):
+        a, b = heaps.width[n], heaps.depth[n]
+        reach = 1.45
+        small = min(a, b)
+        for i in range(
+            floor((heaps.east[n] - reach * a) / east_step),
+            ceil((heaps.east[n] + reach * a) / east_step),
+        ):
+            x = (i + 0.5) * east_step
+            dx = (x - heaps.east[n]) / a
+            for j in range(
+                floor((heaps.north[n] - reach * a) / east_step),
+                ceil((heaps.north[n] + reach * a) / east_step),
+            ):
+                y = (j + 0.5) * east_step
+                dy = (y - heaps.north[n]) / a
+                flat = dx * dx + dy * dy
+                if flat >= reach * reach:
+                    continue
+                low = max(floor((heaps.height[n] - reach * b) / up_step), 0)
+                high = min(ceil((heaps.height[n] + reach * b) / up_step), nz)
+                row = field[i % nx, j % ny]
+                for k in range(low, high):
+                    z = (k + 0.5) * up_step
+                    dz = (z - heaps.height[n]) / b
+                    inner = small * (1.0 - sqrt(flat + dz * dz))
+                    if inner + 0.3 * rough * small <= row[k]:
+                        continue
+                    size = 0.8 * a
+                    inner += (
+                        rough
+                        * small
+                        * roughness(
+                            x / size + heaps.offset[n],
+                            y / size - heaps.offset[n],
+                            z / size,
+                        )
+                    )
+                    row[k] = max(row[k], inner)
+
+
+def heap_extinction(
+    grid: Grid, random: np.random.Generator, *, cell: float, cover: float, shear: float
+) -> FloatArray:
+    """Relative extinction of cumuli of a cover, shape of the grid. [1]
+
+    Parameters
+    ----------
+    grid : Grid
+        Box, as high as the deepest clouds.
+    random : numpy.random.Generator
+        Source of places and sizes.
+    cell : float
+        Width of the largest clouds. [m]
+    cover : float
+        Share of cloudy columns. [1]
+    shear : float
+        Increase of the eastward wind with height. [s⁻¹]
+    """
+    widths = _widths(grid, random, cell, cover)
+    heaps = _heaps(grid, random, widths, cell, shear)
+    field = np.full(grid.shape, NOWHERE)
+    raise_thermals(field, heaps, grid.spacing, grid.level, _ROUGH)
+    highest = field.max(axis=2)
+    surface = float(np.quantile(highest, 1.0 - cover)) if cover < 1.0 else float(highest.min())
+    if surface <= NOWHERE:  # more cover than thermals reach
+        surface = float(highest[highest > NOWHERE].min())
+    inside = np.clip((field - surface) / (_EDGE + 0.5 * grid.spacing), 0.0, 1.0)
+    return np.asarray(inside * grid.heights ** (2.0 / 3.0))
+
+
+def _widths(grid: Grid, random: np.random.Generator, cell: float, cover: float) -> FloatArray:
+    """Widths of clouds of the cover, the largest first. [m]"""
+    widest = min(cell, 0.5 * grid.size)
+    least = min(max(2.5 * grid.spacing, 0.1 * widest), 0.7 * widest)
+    power = 1.0 - WIDTHS
+    share = random.random(_MOST)
+    widths = (least**power + share * (widest**power - least**power)) ** (1.0 / power)
+    wanted = -log(max(1.0 - cover, 0.02)) * grid.size**2 / (_FILLED * 0.25 * np.pi)
+    count = int(np.searchsorted(np.cumsum(widths**2), wanted)) + 1
+    found = np.sort(widths[:count])[::-1]
+    found[0] = widest
+    return found
+
+
+def _places(grid: Grid, random: np.random.Generator, widths: FloatArray) -> FloatArray:
+    """Places of clouds, the farthest from others of a few random ones, shape (n, 2). [m]"""
+    places = np.zeros((widths.size, 2))
+    for n, width in enumerate(widths):
+        tries = random.random((6, 2)) * grid.size
+        if n:
+            apart = np.abs(tries[:, None] - places[None, :n])
+            apart = np.minimum(apart, grid.size - apart)
+            gaps = np.sqrt((apart**2).sum(axis=2)) - 0.5 * (width + widths[:n])
+            places[n] = tries[np.argmax(np.minimum(gaps.min(axis=1), 0.3 * width))]
+        else:
+            places[n] = tries[0]
+    return places
+
+
+def _heaps(
+    grid: Grid, random: np.random.Generator, widths: FloatArray, cell: float, shear: float
+) -> Heaps:
+    """Thermals of clouds of these widths."""
+    places = _places(grid, random, widths)
+    found: list[FloatArray] = []
+    for (east, north), width in zip(places, widths, strict=True):
+        top = grid.depth * (width / widths[0]) ** 0.8 * random.uniform(0.75, 1.0)
+        if not found:
+            top = grid.depth
+        one = _cloud(random, width, max(top, 2.0 * grid.level))
+        one[:, 0] += east + shear * one[:, 2] ** 2 / (2.0 * ASCENT)
+        one[:, 1] += north
+        one[:, 5] = random.uniform(0.0, 200.0)
+        found.append(one)
+    return Heaps(*np.ascontiguousarray(np.concatenate(found).T))
+
+
+def _cloud(random: np.random.Generator, width: float, top: float) -> FloatArray:
+    """Thermals of one cloud about its place: rows of ``Heaps``."""
+    rows = [(0.0, 0.0, 0.08 * top, 0.5 * width, min(0.35 * top, 0.5 * width), 0.0)]
+    towers = int(random.integers(4, 9))
+    turn = random.uniform(0.0, 2.0 * np.pi)
+    stretched = random.uniform(0.6, 1.0)
+    for tower in range(towers):
+        apart = 0.0 if tower == 0 else 0.5 * width * sqrt(random.random()) * 0.8
+        angle = random.uniform(0.0, 2.0 * np.pi)
+        along, across = apart * np.cos(angle), stretched * apart * np.sin(angle)
+        x = along * np.cos(turn) - across * np.sin(turn)
+        y = along * np.sin(turn) + across * np.cos(turn)
+        peak = top * (1.0 if tower == 0 else random.uniform(0.4, 0.95) * (1.0 - apart / width))
+        radius = min(random.uniform(0.16, 0.28) * width, 0.5 * peak)
+        h = 0.5 * radius
+        while h < peak - radius:
+            rows.append((x, y, h, radius * random.uniform(0.85, 1.15), radius, 0.0))
+            h += 0.7 * radius
+            x += 0.2 * radius * random.normal()
+            y += 0.2 * radius * random.normal()
+        rows.append((x, y, peak - radius, radius, radius, 0.0))
+    for x, y, h, a, b, _ in tuple(rows):  # smaller thermals on the upper sides
+        for _ in range(5):
+            turn, up = random.uniform(0.0, 2.0 * np.pi), random.uniform(0.0, 0.9)
+            out, size = sqrt(1.0 - up * up), random.uniform(0.3, 0.5)
+            small = size * min(a, b)
+            height = min(h + 0.9 * b * up, top - small)
+            rows.append(
+                (x + 0.9 * a * out * np.cos(turn), y + 0.9 * a * out * np.sin(turn), height)
+                + (small, small, 0.0)
+            )
+    return np.array(rows)

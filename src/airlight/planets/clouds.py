@@ -1,0 +1,319 @@
+"""Three-dimensional clouds of a planet: tables ``[[clouds]]`` of its file.
+
+Defaults follow: heights, WMO (2017), International Cloud Atlas, section 2.2.1, and for cirrus
+Sassen & Campbell (2001), JAS 58, 481; optical depths, the classes of Rossow & Schiffer (1999), BAMS
+80, 2261; water droplets, Miles, Verlinde & Clothiaux (2000), JAS 57, 295 (9.6 µm marine, 5.4 µm
+continental), and the C1 cumulus of Deirmendjian (1969), Electromagnetic Scattering on Spherical
+Polydispersions (6 µm, effective variance 1/9); stratocumulus, Wood (2012), MWR 140, 2373.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import ClassVar, Final
+
+from airlight.planets.matter.state_keys import RADIUS
+from airlight.planets.parameters import parameters
+from airlight.planets.schema.field import Field, FileTable, Wavelengths, always, key
+from airlight.planets.schema.tagged_union import TaggedUnion
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
+
+#: Particles of clouds.
+WATER, ICE = "water", "ice"
+
+_BASE: Final = Field(
+    label="base",
+    help="Altitude of the base, above the ground.",
+    unit="m",
+    range=(0.0, 1e5),
+    example="1 km",
+    shown="km",
+    slider=(0.0, 15.0),
+    offered=always,
+)
+_DEPTH: Final = Field(
+    label="depth",
+    help="Height of the deepest clouds from base to top.",
+    unit="m",
+    range=(10.0, 3e4),
+    example="500 m",
+    shown="km",
+    slider=(0.1, 10.0),
+    scale="log",
+    offered=always,
+)
+_COVER: Final = Field(
+    label="cover",
+    help="Share of columns with cloud.",
+    range=(0.0, 1.0),
+    example="0.4",
+    offered=always,
+    synonyms=("cloudiness", "weather", "overcast"),
+)
+_OPTICAL_DEPTH: Final = Field(
+    label="optical depth",
+    help="Mean vertical optical depth of the cloudy columns at 550 nm.",
+    range=(0.0, 1e3),
+    example="10",
+    slider=(0.1, 100.0),
+    scale="log",
+    offered=always,
+    synonyms=("thickness", "opacity"),
+)
+_CELL: Final = Field(
+    label="cell size",
+    help="Horizontal size: width of the largest cumuli, of cells, or between fibres.",
+    unit="m",
+    range=(10.0, 1e6),
+    example="1.5 km",
+    shown="km",
+    slider=(0.1, 50.0),
+    scale="log",
+    offered=always,
+)
+_SHEAR: Final = Field(
+    label="wind shear",
+    help="Increase of the wind with height, which tilts clouds to the east.",
+    unit="1/s",
+    range=(-0.1, 0.1),
+    example="0.002 /s",
+    shown="/s",
+    slider=(-0.02, 0.02),
+    offered=always,
+)
+_RADIUS: Final = replace(RADIUS, help="Mean radius, weighted by area.", offered=always)
+_VARIANCE: Final = Field(
+    label="effective variance",
+    help="Width of the gamma distribution of radii of droplets.",
+    range=(0.0, 0.5),
+    open_ends=True,
+    example="0.1",
+    slider=(0.01, 0.49),
+    input_range=(1e-3, 0.499),
+    mode="advanced",
+    offered=always,
+)
+_PARTICLES: Final = Field(
+    label="particles",
+    help="Droplets of water by Mie theory, or crystals of ice by a bulk phase function.",
+    choices=lambda: (WATER, ICE),
+    offered=always,
+)
+
+
+@parameters
+class Clouds(TomlModel):
+    """Clouds of one kind, a table ``[[clouds]]``.
+
+    Parameters
+    ----------
+    name : str, optional
+        Name of 1 to 60 letters; the word of its kind by default.
+    particles : "water" or "ice"
+        Substance of the particles.
+    effective_radius : float
+        Area-weighted mean radius of the particles, 1e-10 to 1e-3. [m]
+    effective_variance : float
+        Effective variance of the gamma distribution of droplets, above 0, below 1/2. [1]
+    """
+
+    name: str | None = key(
+        help="Name of the clouds.",
+        note="1 to 60 letters; by default the word of the kind. For `--set clouds.NAME.cover`.",
+        range=(1.0, 60.0),
+        example="a name of its own",
+        default=None,
+    )
+    particles: str = key(_PARTICLES, default=WATER)
+    effective_radius: float = key(_RADIUS, default=10e-6)
+    effective_variance: float = key(_VARIANCE, default=1.0 / 9.0)
+
+    @property
+    def title(self) -> str:
+        """Name, or the word of the kind."""
+        return self.name or self.keyword
+
+
+@parameters
+class CloudType(Clouds):
+    """Generated clouds of one type.
+
+    Parameters
+    ----------
+    base, depth : float
+        Altitude of the base and height of the deepest clouds. [m]
+    cover : float
+        Share of cloudy columns, 0 to 1. [1]
+    optical_depth : float
+        Mean vertical optical depth of the cloudy columns at 550 nm, 0 to 1000. [1]
+    cell : float
+        Width of the largest cumuli, of cells, or between fibres. [m]
+    shear : float
+        Increase of the eastward wind with height. [s⁻¹]
+    seed : float
+        Whole number from 0 to 1e9; another one gives other clouds of the same statistics. [1]
+    """
+
+    #: Width of a cell of the grid by default. [m]
+    spacing: ClassVar[float] = 200.0
+
+    base: float = key(_BASE, default=1000.0)
+    depth: float = key(_DEPTH, default=500.0)
+    cover: float = key(_COVER, default=0.5)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=10.0)
+    cell: float = key(_CELL, default=2000.0)
+    shear: float = key(_SHEAR, default=0.0)
+    seed: float = key(
+        help="Whole number; another one gives other clouds of the same statistics.",
+        range=(0.0, 1e9),
+        slider=(0.0, 100.0),
+        example="1",
+        offered=always,
+        default=0.0,
+    )
+
+
+@parameters
+class Stratus(CloudType):
+    """Low even layer."""
+
+    keyword = "stratus"
+
+    base: float = key(_BASE, default=300.0)
+    depth: float = key(_DEPTH, default=400.0)
+    cover: float = key(_COVER, default=1.0)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=23.0)
+    cell: float = key(_CELL, default=6000.0)
+    effective_radius: float = key(_RADIUS, default=5.4e-6)
+
+
+@parameters
+class Stratocumulus(CloudType):
+    """Low layer of closed cells."""
+
+    keyword = "stratocumulus"
+
+    base: float = key(_BASE, default=800.0)
+    depth: float = key(_DEPTH, default=320.0)
+    cover: float = key(_COVER, default=0.9)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=10.0)
+    cell: float = key(_CELL, default=3000.0)
+    effective_radius: float = key(_RADIUS, default=9.6e-6)
+
+
+@parameters
+class CumulusHumilis(CloudType):
+    """Separate heaps of fair weather."""
+
+    keyword = "cumulus"
+    spacing = 100.0
+
+    base: float = key(_BASE, default=1000.0)
+    depth: float = key(_DEPTH, default=900.0)
+    cover: float = key(_COVER, default=0.25)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=15.0)
+    cell: float = key(_CELL, default=2000.0)
+    shear: float = key(_SHEAR, default=5e-4)
+    effective_radius: float = key(_RADIUS, default=6e-6)
+
+
+@parameters
+class CumulusCongestus(CloudType):
+    """Towering heaps."""
+
+    keyword = "congestus"
+
+    base: float = key(_BASE, default=1000.0)
+    depth: float = key(_DEPTH, default=4500.0)
+    cover: float = key(_COVER, default=0.25)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=60.0)
+    cell: float = key(_CELL, default=5000.0)
+    shear: float = key(_SHEAR, default=1e-3)
+
+
+@parameters
+class Altocumulus(CloudType):
+    """Layer of small heaps and rolls at middle heights."""
+
+    keyword = "altocumulus"
+    spacing = 100.0
+
+    base: float = key(_BASE, default=3500.0)
+    depth: float = key(_DEPTH, default=300.0)
+    cover: float = key(_COVER, default=0.6)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=3.6)
+    cell: float = key(_CELL, default=800.0)
+
+
+@parameters
+class Cirrus(CloudType):
+    """High fibres of ice with fall streaks."""
+
+    keyword = "cirrus"
+    spacing = 100.0
+
+    base: float = key(_BASE, default=8800.0)
+    depth: float = key(_DEPTH, default=1800.0)
+    cover: float = key(_COVER, default=0.5)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=0.7)
+    cell: float = key(_CELL, default=2500.0)
+    shear: float = key(_SHEAR, default=5e-3)
+    particles: str = key(_PARTICLES, default=ICE)
+    effective_radius: float = key(_RADIUS, default=30e-6)
+
+
+def _read_file(table: TomlTable, name: str, wavelengths: Wavelengths) -> str:
+    return str(table.beside(table.text(name, "the path of a NetCDF or Zarr file")))
+
+
+@parameters
+class CloudFile(Clouds):
+    """Clouds of a NetCDF or Zarr file."""
+
+    keyword = "file"
+
+    file: str = key(
+        help="Path of a NetCDF or Zarr file of extinction or liquid water.",
+        note="See [clouds](clouds.md); `kind` may be left out. `effective_radius` is for files"
+        " without it.",
+        range=(1.0, 1000.0),
+        example="the path of a file of clouds",
+        read=_read_file,
+    )
+
+
+#: Clouds that are generated, by their words.
+CLOUD_TYPES: Final = (
+    Stratus,
+    Stratocumulus,
+    CumulusHumilis,
+    CumulusCongestus,
+    Altocumulus,
+    Cirrus,
+)
+
+
+class _CloudKinds(TaggedUnion[Clouds]):
+    """Kinds of clouds; a table with ``file`` needs no ``kind``."""
+
+    def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
+        """Keys of the table's kind."""
+        if table is not None and "kind" not in table and "file" in table:
+            table = {**table, "kind": CloudFile.keyword}
+        return super().declared(table)
+
+    def read(self, table: TomlTable, wavelengths: Wavelengths = None) -> Clouds:
+        """Read the clouds from a table of a planet file."""
+        if "kind" not in table and "file" in table:
+            return CloudFile.read(table, wavelengths)
+        return super().read(table, wavelengths)
+
+
+#: Kinds of ``[[clouds]]``.
+CLOUDS: Final[TaggedUnion[Clouds]] = _CloudKinds(
+    Clouds,
+    (*CLOUD_TYPES, CloudFile),
+    label="kind of clouds",
+    help="Kind of clouds.",
+)
