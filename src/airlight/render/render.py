@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,9 @@ from airlight.solver import Solution
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.solve import solution_of
 
+if TYPE_CHECKING:
+    from airlight.render.clouds.clouds_around import CloudsAround
+
 Float32Array = NDArray[np.float32]
 
 #: Pixels in one block of rows: small, for load balancing between cores.
@@ -42,6 +45,7 @@ def render(
     disc: bool = True,
     samples: int = 1,
     stokes: bool = False,
+    clouds: CloudsAround | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
@@ -67,6 +71,8 @@ def render(
         are supersampled anyway.
     stokes : bool
         Whether the frame also has Stokes Q and U, in the meridian plane of each line of sight.
+    clouds : CloudsAround, optional
+        Three-dimensional clouds; by default none.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -115,6 +121,8 @@ def render(
             renderer = CpuRenderer(
                 lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
                 stokes=stokes,
+                clouds=None if clouds is None or not air
+                else clouds.lit(lit, seen, progress=progress, cancel=cancel),
             )  # fmt: skip
             share = None if progress is None else _shared(progress, number, len(pictures))
             add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
@@ -130,7 +138,9 @@ def render(
         white=white_luminance([one.light for one in pictures], solution.lights),
         unfiltered=None
         if scene.camera.polariser is None
-        else render(solution, unfiltered(scene), orders=orders, exact=exact, disc=disc),
+        else render(
+            solution, unfiltered(scene), orders=orders, exact=exact, disc=disc, clouds=clouds
+        ),
     )
 
 

@@ -320,11 +320,12 @@ def add_step(ray, point, extinction, step, half_sine, clouds, tables, work):
     fill_harmonics(
         -dot(ray, eastern), -dot(ray, northern), -dot(ray, upward), clouds.norms, work.harmonics
     )
-    i, ex = cell_before(x, nx, clouds.periodic)
-    j, ey = cell_before(y, ny, clouds.periodic)
-    k, ez = cell_before(z, nz, False)
-    right, back = cell_after(i, nx, clouds.periodic), cell_after(j, ny, clouds.periodic)
-    above = min(k + 1, nz - 1)
+    mz, my, mx, _, _ = clouds.source.shape
+    i, ex = cell_before((x + 0.5) * mx / nx - 0.5, mx, clouds.periodic)
+    j, ey = cell_before((y + 0.5) * my / ny - 0.5, my, clouds.periodic)
+    k, ez = cell_before((z + 0.5) * mz / nz - 0.5, mz, False)
+    right, back = cell_after(i, mx, clouds.periodic), cell_after(j, my, clouds.periodic)
+    above = min(k + 1, mz - 1)
     source = lane_view(clouds.source)
     total = splat(0.0)
     for corner in range(8):

@@ -48,10 +48,10 @@ class CloudTables(NamedTuple):
         Optical depth at 550 nm from the middle of a cell to the sun. [1]
     base_depth : array, shape (ny, nx)
         The same from the lowest face of a column. [1]
-    source : array, shape (nz, ny, nx, pairs, 8)
+    source : array, shape (mz, my, mx, pairs, 8)
         Multiple scattering by a cloud of extinction 1, as harmonics of the direction of light:
         pairs of terms at the solved wavelengths, per irradiance of the star. [sr⁻¹]
-    down : array, shape (ny, nx, 8)
+    down : array, shape (my, mx, 8)
         Diffuse irradiance of the ground at the solved wavelengths, twice. [1]
     solved_extinction : array, shape (1, 8)
         Scaled extinction at the solved wavelengths, twice, over that at 550 nm. [1]

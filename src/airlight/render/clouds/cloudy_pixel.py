@@ -139,9 +139,10 @@ def shade_ground(ray, distance, orders, clouds, tables, work):
     inside = clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5)
     depth = beam_depth_at(point, clouds)
     wide = min(distance * clouds.pixel_angle / (0.5 * clouds.step_x * nx), 1.0)
-    i, e = cell_before(x, nx, clouds.periodic)
-    j, f = cell_before(y, ny, clouds.periodic)
-    right, back = cell_after(i, nx, clouds.periodic), cell_after(j, ny, clouds.periodic)
+    my, mx, _ = clouds.down.shape
+    i, e = cell_before((x + 0.5) * mx / nx - 0.5, mx, clouds.periodic)
+    j, f = cell_before((y + 0.5) * my / ny - 0.5, my, clouds.periodic)
+    right, back = cell_after(i, mx, clouds.periodic), cell_after(j, my, clouds.periodic)
     down = lane_view(clouds.down)
     solved = (
         down[j, i] * np.float32((1.0 - e) * (1.0 - f))
