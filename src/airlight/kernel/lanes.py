@@ -288,6 +288,39 @@ def load_two(typing_context: Any, array: Any, low: Any, high: Any) -> Any:
 
 
 @intrinsic
+def load_half(typing_context: Any, array: Any, index: Any) -> Any:
+    """Four adjacent elements from ``index`` on, in both halves (not checked)."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        index = context.cast(builder, arguments[1], signature.args[1], types.intp)
+        part = builder.load(_half(context, builder, signature, arguments, index), align=4)
+        order = [*range(HALF_LANES), *range(HALF_LANES)]
+        return builder.shuffle_vector(part, part, ir.Constant(_INTEGERS, order))
+
+    return _LANES(array, index), build
+
+
+@intrinsic
+def store_half(typing_context: Any, array: Any, index: Any, value: Any) -> Any:
+    """Store the lower four lanes from ``index`` on (not checked)."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        index = context.cast(builder, arguments[1], signature.args[1], types.intp)
+        order = ir.Constant(ir.VectorType(ir.IntType(32), HALF_LANES), list(range(HALF_LANES)))
+        part = builder.shuffle_vector(arguments[2], arguments[2], order)
+        builder.store(part, _half(context, builder, signature, arguments, index), align=4)
+        return context.get_dummy_value()
+
+    return types.void(array, index, _LANES), build
+
+
+def _half(context: Any, builder: Any, signature: Any, arguments: Any, index: Any) -> Any:
+    data = context.make_array(signature.args[0])(context, builder, value=arguments[0]).data
+    half = ir.VectorType(ir.FloatType(), HALF_LANES)
+    return builder.bitcast(builder.gep(data, [index]), half.as_pointer())
+
+
+@intrinsic
 def largest(typing_context: Any, value: Any) -> Any:
     """Maximum of the lanes."""
 

@@ -1,0 +1,1 @@
+"""Solver of boxes of cloud: discrete ordinates in three dimensions."""

@@ -1,0 +1,430 @@
+"""Iteration of a box for four wavelengths: sweeps and the diffusion that accelerates them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import Cancelled
+from airlight.kernel.lanes import HALF_LANES, LANES
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.solver.boxes.beam import BeamCells, beam_row, centred, mean_beam_row
+from airlight.solver.boxes.directions import Directions, degrees, directions, harmonics, term_count
+from airlight.solver.boxes.grid import BoxGrid
+from airlight.solver.boxes.linear import in_chunks, solve_linear
+from airlight.solver.boxes.rebalance import (
+    BalanceCells,
+    coefficients_for,
+    correct,
+)
+from airlight.solver.boxes.scaled_optics import ScaledOptics
+from airlight.solver.boxes.settings import BoxSettings
+from airlight.solver.boxes.sweep import SweepCells, SweepDirections, SweepLight, sweep_level
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Limits of the factor by which an iteration multiplies the light of a cell.
+_FACTORS: Final = (0.2, 5.0)
+#: Limits of the factor that conserves the energy of the beam.
+_LOST: Final = (0.9, 1.1)
+#: Sweeps that progress expects after the present one.
+_REMAINING: Final = 6
+#: √(4π): mean radiance times 4π over the moment of degree 0. [1]
+_ROOT: Final = float(np.sqrt(4.0 * np.pi))
+
+
+class BoxProblem(NamedTuple):
+    """Problem of at most four wavelengths.
+
+    Attributes
+    ----------
+    grid : BoxGrid
+        Cells.
+    optics : ScaledOptics
+        Coefficients of these wavelengths.
+    towards : tuple of three float
+        Unit vector to the sun.
+    ground : array, shape (w,)
+        Albedo of the ground. [1]
+    sky : array, shape (4, n, w)
+        Radiance that enters at the top, by octant and direction. [sr⁻¹]
+    beam_depth : array, shape (ny, points, nx, levels + 1)
+        Unscaled optical depth of the cloud along the beam, see ``beam_row``. [1]
+    """
+
+    grid: BoxGrid
+    optics: ScaledOptics
+    towards: tuple[float, float, float]
+    ground: FloatArray
+    sky: FloatArray
+    beam_depth: Float32Array
+
+
+@dataclass(frozen=True, eq=False)
+class BoxLevels:
+    """Light of a box at four wavelengths, of which the first are asked for.
+
+    Attributes
+    ----------
+    moments : array of float32, shape (levels, ny, nx, terms, 4)
+        Moments of the diffuse radiance. [1]
+    beam : array of float32, shape (levels, ny, nx, 4)
+        Mean transmittance of the beam. [1]
+    down, direct, up : array of float32, shape (ny, nx, 4)
+        Diffuse and direct irradiance of the ground, and irradiance upwards at the top. [1]
+    sides : array of float32, shape (2, 4, levels, ny, pairs, 8)
+        Light that leaves at the sides. [sr⁻¹]
+    residual, energy : array, shape (4,)
+        Last relative change, and energy balance error over the incident energy. [1]
+    absorbed : array, shape (4,)
+        Energy absorbed inside over the area. [1]
+    sweeps : int
+        Number of sweeps.
+    """
+
+    moments: Float32Array
+    beam: Float32Array
+    down: Float32Array
+    direct: Float32Array
+    up: Float32Array
+    sides: Float32Array
+    residual: FloatArray
+    energy: FloatArray
+    absorbed: FloatArray
+    sweeps: int
+
+
+def beam_depths(
+    grid: BoxGrid,
+    towards: tuple[float, float, float],
+    points: int,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Float32Array:
+    """Unscaled optical depths of the cloud along the beam, see ``BoxProblem``."""
+    levels, ny, nx = grid.extinction.shape
+    across = across_column(grid, points)
+    found = np.zeros((ny, across[0] * across[1], nx, levels + 1), np.float32)
+    if towards[2] > 0.0:
+        cells = beam_cells(grid)
+        run_blocks(
+            lambda y: beam_row(y, towards, across, cells, found[y]),
+            ny,
+            progress=progress,
+            cancel=cancel,
+            message="shadows of clouds",
+        )
+    return found
+
+
+def across_column(grid: BoxGrid, points: int) -> tuple[int, int]:
+    """Points across a column along x and y from which the beam is followed."""
+    flat_x, flat_y = grid.flat
+    return 1 if flat_x else points, 1 if flat_y else points
+
+
+def beam_cells(grid: BoxGrid) -> BeamCells:
+    """Cells that the beam crosses."""
+    _, ny, nx = grid.extinction.shape
+    corner = -0.5 * nx * grid.widths[0], -0.5 * ny * grid.widths[1]
+    return BeamCells(
+        grid.extinction, grid.edges, corner, grid.widths, grid.periodic, grid.below, False
+    )
+
+
+def _four(values: FloatArray) -> Float32Array:
+    """Values with the last axis, of wavelengths, filled up to four by the first one."""
+    missing = HALF_LANES - values.shape[-1]
+    filled = np.concatenate([values, np.repeat(values[..., :1], missing, axis=-1)], axis=-1)
+    return np.ascontiguousarray(filled, np.float32)
+
+
+def _pairs(values: FloatArray) -> Float32Array:
+    """Values (2, 4, n, ...) by direction as registers (2, 4, n / 2, ..., 8)."""
+    shape = values.shape
+    split = np.moveaxis(values.reshape(*shape[:2], shape[2] // 2, 2, *shape[3:]), 3, -1)
+    return np.ascontiguousarray(np.repeat(split, HALF_LANES, axis=-1), np.float32)
+
+
+def _in_pairs(values: Float32Array) -> Float32Array:
+    """Values (..., n, 4) by direction and wavelength as registers (..., n / 2, 8)."""
+    shape = values.shape
+    return np.ascontiguousarray(values, np.float32).reshape(*shape[:-2], shape[-2] // 2, LANES)
+
+
+def sweep_directions(
+    ways: Directions, grid: BoxGrid, degree: int, towards: tuple[float, float, float]
+) -> SweepDirections:
+    """Directions of the sweeps of a grid."""
+    vectors, weights = ways
+    functions = harmonics(vectors, degree)
+    widths = np.array([*grid.widths, 1.0])
+    slopes = 2.0 * np.abs(vectors) / widths
+    for axis, flat in enumerate(grid.flat):
+        if flat:
+            slopes[..., axis] = 0.0
+    sun = harmonics(-np.array(towards), degree)
+    return SweepDirections(
+        _pairs(slopes),
+        _pairs(functions),
+        _pairs(functions * weights[..., None]),
+        _pairs(vectors * weights[..., None]),
+        np.asarray(sun, np.float32),
+    )
+
+
+def _half_range(ways: Directions, degree: int) -> Float32Array:
+    """Moments of hemispheres of light of degrees 0 and 1, see ``rebalance.correct``."""
+    vectors, weights = ways
+    basis = np.concatenate([np.ones_like(vectors[..., :1]), 3.0 * vectors], axis=-1)
+    functions = harmonics(vectors, degree) * weights[..., None] / (4.0 * np.pi)
+    return np.asarray(np.einsum("hodt,hodi->hti", functions, basis), np.float32)
+
+
+class BoxIteration:
+    """Iteration for four wavelengths.
+
+    Parameters
+    ----------
+    problem : BoxProblem
+    settings : BoxSettings
+    sides : array, shape (2, 4, levels, 1, pairs, 8), optional
+        Light that enters at clear sides. [sr⁻¹]
+    """
+
+    def __init__(
+        self, problem: BoxProblem, settings: BoxSettings, sides: Float32Array | None = None
+    ) -> None:
+        grid, optics = problem.grid, problem.optics
+        self.problem, self.settings, self.boundary = problem, settings, sides
+        levels, ny, nx = grid.extinction.shape
+        self.thickness = np.asarray(np.diff(grid.edges), np.float32)
+        self.ways = directions(settings.zenith_angles, settings.azimuths)
+        self.pairs = sweep_directions(self.ways, grid, settings.degree, problem.towards)
+        self.shares = _half_range(self.ways, settings.degree)
+        self.cosine = max(problem.towards[2], 0.0)
+        self.ground = _four(problem.ground)
+        self._mean_beam()
+        self.cells = SweepCells(
+            grid.extinction,
+            self.beam,
+            self.lit,
+            _four(optics.cloud),
+            _four(optics.cloud_source),
+            _four(optics.air),
+            _four(optics.air_source),
+            degrees(settings.degree),
+            self.thickness,
+            grid.flat,
+        )
+        terms, pairs = term_count(settings.degree), self.pairs.slopes.shape[2]
+
+        def zeros(*shape: int) -> Float32Array:
+            return np.zeros(shape, np.float32)
+
+        self.light = SweepLight(
+            (zeros(levels, ny, nx, terms, HALF_LANES), zeros(levels, ny, nx, terms, HALF_LANES)),
+            zeros(2, 4, ny, nx, pairs, LANES),
+            zeros(2, 4, levels, ny, pairs, LANES),
+            zeros(2, 4, levels, nx, pairs, LANES),
+            (
+                zeros(levels, ny, nx + 1, HALF_LANES),
+                zeros(levels, ny + 1, nx, HALF_LANES),
+                zeros(2, levels + 1, ny, nx, HALF_LANES),
+            ),
+            zeros(2, ny, nx, terms, HALF_LANES),
+        )
+        self.down = np.zeros_like(self.direct)
+        self._balance_cells()
+        self._incident()
+
+    def _mean_beam(self) -> None:
+        """Mean transmittance of the beam, and the light that it gives to the cloud."""
+        grid, optics, depths = self.problem.grid, self.problem.optics, self.problem.beam_depth
+        levels, ny, nx = grid.extinction.shape
+        self.beam = np.zeros((levels, ny, nx, HALF_LANES), np.float32)
+        self.lit = np.zeros_like(self.beam)
+        self.direct = np.zeros((ny, nx, HALF_LANES), np.float32)
+        if self.cosine == 0.0:
+            return
+        above = np.cumsum((optics.air * np.diff(grid.edges)[:, None])[::-1], axis=0)[::-1]
+        air = np.concatenate([above, np.zeros((1, above.shape[1]))]) / self.cosine
+        given = _four(air), _four(optics.cloud)
+        across = across_column(grid, self.settings.beam_points)
+        offset = np.zeros((levels, ny, nx, 3, HALF_LANES), np.float32)
+        out = self.beam, offset, self.direct
+        run_blocks(lambda y: mean_beam_row(y, depths[y], given, across, out), ny)
+        self.direct *= np.float32(self.cosine)
+        if grid.periodic:
+            self.beam *= self._lost(grid, optics)
+        amounts = (grid.extinction * self.thickness[:, None, None])[..., None] * self.beam
+        amounts = centred(amounts, grid.extinction, offset, grid.periodic)
+        self.lit[...] = amounts / self.thickness[:, None, None, None]
+
+    def _lost(self, grid: BoxGrid, optics: ScaledOptics) -> Float32Array:
+        """Light that a periodic box takes from the beam, over that of its cells' means. [1]"""
+        thickness = np.asarray(self.thickness, np.float64)
+        cloud = np.einsum("kyx,kyxw->kw", grid.extinction, self.beam) * _four(optics.cloud)
+        clear = self.beam.sum(axis=(1, 2)) * _four(optics.air)
+        columns = grid.extinction[0].size
+        given = thickness @ (cloud + clear) / columns
+        lost = self.cosine - self.direct.mean(axis=(0, 1), dtype=np.float64)
+        factor = np.divide(lost, given, out=np.ones_like(given), where=given > 1e-9)
+        return np.asarray(np.clip(factor, *_LOST), np.float32)
+
+    def _balance_cells(self) -> None:
+        grid, cells = self.problem.grid, self.cells
+        amount = grid.extinction[..., None]
+        total = amount * cells.cloud + cells.air[:, None, None]
+        scattering = amount * cells.cloud_source[0] + cells.air_source[:, None, None, 0]
+        forward = amount * cells.cloud_source[1] + cells.air_source[:, None, None, 1]
+        self.gain = self.lit * cells.cloud_source[0]
+        self.gain += self.beam * cells.air_source[:, None, None, 0]
+        self.balanced = BalanceCells(
+            total,
+            total - forward,
+            np.maximum(total - scattering, 0.0),
+            grid.widths,
+            self.thickness,
+            grid.periodic,
+            grid.flat,
+            self.ground,
+        )
+
+    def _incident(self) -> None:
+        """Light that enters from outside and leaves the ground for the first time."""
+        vectors, weights = self.ways
+        sky = _four(self.problem.sky)
+        self.sky = _in_pairs(sky)
+        self.entering = np.einsum("onw,on->w", sky, weights[0] * -vectors[0, ..., 2])
+        self.gain[-1] += self.entering / self.thickness[-1]
+        self.gain[0] += self.ground * self.direct / self.thickness[0]
+        if self.boundary is None:
+            return
+        light = self.light
+        light.sides[...] = self.boundary
+        grid = self.problem.grid
+        split = (*self.boundary.shape[:3], -1, HALF_LANES)
+        values = self.boundary[:, :, :, 0].reshape(split)
+        for axis, octants in ((0, ((0, 2), (1, 3))), (1, ((0, 1), (2, 3)))):
+            for last, some in enumerate(octants):
+                flux = np.abs(vectors[:, some, :, axis]) * weights[:, some]
+                inside = np.einsum("hokdw,hod->kw", values[:, some], flux) / grid.widths[axis]
+                at = (slice(None),) * (2 - axis) + (-last,)
+                self.gain[at] += inside[:, None].astype(np.float32)
+
+    def phi(self) -> Float32Array:
+        """Mean radiance times 4π of the cells, shape (levels, ny, nx, 4). [1]"""
+        before, after = self.light.moments
+        return (before[..., 0, :] + after[..., 0, :]) * np.float32(_ROOT)
+
+    def guess(self) -> None:
+        """Fill the moments with the light of diffusion."""
+        phi = np.zeros_like(self.beam)
+        coefficients = coefficients_for(self.balanced, self.light.currents, phi, first=True)
+        phi = np.maximum(solve_linear(coefficients, self.thickness, self.gain, phi), 0.0)
+        in_chunks(
+            lambda a, b: correct(
+                a, b, self.balanced, coefficients, phi, self.light.moments, self.shares
+            ),
+            len(self.thickness),
+        )
+
+    def sweep(
+        self, *, progress: Progress | None = None, cancel: Cancel | None = None, done: int = 0
+    ) -> None:
+        """Replace the light by that of one sweep, and its currents.
+
+        Parameters
+        ----------
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
+        done : int
+            Number of sweeps before.
+        """
+        light = self.light
+        levels, periodic = len(self.thickness), self.problem.grid.periodic
+        for current in light.currents:
+            current[:] = 0.0
+        if not periodic and self.boundary is not None:
+            light.fronts[...] = self.boundary
+        elif not periodic:
+            light.fronts[...] = 0.0
+        light.heads[0] = self.sky[:, None, None]
+        reflected = self.ground * (self.direct + self.down) / np.float32(np.pi)
+        light.heads[1] = np.concatenate([reflected, reflected], axis=-1)[None, :, :, None]
+
+        def one(step: int, hemisphere: int) -> None:
+            level = step if hemisphere else levels - 1 - step
+            sweep_level(level, hemisphere, periodic, self.cells, self.pairs, light)
+
+        total = levels * (done + 1 + _REMAINING)
+        for step in range(levels):
+            if cancel is not None and cancel():
+                raise Cancelled("cancelled")
+            if progress is not None:
+                progress(levels * done + step, total, f"light of clouds, sweep {done + 1}")
+            if 2 * step == levels - 1:
+                one(step, 0)
+                one(step, 1)
+            else:
+                run_blocks(partial(one, step), 2)
+        self.down = -light.currents[2][0, 0]
+
+    def rebalance(self) -> None:
+        """Multiply the light of cells so that their energy is balanced."""
+        light, phi = self.light, self.phi()
+        coefficients = coefficients_for(self.balanced, light.currents, phi, first=False)
+        better = solve_linear(coefficients, self.thickness, self.gain, phi)
+        change = better - phi
+        in_chunks(
+            lambda a, b: correct(
+                a, b, self.balanced, coefficients, change, light.moments, self.shares
+            ),
+            len(self.thickness),
+        )
+        factor = better[0] / np.maximum(phi[0], np.float32(1e-20))
+        self.down *= np.clip(factor, _FACTORS[0], _FACTORS[1])
+
+    def run(self, *, progress: Progress | None = None, cancel: Cancel | None = None) -> BoxLevels:
+        """Light after convergence, or after the largest number of sweeps."""
+        self.guess()
+        phi = self.phi()
+        change = np.full(HALF_LANES, np.inf)
+        sweeps = 0
+        while sweeps < self.settings.max_sweeps and change.max() > self.settings.tolerance:
+            self.sweep(progress=progress, cancel=cancel, done=sweeps)
+            self.rebalance()
+            before, phi = phi, self.phi()
+            change = _change(before, phi)
+            sweeps += 1
+        return self._levels(change, sweeps)
+
+    def _levels(self, change: FloatArray, sweeps: int) -> BoxLevels:
+        light = self.light
+        before, after = light.moments
+        up = light.currents[2][1, -1]
+        inside = (self.balanced.absorption * (self.phi() + self.beam)).mean(axis=(1, 2))
+        absorbed = np.asarray(self.thickness, np.float64) @ inside
+        before += after
+        incident = self.cosine + self.entering
+        ground = (1.0 - self.ground) * (self.down + self.direct).mean(axis=(0, 1))
+        energy = (up.mean(axis=(0, 1)) + ground + absorbed) / incident - 1.0
+        return BoxLevels(
+            before, self.beam, self.down, self.direct, up, light.sides, change, energy, absorbed,
+            sweeps,
+        )  # fmt: skip
+
+
+def _change(before: Float32Array, after: Float32Array) -> FloatArray:
+    """Root mean square of the change over that of the values, shape (4,). [1]"""
+    axes = (0, 1, 2)
+    squares = np.square(after - before).sum(axis=axes, dtype=np.float64)
+    size = np.square(after).sum(axis=axes, dtype=np.float64)
+    return np.asarray(np.sqrt(squares / np.maximum(size, 1e-30)))

@@ -1,0 +1,281 @@
+"""``solve_box``: light of a cloud field, computed or from the cache on disk."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+from time import perf_counter
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_optics import CloudOptics
+from airlight.errors import ParameterError
+from airlight.kernel import disk
+from airlight.kernel.fingerprints import fingerprint
+from airlight.kernel.lanes import HALF_LANES
+from airlight.kernel.memory import check_memory
+from airlight.kernel.threads import Cancel, Progress
+from airlight.solver.boxes.directions import TOGETHER, directions, term_count
+from airlight.solver.boxes.grid import BoxGrid, box_grid
+from airlight.solver.boxes.iterate import BoxIteration, BoxLevels, BoxProblem, beam_depths
+from airlight.solver.boxes.light import BoxLight
+from airlight.solver.boxes.scaled_optics import ScaledOptics, scaled_optics
+from airlight.solver.boxes.settings import BoxSettings, settings_for
+from airlight.solver.boxes.solution import BoxSolution
+from airlight.solver.report import Report
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Angles of the phase function in a fingerprint. [deg]
+_ANGLES: Final = np.linspace(0.0, 180.0, 361)
+#: Floats of a cell besides moments: optics, currents and the balance.
+_FLOATS: Final = 30
+
+
+def sky_directions(quality: str | BoxSettings = "default") -> FloatArray:
+    """Directions of the light that enters at the top, shape (n, 3); see ``BoxLight.sky``. [1]"""
+    settings = settings_for(quality)
+    ways = directions(settings.zenith_angles, settings.azimuths)
+    return np.asarray(ways.vectors[0].reshape(-1, 3))
+
+
+def solve_box(
+    field: CloudField,
+    optics: CloudOptics,
+    light: BoxLight,
+    *,
+    quality: str | BoxSettings = "default",
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> BoxSolution:
+    """Multiple scattering in a cloud field above flat ground, by discrete ordinates.
+
+    Without polarisation. Light that enters at clear sides is that of the same air and ground
+    without cloud.
+
+    Parameters
+    ----------
+    field : CloudField
+        Cloud.
+    optics : CloudOptics
+        Optical properties of its particles, at any number of wavelengths.
+    light : BoxLight
+        Sun, sky, ground and air.
+    quality : str or BoxSettings
+        ``"preview"``, ``"default"`` or ``"high"``, or settings.
+    cache : bool
+        Whether to read the solution from the cache on disk, and to write it there.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    ParameterError
+        If the light does not fit the field or the wavelengths.
+    CostError
+        If the solution does not fit into free memory.
+    """
+    settings = settings_for(quality)
+    count = np.size(optics.wavelengths)
+    if light.albedo.size not in (1, count):
+        raise ParameterError("albedo", light.albedo, f"1 or {count} numbers")
+    edges = np.array([field.base, field.top])
+    thickest = float(scaled_optics(optics, None, edges, settings.degree).cloud.max())
+    grid = box_grid(field, light.ground, thickest, settings)
+    _check_memory(grid, settings, count)
+    sky = light.sky_at(sky_directions(settings), count)
+
+    def make() -> BoxSolution:
+        return _computed(field, optics, light, settings, grid, sky, progress, cancel)
+
+    return disk.cached(
+        _key(field, optics, light, settings, sky),
+        make,
+        _to_arrays,
+        lambda stored: _of_arrays(stored, field, optics, light, settings, grid),
+        use=cache,
+    )
+
+
+def _check_memory(grid: BoxGrid, settings: BoxSettings, wavelengths: int) -> None:
+    cells, terms = grid.extinction.size, term_count(settings.degree)
+    _, ny, nx = grid.extinction.shape
+    ways = settings.zenith_angles * settings.azimuths // 4 + TOGETHER
+    work = cells * (2 * terms + _FLOATS) + nx * ny * (2 * terms + 8 * ways)
+    kept = cells * term_count(settings.stored_degree) * wavelengths
+    needed = 4.0 * (HALF_LANES * work + kept)
+    check_memory(needed, f"the light of a box of {cells} cells at {wavelengths} wavelengths")
+
+
+def _computed(
+    field: CloudField,
+    optics: CloudOptics,
+    light: BoxLight,
+    settings: BoxSettings,
+    grid: BoxGrid,
+    sky: FloatArray,
+    progress: Progress | None,
+    cancel: Cancel | None,
+) -> BoxSolution:
+    started = perf_counter()
+    count = np.size(optics.wavelengths)
+    scaled = scaled_optics(optics, light.air, grid.edges, settings.degree)
+    depth = beam_depths(grid, light.towards, settings.beam_points, progress=progress, cancel=cancel)
+    ground = np.broadcast_to(light.albedo, (count,))
+    by_octant = sky.reshape(4, -1, count)
+    parts = []
+    for first in range(0, count, HALF_LANES):
+        some = slice(first, min(first + HALF_LANES, count))
+        optics_here = ScaledOptics(*(one[..., some] for one in scaled))
+        problem = BoxProblem(
+            grid, optics_here, light.towards, ground[some], by_octant[..., some], depth
+        )
+        sides = None if grid.periodic else _sides(problem, settings)
+        iteration = BoxIteration(problem, settings, sides)
+        levels = iteration.run(progress=progress, cancel=cancel)
+        parts.append(_Part.of(levels, grid, settings, some.stop - some.start))
+    joined = [np.concatenate(one, axis=-1) for one in zip(*parts, strict=True)]
+    moments, down, direct, up, absorbed, residual, energy, sweeps = joined
+    report = Report(
+        solver="boxes",
+        settings=settings.as_text(),
+        sweeps=int(sweeps.max()),
+        residual=tuple(residual.tolist()),
+        seconds=perf_counter() - started,
+        energy=tuple(energy.tolist()),
+    )
+    middle = 0.5 * (depth[..., 1:] + depth[..., :-1]).mean(axis=1)  # (ny, nx, levels)
+    mean = grid.coarse(np.ascontiguousarray(middle.transpose(2, 0, 1))).transpose(2, 1, 0)
+    solution = BoxSolution(
+        field=field,
+        optics=optics,
+        light=light,
+        settings=settings,
+        levels=grid.coarse_edges,
+        moments=moments,
+        depth=np.ascontiguousarray(mean),
+        down=down,
+        direct=direct,
+        up=up,
+        absorbed=absorbed,
+        report=report,
+    )
+    solution.depth[...] *= np.float32(solution.scaled_at_reference)
+    return solution
+
+
+class _Part(tuple[NDArray[Any], ...]):
+    """Arrays of a solution for some wavelengths, the last axis."""
+
+    @classmethod
+    def of(cls, levels: BoxLevels, grid: BoxGrid, settings: BoxSettings, count: int) -> _Part:
+        """Arrays of the first ``count`` wavelengths, on the cells of the field."""
+        terms = term_count(settings.stored_degree)
+        moments = grid.coarse(levels.moments[..., :terms, :count])
+        columns = [
+            grid.coarse_columns(one[None])[0][..., :count].transpose(1, 0, 2)
+            for one in (levels.down, levels.direct, levels.up)
+        ]
+        return cls(
+            [
+                np.ascontiguousarray(moments.transpose(2, 1, 0, 3, 4)),
+                *(np.ascontiguousarray(one) for one in columns),
+                levels.absorbed[:count],
+                levels.residual[:count],
+                levels.energy[:count],
+                np.full(count, levels.sweeps),
+            ]
+        )
+
+
+def _sides(problem: BoxProblem, settings: BoxSettings) -> Float32Array:
+    """Light at the sides: that of one column without cloud, which repeats itself."""
+    grid = problem.grid
+    levels = grid.extinction.shape[0]
+    column = BoxGrid(
+        np.zeros((levels, 1, 1), np.float32),
+        grid.edges, grid.widths, True, (1, 1, 1), levels, 0,
+    )  # fmt: skip
+    depth = np.zeros((1, 1, 1, levels + 1), np.float32)
+    alone = problem._replace(grid=column, beam_depth=depth)
+    return BoxIteration(alone, settings).run().sides
+
+
+def _key(
+    field: CloudField,
+    optics: CloudOptics,
+    light: BoxLight,
+    settings: BoxSettings,
+    sky: FloatArray,
+) -> str:
+    """Fingerprint of all that a solution depends on."""
+    digest = hashlib.sha256(f"boxes {fingerprint(Path(__file__))} {settings.as_text()}".encode())
+    numbers = (*field.spacing, field.base, *light.towards, light.ground or 0.0)
+    words = f"{numbers} {light.ground is None} {field.beyond} {field.interpolated}"
+    digest.update(words.encode() + str(field.extinction.shape).encode())
+    nm = np.asarray(optics.wavelengths, np.float64)
+    arrays = [field.extinction, nm, optics.extinction, optics.albedo, light.albedo, sky]
+    arrays.append(optics.phase.values(np.cos(np.radians(_ANGLES)), nm))
+    if light.air is not None:
+        arrays += [light.air.edges, light.air.extinction, light.air.albedo, light.air.moments]
+    for one in arrays:
+        digest.update(np.ascontiguousarray(one).tobytes())
+    return digest.hexdigest()[:40]
+
+
+#: Arrays of a solution, by name.
+_ARRAYS: Final = ("moments", "depth", "down", "direct", "up", "absorbed")
+
+
+def _to_arrays(solution: BoxSolution) -> dict[str, NDArray[Any]]:
+    report = solution.report
+    return {name: getattr(solution, name) for name in _ARRAYS} | {
+        "report": np.array([report.residual, report.energy]),
+        "sweeps": np.array(report.sweeps),
+    }
+
+
+def _of_arrays(
+    stored: dict[str, NDArray[Any]],
+    field: CloudField,
+    optics: CloudOptics,
+    light: BoxLight,
+    settings: BoxSettings,
+    grid: BoxGrid,
+) -> BoxSolution | None:
+    """Solution of arrays of the cache, or None if they do not fit."""
+    try:
+        count = np.size(optics.wavelengths)
+        nx, ny, _ = field.extinction.shape
+        shape = (nx, ny, grid.coarse_edges.size - 1)
+        terms = term_count(settings.stored_degree)
+        sound = (
+            stored["moments"].shape == (*shape, terms, count)
+            and stored["depth"].shape == shape
+            and stored["report"].shape == (2, count)
+            and all(stored[name].shape == (nx, ny, count) for name in ("down", "direct", "up"))
+            and bool(np.isfinite(stored["moments"]).all())
+        )
+        if not sound:
+            return None
+        residual, energy = stored["report"].tolist()
+        report = Report(
+            solver="boxes",
+            settings=settings.as_text(),
+            sweeps=int(stored["sweeps"]),
+            residual=tuple(residual),
+            seconds=0.0,
+            energy=tuple(energy),
+        )
+        arrays = {name: stored[name] for name in _ARRAYS}
+        return BoxSolution(
+            field=field, optics=optics, light=light, settings=settings,
+            levels=grid.coarse_edges, report=report, **arrays,
+        )  # fmt: skip
+    except (KeyError, ValueError, TypeError):
+        return None
