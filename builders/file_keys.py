@@ -9,9 +9,11 @@ import inspect
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
+from airlight.planets.clouds import CLOUD_TYPES, CLOUDS
 from airlight.planets.constituent import MATTER, Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.matter.absorbers import ABSORBERS, SmallParticleAbsorption
@@ -22,6 +24,7 @@ from airlight.planets.matter.phases import PHASES
 from airlight.planets.matter.profiles import PROFILES, BulkGas, Layer
 from airlight.planets.planet import Planet, Shell
 from airlight.planets.schema.field import Field, KindOfTable
+from airlight.planets.schema.measures import converted
 from airlight.planets.schema.tagged_union import Alternatives, TaggedUnion
 from airlight.planets.star import Star
 from airlight.scene.system.body import Body
@@ -50,7 +53,9 @@ PAGES: Final[dict[str, dict[str, KindOfTable]]] = {
         "small_particles": SmallParticleAbsorption,
         "index": INDICES,
         "sizes": SIZES,
+        "clouds": CLOUDS,
     },
+    "clouds.md": {"kinds": CLOUDS},
     "scenes.md": {"bodies": Body, "lights": Light, "observer": SceneObserver, "camera": View},
     "films.md": {"film": FilmPlan, "keys": KeyFrames, "view": PlanetView},
 }
@@ -78,12 +83,14 @@ def filled(name: str) -> str:
 
 def key_table(name: str, kind: KindOfTable) -> str:
     """Keys of one kind of table, as a table in Markdown."""
+    if name == "kinds":
+        return "\n".join(_cloud_kinds()) + "\n"
     lines: list[str] = []
     keys = kind.declared()
     which = ONE_OF.get(name, ())
     if isinstance(kind, TaggedUnion):
         lines += _of_kinds(kind)
-        keys = tuple(key for key in keys if key.name != "kind")
+        keys = tuple(_of_all_kinds(key, kind) for key in keys if key.name != "kind")
         lines += [""] if keys else []
     elif isinstance(kind, Alternatives):
         which = kind.keywords
@@ -117,6 +124,29 @@ def _of_kinds(kinds: TaggedUnion[Any]) -> Iterator[str]:
         names = ", ".join(f"`{key.name}`" for key in one.declared())
         summary = (inspect.getdoc(one) or "").splitlines()[0]
         yield _row(f'`"{one.keyword}"`', names, _cell(summary.replace("``", "`")))
+
+
+def _of_all_kinds(key: Field, kinds: TaggedUnion[Any]) -> Field:
+    """Key of a kind, whose default is that of all kinds or the words ``by kind``."""
+    found = [own for one in kinds.classes for own in one.declared() if own.name == key.name]
+    differs = len({own.left_out for own in found if not callable(own.left_out)}) > 1
+    return replace(key, left_out="by kind") if differs and kinds is CLOUDS else key
+
+
+def _cloud_kinds() -> Iterator[str]:
+    """Table of the defaults of generated clouds."""
+    names = ("base", "depth", "cover", "optical_depth", "cell", "shear", "effective_radius")
+    yield _row("`kind`", *(f"`{name}`" for name in names), "")
+    yield f"|{'---|' * (len(names) + 2)}"
+    for one in CLOUD_TYPES:
+        keys = {key.name: key for key in one.declared()}
+        cells = []
+        for name in names:
+            unit = keys[name].shown_unit
+            number = converted(keys[name].left_out, keys[name].unit, unit)
+            cells.append(f"{_number(number)} {'' if unit == '1' else unit}".strip())
+        summary = (inspect.getdoc(one) or "").splitlines()[0]
+        yield _row(f'`"{one.keyword}"`', *cells, summary)
 
 
 def _row(*cells: str) -> str:

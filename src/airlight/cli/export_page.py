@@ -50,7 +50,7 @@ def export_page(
     if output.suffix.lower() not in (".html", ".htm"):
         raise ParameterError("--output", str(output), "a name that ends with .html")
     values = dict(_view_value(text) for text in view or [])
-    changes = overrides_of(planet.set_)
+    changes = overrides_of(planet.overrides)
     with shown_progress() as report:
         page = export(
             planet.planet,

@@ -95,7 +95,7 @@ class FitOptions(OptionGroup):
             uncertainty=share,
             loss=self.loss,
             quality=self.quality,
-            overrides=overrides_of(planet.set_),
+            overrides=overrides_of(planet.overrides),
             keep=not self.no_cache,
         )
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -41,14 +43,25 @@ class PlanetOptions(OptionGroup):
         str, typer.Argument(metavar="PLANET", help="Name of a preset, or path of a TOML file.")
     ]
     set_: Set = None
+    clouds: str | None = option(
+        "Three-dimensional clouds, instead of those of the planet's file: {planets.clouds:WORDS}, "
+        "the path of a NetCDF or Zarr file, or none. --set clouds.cover=0.4 changes them.",
+        "KIND|FILE",
+    )
+
+    @property
+    def overrides(self) -> list[str]:
+        """Overrides in the form of ``--set``: the clouds, then those given."""
+        chosen = [] if self.clouds is None else [_clouds_override(self.clouds)]
+        return [*chosen, *(self.set_ or [])]
 
     def load(self) -> Planet:
         """Planet with its overrides, see ``load``."""
-        return load(self.planet, self.set_)
+        return load(self.planet, self.overrides)
 
     def changes(self) -> dict[str, str]:
         """Overrides, as metadata of a file."""
-        return {"changes": "; ".join(self.set_)} if self.set_ else {}
+        return {"changes": "; ".join(self.overrides)} if self.overrides else {}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -110,6 +123,22 @@ class LocalGroundOptions(GroundOptions):
         numbers = given_values(self, "latitude", "longitude")
         with named_errors("latitude", "longitude", "altitude"):
             return local_ground(planet, **numbers, altitude=altitude)
+
+
+def _clouds_override(text: str) -> str:
+    """Override of ``--clouds``: a word of a kind, ``none``, or the path of a file."""
+    from airlight.planets.clouds import WORDS
+    from airlight.planets.schema.toml_table import suggestion
+
+    if text == "none":
+        return "clouds=[]"
+    if text in WORDS:
+        return f'clouds=[{{ kind = "{text}" }}]'
+    path = Path(text)
+    if not path.suffix and not path.exists():
+        words = suggestion(text, (*WORDS, "none"))
+        raise ParameterError("--clouds", text, f"{words}, or the path of a file")
+    return f"clouds=[{{ file = {json.dumps(str(path.absolute()))} }}]"
 
 
 def overrides_of(changes: list[str] | None) -> dict[str, Any]:

@@ -44,6 +44,8 @@ def load_scene(
     from airlight.planets.reading.reader import nested_tables
     from airlight.scene.system.reading import changed_system, system_text
 
+    if planet.clouds is not None:
+        raise ConflictError("--clouds", "requires a planet rather than a scene")
     place, camera = place or PlaceOptions(), camera or CameraOptions()
     text, file, folder = system_text(planet.planet)
     tables = nested_tables(text, file)

@@ -84,7 +84,7 @@ def view(
         Start(
             planet=planet.planet,
             other=compare,
-            changes=tuple(planet.set_ or ()),
+            changes=tuple(planet.overrides),
             view={
                 **view,
                 **camera.numbers(),

@@ -70,9 +70,10 @@ def cloud_field(
     columns = max(round(size / step), 4)
     grid = Grid(columns=columns, levels=levels, spacing=step, depth=clouds.depth)
     random = np.random.default_rng(int(clouds.seed))
-    relative = GENERATORS[type(clouds)](
-        grid, random, cell=clouds.cell, cover=clouds.cover, shear=clouds.shear
-    )
+    relative = np.zeros(grid.shape)
+    if clouds.cover > 0.0:
+        parts = {"cell": clouds.cell, "cover": clouds.cover, "shear": clouds.shear}
+        relative = GENERATORS[type(clouds)](grid, random, **parts)
     return CloudField(
         extinction=scaled(relative, grid, clouds.optical_depth),
         spacing=(step, step, grid.level),

@@ -1,22 +1,24 @@
 """Cumuli: heaps of overlapping thermals on a flat base.
 
-A cloud is a union of ellipsoids with a rough surface: a low, wide foot, towers of thermals that
-rise from it, and smaller thermals on their upper sides. Their level set f [m], positive within, is
-the union's; the cover determines the level at which the surface lies.
+A cloud is a union of ellipsoids with a rough surface: plumes side by side, each of thermals above
+each other, with smaller thermals on their sides and tops. The level set f [m] is the union's,
+positive within; the cover determines the level at which the surface lies.
 
 Widths follow n(D) ∝ D^-1.7 up to the largest (Neggers, Jonker & Siebesma 2003, JAS 60, 1060).
 Extinction grows with height above the base as that of a constant number of droplets in adiabatic
-ascent, h^(2/3) (Brenguier et al. 2000, JAS 57, 803, eq. 9 and 10), and falls to zero within about
-half a cell and 40 m of the surface, as in the shells of Heus & Jonker (2008), JAS 65, 1003.
+ascent, h^(2/3) (Brenguier et al. 2000, JAS 57, 803, eq. 9 and 10), and falls to zero within 20 m
+and seven tenths of a cell of the surface, as in the shells of Heus & Jonker (2008), JAS 65, 1003.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from math import ceil, floor, log, sqrt
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import distance_transform_edt
 
 from airlight.clouds.grid import Grid
 from airlight.geometry.gradient_noise import gradient_noise
@@ -27,17 +29,22 @@ FloatArray = NDArray[np.float64]
 #: Exponent of the distribution of widths.
 WIDTHS: Final = 1.7
 #: Upward velocity of thermals, over which shear displaces them. [m s⁻¹]
-ASCENT: Final = 2.0
+ASCENT: Final = 5.0
 #: Level set where there is no thermal. [m]
 NOWHERE: Final = -1e9
 #: Projected area of a cloud over that of a circle of its width.
 _FILLED: Final = 0.75
+#: Cover above which there are large clouds only.
+_CROWDED: Final = 0.8
 #: Largest number of clouds.
 _MOST: Final = 4000
 #: Roughness of a thermal's surface over its radius, in the coarsest octave.
 _ROUGH: Final = 0.55
+#: Generations of smaller thermals, and their least radius in cells.
+_GENERATIONS: Final = 2
+_LEAST: Final = 0.9
 #: Distance over which extinction falls at the edge. [m]
-_EDGE: Final = 40.0
+_EDGE: Final = 20.0
 
 
 class Heaps(NamedTuple):
@@ -137,22 +144,32 @@ def heap_extinction(
     shear : float
         Increase of the eastward wind with height. [s⁻¹]
     """
-    widths = _widths(grid, random, cell, cover)
+    widths = cloud_widths(grid, random, cell, cover)
     heaps = _heaps(grid, random, widths, cell, shear)
     field = np.full(grid.shape, NOWHERE)
     raise_thermals(field, heaps, grid.spacing, grid.level, _ROUGH)
     highest = field.max(axis=2)
-    surface = float(np.quantile(highest, 1.0 - cover)) if cover < 1.0 else float(highest.min())
-    if surface <= NOWHERE:  # more cover than thermals reach
-        surface = float(highest[highest > NOWHERE].min())
-    inside = np.clip((field - surface) / (_EDGE + 0.5 * grid.spacing), 0.0, 1.0)
+    if np.mean(highest > NOWHERE) < cover or cover == 1.0:  # more than thermals reach
+        far = highest <= NOWHERE
+        gap = distance_transform_edt(np.tile(far, (3, 3)))[
+            tuple(slice(n, 2 * n) for n in far.shape)
+        ]
+        low = float(highest[~far].min())
+        field[far] = low - grid.spacing * gap[far][:, None] - grid.heights
+        highest = field.max(axis=2)
+    surface = (
+        float(np.quantile(highest, 1.0 - cover)) if cover < 1.0 else float(highest.min()) - 1.0
+    )
+    inside = np.clip((field - surface) / (_EDGE + 0.7 * grid.spacing), 0.0, 1.0)
     return np.asarray(inside * grid.heights ** (2.0 / 3.0))
 
 
-def _widths(grid: Grid, random: np.random.Generator, cell: float, cover: float) -> FloatArray:
+def cloud_widths(grid: Grid, random: np.random.Generator, cell: float, cover: float) -> FloatArray:
     """Widths of clouds of the cover, the largest first. [m]"""
     widest = min(cell, 0.5 * grid.size)
     least = min(max(2.5 * grid.spacing, 0.1 * widest), 0.7 * widest)
+    if cover > _CROWDED:
+        least = 0.7 * widest
     power = 1.0 - WIDTHS
     share = random.random(_MOST)
     widths = (least**power + share * (widest**power - least**power)) ** (1.0 / power)
@@ -167,12 +184,12 @@ def _places(grid: Grid, random: np.random.Generator, widths: FloatArray) -> Floa
     """Places of clouds, the farthest from others of a few random ones, shape (n, 2). [m]"""
     places = np.zeros((widths.size, 2))
     for n, width in enumerate(widths):
-        tries = random.random((6, 2)) * grid.size
+        tries = random.random((3, 2)) * grid.size
         if n:
             apart = np.abs(tries[:, None] - places[None, :n])
             apart = np.minimum(apart, grid.size - apart)
             gaps = np.sqrt((apart**2).sum(axis=2)) - 0.5 * (width + widths[:n])
-            places[n] = tries[np.argmax(np.minimum(gaps.min(axis=1), 0.3 * width))]
+            places[n] = tries[np.argmax(np.minimum(gaps.min(axis=1), 0.1 * width))]
         else:
             places[n] = tries[0]
     return places
@@ -188,7 +205,7 @@ def _heaps(
         top = grid.depth * (width / widths[0]) ** 0.8 * random.uniform(0.75, 1.0)
         if not found:
             top = grid.depth
-        one = _cloud(random, width, max(top, 2.0 * grid.level))
+        one = _cloud(random, width, max(top, 2.0 * grid.level), _LEAST * grid.spacing)
         one[:, 0] += east + shear * one[:, 2] ** 2 / (2.0 * ASCENT)
         one[:, 1] += north
         one[:, 5] = random.uniform(0.0, 200.0)
@@ -196,35 +213,58 @@ def _heaps(
     return Heaps(*np.ascontiguousarray(np.concatenate(found).T))
 
 
-def _cloud(random: np.random.Generator, width: float, top: float) -> FloatArray:
-    """Thermals of one cloud about its place: rows of ``Heaps``."""
-    rows = [(0.0, 0.0, 0.08 * top, 0.5 * width, min(0.35 * top, 0.5 * width), 0.0)]
-    towers = int(random.integers(4, 9))
-    turn = random.uniform(0.0, 2.0 * np.pi)
-    stretched = random.uniform(0.6, 1.0)
-    for tower in range(towers):
-        apart = 0.0 if tower == 0 else 0.5 * width * sqrt(random.random()) * 0.8
-        angle = random.uniform(0.0, 2.0 * np.pi)
-        along, across = apart * np.cos(angle), stretched * apart * np.sin(angle)
-        x = along * np.cos(turn) - across * np.sin(turn)
-        y = along * np.sin(turn) + across * np.cos(turn)
-        peak = top * (1.0 if tower == 0 else random.uniform(0.4, 0.95) * (1.0 - apart / width))
-        radius = min(random.uniform(0.16, 0.28) * width, 0.5 * peak)
-        h = 0.5 * radius
-        while h < peak - radius:
-            rows.append((x, y, h, radius * random.uniform(0.85, 1.15), radius, 0.0))
-            h += 0.7 * radius
-            x += 0.2 * radius * random.normal()
-            y += 0.2 * radius * random.normal()
-        rows.append((x, y, peak - radius, radius, radius, 0.0))
-    for x, y, h, a, b, _ in tuple(rows):  # smaller thermals on the upper sides
-        for _ in range(5):
-            turn, up = random.uniform(0.0, 2.0 * np.pi), random.uniform(0.0, 0.9)
-            out, size = sqrt(1.0 - up * up), random.uniform(0.3, 0.5)
-            small = size * min(a, b)
-            height = min(h + 0.9 * b * up, top - small)
-            rows.append(
-                (x + 0.9 * a * out * np.cos(turn), y + 0.9 * a * out * np.sin(turn), height)
-                + (small, small, 0.0)
-            )
+def _cloud(random: np.random.Generator, width: float, top: float, least: float) -> FloatArray:
+    """Thermals of one cloud about its place, of at least some radius [m]: rows of ``Heaps``."""
+    plumes = [(0.0, 0.0, random.uniform(0.18, 0.24) * width, 0.92 * top)]
+    turn, narrow = random.uniform(0.0, 2.0 * np.pi), random.uniform(0.5, 1.0)
+    for _ in range(int(random.integers(7, 15))):
+        x, y, radius, _ = plumes[int(random.integers(len(plumes)))]
+        angle, apart = random.uniform(0.0, 2.0 * np.pi), random.uniform(0.7, 1.3) * radius
+        x, y = x + apart * np.cos(angle), y + apart * narrow * np.sin(angle)
+        outwards = min(sqrt(x * x + y * y) / (0.5 * width), 1.0)
+        peak = top * random.uniform(0.35, 1.0) * (1.0 - 0.75 * outwards**1.5)
+        plumes.append((x, y, random.uniform(0.1, 0.2) * width, peak))
+    rows: list[tuple[float, ...]] = []
+    for x, y, radius, peak in plumes:
+        x, y = x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
+        rows += _plume(random, x, y, radius, peak)
+    thermals = tuple(rows)
+    for _ in range(_GENERATIONS):
+        thermals = tuple(_bulges(random, thermals, top, least))
+        rows += thermals
     return np.array(rows)
+
+
+def _plume(
+    random: np.random.Generator, x: float, y: float, radius: float, peak: float
+) -> Iterator[tuple[float, ...]]:
+    """Thermals above each other up to a height: rows of ``Heaps``."""
+    low = min(radius, peak)  # in flat clouds thermals are flattened
+    h = 0.0
+    while True:
+        size = 1.0 - 0.3 * h / peak
+        up = min(low * size, peak)
+        h = min(h, peak - up)
+        swollen = size * random.uniform(0.9, 1.1)
+        yield x, y, h, radius * swollen, up, 0.0
+        if h >= peak - up - 1e-6 * peak:
+            return
+        h += 0.6 * up
+        x += 0.15 * radius * random.normal()
+        y += 0.15 * radius * random.normal()
+
+
+def _bulges(
+    random: np.random.Generator, thermals: Sequence[tuple[float, ...]], top: float, least: float
+) -> Iterator[tuple[float, ...]]:
+    """Smaller thermals on the sides and tops of others: rows of ``Heaps``."""
+    for x, y, h, a, b, _ in thermals:
+        for _ in range(6):
+            turn, up = random.uniform(0.0, 2.0 * np.pi), random.uniform(-0.1, 1.0)
+            out, small = sqrt(1.0 - up * up), random.uniform(0.3, 0.55) * min(a, b)
+            if small < least:
+                continue
+            height = h + 0.85 * b * up
+            along, across = 0.85 * a * out * np.cos(turn), 0.85 * a * out * np.sin(turn)
+            if 0.0 < height < top - 0.7 * small:
+                yield x + along, y + across, height, small, small, 0.0

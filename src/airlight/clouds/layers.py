@@ -46,7 +46,7 @@ class Pattern:
 
 
 STRATUS: Final = Pattern(cells=0.0, spread=0.25)
-STRATOCUMULUS: Final = Pattern(cells=1.6, spread=0.4, patches=0.2)
+STRATOCUMULUS: Final = Pattern(cells=1.3, spread=0.5, patches=0.2)
 ALTOCUMULUS: Final = Pattern(cells=2.0, spread=0.5, patches=0.8)
 
 
@@ -81,7 +81,11 @@ def layer_extinction(
         columns = np.maximum(columns - np.quantile(columns, 1.0 - cover), 0.0)
     depths = columns**0.6
     depths *= grid.depth / np.quantile(depths[depths > 0.0], _DEEPEST)
-    return adiabatic(grid, np.minimum(depths, grid.depth))
+    layer = adiabatic(grid, np.minimum(depths, grid.depth))
+    wanted = layer.sum(axis=2)
+    for axis in (0, 1):  # tops slope between columns rather than step
+        layer = 0.5 * layer + 0.25 * (np.roll(layer, 1, axis) + np.roll(layer, -1, axis))
+    return np.asarray(layer * (wanted / np.maximum(layer.sum(axis=2), 1e-30))[..., None])
 
 
 def adiabatic(grid: Grid, depths: FloatArray) -> FloatArray:

@@ -10,8 +10,9 @@ Polydispersions (6 µm, effective variance 1/9); stratocumulus, Wood (2012), MWR
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import ClassVar, Final
+from typing import ClassVar, Final, Protocol
 
+from airlight.errors import ConflictError
 from airlight.planets.matter.state_keys import RADIUS
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field, FileTable, Wavelengths, always, key
@@ -19,6 +20,8 @@ from airlight.planets.schema.tagged_union import TaggedUnion
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import TomlTable
 
+#: Largest number of kinds of clouds of a planet.
+MAX_CLOUDS: Final = 8
 #: Particles of clouds.
 WATER, ICE = "water", "ice"
 
@@ -152,7 +155,7 @@ class CloudType(Clouds):
     shear : float
         Increase of the eastward wind with height. [s⁻¹]
     seed : float
-        Whole number from 0 to 1e9; another one gives other clouds of the same statistics. [1]
+        Number, 0 to 1e9, whose whole part selects a field of the same statistics. [1]
     """
 
     #: Width of a cell of the grid by default. [m]
@@ -165,7 +168,7 @@ class CloudType(Clouds):
     cell: float = key(_CELL, default=2000.0)
     shear: float = key(_SHEAR, default=0.0)
     seed: float = key(
-        help="Whole number; another one gives other clouds of the same statistics.",
+        help="Number whose whole part selects one of many fields of the same statistics.",
         range=(0.0, 1e9),
         slider=(0.0, 100.0),
         example="1",
@@ -193,6 +196,7 @@ class Stratocumulus(CloudType):
     """Low layer of closed cells."""
 
     keyword = "stratocumulus"
+    spacing = 100.0
 
     base: float = key(_BASE, default=800.0)
     depth: float = key(_DEPTH, default=320.0)
@@ -223,13 +227,14 @@ class CumulusCongestus(CloudType):
     """Towering heaps."""
 
     keyword = "congestus"
+    spacing = 100.0
 
     base: float = key(_BASE, default=1000.0)
     depth: float = key(_DEPTH, default=4500.0)
     cover: float = key(_COVER, default=0.25)
     optical_depth: float = key(_OPTICAL_DEPTH, default=60.0)
     cell: float = key(_CELL, default=5000.0)
-    shear: float = key(_SHEAR, default=1e-3)
+    shear: float = key(_SHEAR, default=5e-4)
 
 
 @parameters
@@ -269,7 +274,15 @@ def _read_file(table: TomlTable, name: str, wavelengths: Wavelengths) -> str:
 
 @parameters
 class CloudFile(Clouds):
-    """Clouds of a NetCDF or Zarr file."""
+    """Clouds of a NetCDF or Zarr file.
+
+    Parameters
+    ----------
+    file : str
+        Path of the file, see ``clouds.cloud_files``.
+    beyond : "clear" or "periodic"
+        What is beyond the four sides of its grid.
+    """
 
     keyword = "file"
 
@@ -280,6 +293,12 @@ class CloudFile(Clouds):
         range=(1.0, 1000.0),
         example="the path of a file of clouds",
         read=_read_file,
+    )
+    beyond: str = key(
+        help="What is beyond the four sides of the file's grid.",
+        choices=lambda: ("clear", "periodic"),
+        offered=always,
+        default="clear",
     )
 
 
@@ -292,6 +311,41 @@ CLOUD_TYPES: Final = (
     Altocumulus,
     Cirrus,
 )
+
+
+class HasClouds(Protocol):
+    """Planet."""
+
+    @property
+    def clouds(self) -> tuple[Clouds, ...]:
+        """Its clouds."""
+
+
+def check_clear(planet: HasClouds, consumer: str = "this computation") -> None:
+    """Raise an error for a planet with three-dimensional clouds, which would be ignored.
+
+    ``Medium.from_planet`` calls it, so that no solver ignores clouds. One that computes them takes
+    ``planet.clouds`` and the medium of ``planet.without_clouds``; a command that does not may call
+    it first, with its name.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet.
+    consumer : str
+        Command or solver in the error.
+
+    Raises
+    ------
+    ConflictError
+        If the planet has clouds.
+    """
+    if planet.clouds:
+        raise ConflictError(
+            "clouds",
+            f"cannot be used by {consumer}, which has no three-dimensional clouds: remove them"
+            " (--clouds none)",
+        )
 
 
 class _CloudKinds(TaggedUnion[Clouds]):
@@ -310,6 +364,8 @@ class _CloudKinds(TaggedUnion[Clouds]):
         return super().read(table, wavelengths)
 
 
+#: Words of generated clouds.
+WORDS: Final = tuple(one.keyword for one in CLOUD_TYPES)
 #: Kinds of ``[[clouds]]``.
 CLOUDS: Final[TaggedUnion[Clouds]] = _CloudKinds(
     Clouds,

@@ -20,6 +20,7 @@ from airlight.physics.optics.layer_edges import ThinLayer, thin_layers
 from airlight.physics.optics.reflection import WHITE, Reflection
 from airlight.physics.optics.refracting_shell import RefractingShell
 from airlight.physics.units import values_in
+from airlight.planets.clouds import check_clear
 from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
@@ -167,7 +168,8 @@ class Medium:
         Raises
         ------
         ParameterError
-            If a wavelength is out of range, or a constituent is unphysical.
+            If a wavelength is out of range, a constituent is unphysical, or the planet has
+            three-dimensional clouds: those who compute them take ``planet.without_clouds``.
         FileError
             If the picture of its clouds cannot be read.
         Cancelled
@@ -175,6 +177,7 @@ class Medium:
         """
         if not isinstance(planet, Planet):
             raise ParameterError("planet", planet, "a Planet, as load_planet returns it")
+        check_clear(planet)
         nm = _checked_wavelengths(planet, wavelengths)
         make = partial(cls._sampled, planet, nm, progress=progress, cancel=cancel)
         if nm.size > MOST_KEPT_WAVELENGTHS:

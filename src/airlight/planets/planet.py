@@ -17,7 +17,7 @@ from airlight.kernel.cache import Cache
 from airlight.physics.optics.airglow import airglow_names
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.units import values_in
-from airlight.planets.clouds import CLOUDS, Clouds
+from airlight.planets.clouds import CLOUDS, MAX_CLOUDS, Clouds
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.parameters import MISSING, between, instance_of, parameters
@@ -54,8 +54,6 @@ RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
 MEDIA: Final = 2
 #: Largest number of constituents of a planet.
 MAX_CONSTITUENTS: Final = 64
-#: Largest number of kinds of clouds of a planet.
-MAX_CLOUDS: Final = 8
 #: Smallest thickness of the shell relative to the ground radius, and largest ratio of the radii.
 #: [1]
 LEAST_THICKNESS: Final = 1e-7
@@ -307,6 +305,11 @@ class Planet(TomlModel):
         for index, title in enumerate(titles):
             if title in titles[:index]:
                 raise ParameterError(f"clouds[{index}].name", title, "a unique name")
+
+    @cached_property
+    def without_clouds(self) -> Planet:
+        """The planet without its three-dimensional clouds; itself if it has none."""
+        return dataclasses.replace(self, clouds=()) if self.clouds else self
 
     @cached_property
     def media(self) -> Cache[bytes, Any]:

@@ -15,7 +15,7 @@ from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.planets.reading.reader import PlanetLike
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.pixels.polarising_filter import ALONG, ASLANT
 from airlight.render.pixels.scenes_by_light import scenes_by_light
@@ -72,7 +72,7 @@ def render(
     stokes : bool
         Whether the frame also has Stokes Q and U, in the meridian plane of each line of sight.
     clouds : CloudsAround, optional
-        Three-dimensional clouds; by default none.
+        Three-dimensional clouds; by default those of a planet, and none of a solution.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -95,7 +95,13 @@ def render(
         raise ParameterError("scene", scene, "a Scene")
     if not isinstance(solution, Solution):
         latitude, longitude, altitude = scene.place
-        planet = local_ground(solution, latitude=latitude, longitude=longitude, altitude=altitude)
+        planet = load_planet(solution)
+        if planet.clouds and clouds is None:
+            from airlight.render.clouds.clouds_around import CloudsAround
+
+            clouds = CloudsAround.of(planet, scene)
+        planet = planet.without_clouds
+        planet = local_ground(planet, latitude=latitude, longitude=longitude, altitude=altitude)
         solution = solution_of(planet, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
         raise ParameterError(

@@ -1,7 +1,8 @@
 """Overrides of single keys of a planet file: ``dust.particles.optical_depth = 1``.
 
 A path consists of nested keys with dots and of list indices: ``shell.top_radius``,
-``ground.albedo[2]``. Constituents are referred to by name, or as ``constituents[0]``.
+``ground.albedo[2]``. Constituents are referred to by name, or as ``constituents[0]``; clouds as
+``clouds.cover`` if there is one table, ``clouds.cirrus.cover`` by name or kind, or ``clouds[0]``.
 """
 
 from __future__ import annotations
@@ -215,6 +216,8 @@ def _steps(root: Mapping[str, Any], path: Any) -> list[_Step]:
     if not isinstance(path, str) or not path.strip():
         raise ParameterError(FIELD, path, "a path such as ground.albedo")
     first = re.split(r"[.\[]", path, maxsplit=1)[0]
+    if first == "clouds" and path.startswith("clouds."):
+        return _cloud_steps(root, path)
     if first in root:
         return _split(root, path)
     for index, name in sorted(_names(root), key=lambda found: -len(found[1])):
@@ -224,6 +227,32 @@ def _steps(root: Mapping[str, Any], path: Any) -> list[_Step]:
     if re.fullmatch(r"\w+", path):  # a key of the file, which its reader may know
         return [path]
     raise _nowhere(root, path)
+
+
+def _cloud_steps(root: Mapping[str, Any], path: str) -> list[_Step]:
+    """Keys and indices of a path into clouds, by name or, of a single table, without."""
+    rest, titles = path.removeprefix("clouds."), _cloud_titles(root)
+    for index, title in sorted(enumerate(titles), key=lambda found: -len(found[1])):
+        if rest == title or rest.startswith((f"{title}.", f"{title}[")):
+            inner = rest[len(title) :].removeprefix(".")
+            return ["clouds", index, *(_split(root, inner) if inner else [])]
+    if not titles:
+        raise _nowhere(root, path)
+    if len(titles) > 1:
+        allowed = " or ".join(f"clouds.{title}.{rest}" for title in titles)
+        raise ParameterError(FIELD, path, allowed)
+    return ["clouds", 0, *_split(root, rest)]
+
+
+def _cloud_titles(root: Mapping[str, Any]) -> list[str]:
+    """Names or kinds of the clouds."""
+    listed = root.get("clouds")
+    tables = listed if isinstance(listed, list) else []
+    return [
+        str(next((one[key] for key in ("name", "kind") if key in one), "file"))
+        for one in tables
+        if isinstance(one, dict)
+    ]
 
 
 def _split(root: Mapping[str, Any], path: str) -> list[_Step]:
@@ -270,11 +299,15 @@ def _paths(root: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
     for key, value in root.items():
         found.append(key)
-        if key != "constituents":
+        if key == "clouds":
+            titles = _cloud_titles(root)
+            for title, one in zip(titles, value if isinstance(value, list) else [], strict=False):
+                found += _below("clouds" if len(titles) == 1 else f"clouds.{title}", one)
+        elif key != "constituents":
             found += _below(key, value)
-            continue
-        for index, one in enumerate(value if isinstance(value, list) else []):
-            found += _below(names.get(index, f"constituents[{index}]"), one)
+        else:
+            for index, one in enumerate(value if isinstance(value, list) else []):
+                found += _below(names.get(index, f"constituents[{index}]"), one)
     return found
 
 

@@ -215,7 +215,8 @@ def read_tables(
         changed = tables if overrides is None else overridden(tables, overrides)
         planet = declared_planet(changed, folder)
         # Raise the error here, where the file is known.
-        Medium.from_planet(planet, wavelengths(planet), progress=progress, cancel=cancel)
+        clear = planet.without_clouds
+        Medium.from_planet(clear, wavelengths(planet), progress=progress, cancel=cancel)
         return planet
     except ParameterError as error:
         if overrides:

@@ -14,6 +14,7 @@ from math import exp, sqrt
 
 import numpy as np
 
+from airlight.clouds.cloud_detail import cloud_detail
 from airlight.geometry.vectors import Vec3, dot, minus, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import (
@@ -243,10 +244,7 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
             step = min(step, extent.leaves - s + 1e-3)
         point = plus(eye, scaled(ray, s + 0.5 * step))
         x, y, z = box_place(point, clouds)
-        nz, ny, nx = clouds.extinction.shape
-        found = 0.0
-        if clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
-            found = cell_value(clouds.extinction, x, y, z, clouds.periodic)
+        found = detailed_extinction(x, y, z, max(s, 1.0) * clouds.pixel_angle, clouds)
         s += step
         if found <= 0.0:
             continue
@@ -265,6 +263,37 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
         light, passed = lane_view(work.light, at), lane_view(work.passed, at)
         light[1] = passed[1]
         light[2] = exponential(splat(-depth) * load(clouds.whole[0], at))
+
+
+@inlined
+def detailed_extinction(x, y, z, width, clouds):
+    """Extinction at 550 nm with detail below the cells. [m⁻¹]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Place from ``box_place``. [cells]
+    width : float
+        Width of the pixel's footprint. [m]
+    clouds : CloudTables
+        Clouds.
+    """
+    nz, ny, nx = clouds.extinction.shape
+    found = 0.0
+    if clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
+        factor = 1.0
+        cell = min(clouds.step_x, clouds.step_y)
+        if clouds.detailed and width < 0.5 * cell:
+            detail = cloud_detail(
+                x * clouds.step_x, y * clouds.step_y, z * clouds.step_z, width, cell
+            )
+            factor = detail.factor
+            x += detail.east / clouds.step_x
+            y += detail.north / clouds.step_y
+            z += detail.up / clouds.step_z
+        if -0.5 <= z < nz - 0.5:
+            found = factor * cell_value(clouds.extinction, x, y, z, clouds.periodic)
+    return found
 
 
 @inlined

@@ -32,6 +32,8 @@ class CloudTables(NamedTuple):
         Width of a cell to the east, to the north and upwards. [m]
     periodic : bool
         Whether the box repeats itself sideways.
+    detailed : bool
+        Whether extinction has detail below the cells.
     east, north, up : Vec3
         Axes of the box's place in the observer's frame. [1]
     sun : Vec3
@@ -84,6 +86,7 @@ class CloudTables(NamedTuple):
     step_y: float
     step_z: float
     periodic: bool
+    detailed: bool
     east: Vec3
     north: Vec3
     up: Vec3

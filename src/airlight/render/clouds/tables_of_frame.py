@@ -79,6 +79,7 @@ def cloud_tables(
         step_y=float(field.spacing[1]),
         step_z=float(field.spacing[2]),
         periodic=field.beyond == "periodic",
+        detailed=field.interpolated and scene.ground == "detailed",
         east=east,
         north=north,
         up=up,

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from airlight.errors import ParameterError
+from airlight.planets.clouds import CLOUDS
 from airlight.planets.ground import Ground
 from airlight.planets.planet import Planet, Shell
 from airlight.planets.reading.declared_keys import declared_key, is_flat, key_at
@@ -118,6 +119,8 @@ def _table(table: Tables, cursor: _Cursor) -> Iterator[Parameter]:
 
 
 def _value(key: Field, value: Any, path: str, cursor: _Cursor) -> Iterator[Parameter]:
+    if key.name == "clouds" and key.table is CLOUDS and value == []:  # they were removed
+        return
     if key.kind == "table" and not _holds_tables(value):
         raise ParameterError(path, value, "a table" if key.name != "constituents" else "tables")
     if isinstance(value, dict):

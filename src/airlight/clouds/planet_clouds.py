@@ -1,0 +1,103 @@
+"""Fields and optical properties of a planet's clouds, as renderer and solvers take them."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_files import read_cloud_file
+from airlight.clouds.cloud_optics import CloudOptics
+from airlight.clouds.cloud_types import LEVELS, SIZE, cloud_field
+from airlight.errors import ParameterError
+from airlight.physics.units import values_in
+from airlight.planets.clouds import CloudFile, Clouds, CloudType
+from airlight.planets.planet import Planet
+
+#: Number of fields that are kept.
+_KEPT = 8
+
+
+class Box(NamedTuple):
+    """Box of generated clouds.
+
+    Parameters
+    ----------
+    latitude, longitude : float
+        The place, in the middle. [deg]
+    size : float
+        Side. [m]
+    spacing : float, optional
+        Horizontal width of a cell; by default that of each type. [m]
+    levels : int
+        Number of levels.
+    """
+
+    latitude: float = 0.0
+    longitude: float = 0.0
+    size: float = SIZE
+    spacing: float | None = None
+    levels: int = LEVELS
+
+
+def clouds_of(
+    planet: Planet, wavelengths: npt.ArrayLike, box: Box | None = None
+) -> tuple[tuple[CloudField, CloudOptics], ...]:
+    """Field and optical properties of each of the clouds of a planet; none without clouds.
+
+    Fields are cached by the parameters of the clouds and the box.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet with clouds.
+    wavelengths : array, shape (w,)
+        Wavelengths. [nm]
+    box : Box, optional
+        Place, size and resolution of generated clouds; the place also of files without one.
+
+    Raises
+    ------
+    ParameterError
+        If clouds reach above the top of the air, or a file is not one of clouds.
+    FileError
+        If a file cannot be read.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> earth = load_planet("earth", {"clouds": [{"kind": "cirrus"}]})
+    >>> [(field, optics)] = clouds_of(earth, [550.0], Box(spacing=800.0))
+    >>> field.extinction.shape, float(optics.albedo[0])
+    ((32, 32, 32), 1.0)
+    """
+    nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
+    found = []
+    for index, one in enumerate(planet.clouds):
+        field, radius = _field(one, box or Box(), planet.bottom_radius)
+        if field.top > planet.thickness:
+            allowed = f"tops of at most {planet.thickness:g} m, the top of the air"
+            raise ParameterError(f"clouds[{index}]", f"{field.top:g} m", allowed)
+        found.append((field, CloudOptics.of_clouds(one, nm, radius)))
+    return tuple(found)
+
+
+@lru_cache(maxsize=_KEPT)
+def _field(clouds: Clouds, box: Box, bottom_radius: float) -> tuple[CloudField, float]:
+    """Field of clouds and their effective radius. [m]"""
+    if isinstance(clouds, CloudType):
+        return cloud_field(
+            clouds,
+            size=box.size,
+            spacing=box.spacing,
+            levels=box.levels,
+            latitude=box.latitude,
+            longitude=box.longitude,
+        ), clouds.effective_radius
+    assert isinstance(clouds, CloudFile)
+    return read_cloud_file(
+        clouds, radius=bottom_radius, latitude=box.latitude, longitude=box.longitude
+    )

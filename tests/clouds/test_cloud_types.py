@@ -1,0 +1,118 @@
+"""Generated clouds: cover and optical depth, seeds, periods, bases, spectra, widths."""
+
+import numpy as np
+import pytest
+
+from airlight.clouds.cloud_types import cloud_field
+from airlight.clouds.grid import Grid
+from airlight.clouds.layers import STRATOCUMULUS, adiabatic, layer_extinction
+from airlight.clouds.power_law_field import power_law_field
+from airlight.planets.clouds import (
+    CLOUD_TYPES,
+    Cirrus,
+    CumulusCongestus,
+    CumulusHumilis,
+)
+
+
+@pytest.mark.parametrize("kind", CLOUD_TYPES, ids=lambda kind: kind.keyword)
+def test_cover_and_optical_depth_are_those_wanted(kind):
+    for cover, depth in ((0.15, 5.0), (0.6, 30.0)):
+        clouds = kind(cover=cover, optical_depth=depth, seed=3.0)
+        columns = cloud_field(clouds, spacing=200.0).column_optical_depth
+        cloudy = columns > 0.0
+        np.testing.assert_allclose(cloudy.mean(), cover, rtol=0.01)
+        np.testing.assert_allclose(columns[cloudy].mean(), depth, rtol=0.01)
+
+
+@pytest.mark.parametrize("kind", CLOUD_TYPES, ids=lambda kind: kind.keyword)
+def test_full_and_no_cover_are_kept(kind):
+    full, none = (
+        cloud_field(kind(cover=cover), size=6400.0, spacing=200.0) for cover in (1.0, 0.0)
+    )
+    assert np.all(full.column_optical_depth > 0.0)
+    assert np.all(none.extinction == 0.0)
+
+
+@pytest.mark.parametrize("kind", CLOUD_TYPES, ids=lambda kind: kind.keyword)
+def test_a_seed_determines_the_field(kind):
+    first, again, other = (
+        cloud_field(kind(seed=seed), size=6400.0, spacing=200.0).extinction
+        for seed in (1.0, 1.0, 2.0)
+    )
+    np.testing.assert_array_equal(first, again)
+    assert np.abs(first - other).max() > 1e-3
+
+
+@pytest.mark.parametrize("kind", CLOUD_TYPES, ids=lambda kind: kind.keyword)
+def test_fields_have_no_seam(kind):
+    # the change across the period is like that between neighbours within
+    columns = cloud_field(kind(), size=12800.0, spacing=200.0).column_optical_depth
+    for axis in (0, 1):
+        steps = np.abs(np.diff(columns, axis=axis, append=columns.take([0], axis))).mean(1 - axis)
+        assert steps[-1] < 3.0 * steps[:-1].mean()
+
+
+def test_cumuli_have_flat_bases_and_grow_with_height():
+    field = cloud_field(CumulusHumilis())
+    low, high = (field.extinction[:, :, k] for k in (0, 8))
+    cloudy = field.column_optical_depth > 1.0
+    assert (low[cloudy] > 0.0).mean() > 0.7
+    # h^(2/3) in the cores: 8.5 and 0.5 levels above the base
+    np.testing.assert_allclose(high.max() / low.max(), 17.0 ** (2.0 / 3.0), rtol=0.02)
+
+
+def test_widths_of_cumuli_follow_a_power_law():
+    from airlight.clouds.heaps import WIDTHS, cloud_widths
+
+    grid = Grid(columns=1024, levels=4, spacing=25.0, depth=900.0)
+    widths = cloud_widths(grid, np.random.default_rng(0), 2000.0, 0.3)
+    # the share above w is that of the integral of w^-1.7
+    low, high, power = widths.min(), 2000.0, 1.0 - WIDTHS
+    for width in (300.0, 600.0, 1200.0):
+        share = (width**power - high**power) / (low**power - high**power)
+        error = 4.0 * np.sqrt(share * (1.0 - share) / widths.size)
+        np.testing.assert_allclose((widths > width).mean(), share, atol=error)
+
+
+def test_optical_depth_of_stratocumulus_falls_as_wavenumber_to_the_five_thirds():
+    grid = Grid(columns=512, levels=4, spacing=50.0, depth=300.0)
+    random = np.random.default_rng(4)
+    parts = {"cell": 3000.0, "cover": 1.0, "shear": 0.0}
+    columns = np.log(layer_extinction(grid, random, pattern=STRATOCUMULUS, **parts).sum(axis=2))
+    plain = power_law_field(grid, random, longest=3000.0)
+    for field, tolerance in ((plain, 0.15), (columns, 0.35)):
+        power = (np.abs(np.fft.rfft(field, axis=0)) ** 2).mean(axis=1)
+        bands = np.array([power[n : 2 * n].mean() for n in (16, 32, 64)])
+        slope = np.polyfit(np.log([16.0, 32.0, 64.0]), np.log(bands), 1)[0]
+        np.testing.assert_allclose(slope, -5.0 / 3.0, atol=tolerance)
+
+
+def test_layers_are_adiabatic():
+    # means over cells of h^(2/3) up to the top; the optical depth grows as the 5/3rd power
+    grid = Grid(columns=4, levels=40, spacing=50.0, depth=400.0)
+    depths = np.full((4, 4), 200.0)
+    depths[0] = 400.0
+    layer = adiabatic(grid, depths)
+    np.testing.assert_allclose(layer[0, 0, 1:], grid.heights[1:] ** (2.0 / 3.0), rtol=0.01)
+    assert np.all(layer[1, 0, 20:] == 0.0)
+    np.testing.assert_allclose(layer.sum(2)[0] / layer.sum(2)[1], 2.0 ** (5.0 / 3.0), rtol=1e-9)
+
+
+def test_congestus_is_as_deep_as_wanted():
+    field = cloud_field(CumulusCongestus())
+    levels = np.nonzero((field.extinction > 0.0).any(axis=(0, 1)))[0]
+    assert field.top == 5500.0
+    assert levels[-1] >= 25
+
+
+def test_fibres_of_cirrus_trail_by_the_square_of_the_depth():
+    # Δx = s Δh²/(2 v), Heymsfield (1975), with v = 0.8 m/s
+    field = cloud_field(Cirrus(cover=1.0, shear=2e-3), size=25.6e3)
+    top, lower = (np.log(field.extinction[:, :, k] + 1e-9) for k in (29, 12))
+    product = np.fft.rfft2(top - top.mean()) * np.conj(np.fft.rfft2(lower - lower.mean()))
+    shift = np.unravel_index(np.argmax(np.fft.irfft2(product)), top.shape)
+    below = [(32 - k - 0.5) * field.spacing[2] for k in (29, 12)]
+    expected = 2e-3 * (below[1] ** 2 - below[0] ** 2) / (2.0 * 0.8)
+    assert abs(shift[0] * 100.0 - expected) < 250.0
+    assert shift[1] in (0, 1, 255)
