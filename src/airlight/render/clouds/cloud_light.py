@@ -36,8 +36,8 @@ MOST_SOLVED: Final = 640_000
 #: Levels of air in a box, and highest degree of their phase functions.
 _LEVELS: Final = 6
 _DEGREE: Final = 8
-#: Singular values, over the largest one, that are ignored in the spectrum of a box. [1]
-_SINGULAR: Final = 1e-3
+#: Distance of the first and the last solved wavelength from the ends, over the number of all. [1]
+_INSET: Final = 0.08
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -93,7 +93,7 @@ def solved_wavelengths(count: int) -> NDArray[np.int64]:
     """Indices of at most ``SOLVED`` of so many wavelengths at which boxes are solved."""
     if count <= SOLVED:
         return np.arange(count)
-    return np.round((np.arange(SOLVED) + 0.5) / SOLVED * (count - 1)).astype(np.int64)
+    return np.round(np.linspace(_INSET, 1.0 - _INSET, SOLVED) * (count - 1)).astype(np.int64)
 
 
 def solve_clouds(
@@ -162,14 +162,14 @@ def solve_clouds(
     depth, base_depth = beam_depths(
         field, towards, medium.bottom_radius, progress=progress, cancel=cancel
     )
-    features = np.array([beam, sky, albedo * (beam * max(towards[2], 0.0) + sky)])
+    incident = beam * max(towards[2], 0.0) + sky
     return CloudLight(
         field=field,
         optics=optics_at(nm),
         box=box,
         towards=towards,
         unit=unit[chosen],
-        spectrum=box_spectrum(nm, chosen, features),
+        spectrum=box_spectrum(nm, chosen, np.maximum(incident, 1e-6 * incident.max() + 1e-30)),
         depth=depth,
         base_depth=base_depth,
         clear=clear_distances(field),
@@ -195,13 +195,12 @@ def coarse_field(field: CloudField) -> CloudField:
 
 
 def box_spectrum(
-    wavelengths: FloatArray, chosen: NDArray[np.int64], features: FloatArray
+    wavelengths: FloatArray, chosen: NDArray[np.int64], incident: FloatArray
 ) -> FloatArray:
     """Weights that give the light at all wavelengths from that at the solved ones.
 
-    Linear interpolation, changed as little as possible so that the spectra of the beam, of the sky
-    and of the light of the ground are exact: light in clouds, which scatter all colours alike, is a
-    mixture of them.
+    Light in clouds, which scatter all colours alike, over the incident light is smooth: it is
+    linear in wavelength.
 
     Parameters
     ----------
@@ -209,23 +208,25 @@ def box_spectrum(
         Wavelengths. [nm]
     chosen : array of int, shape (solved,)
         Indices of the solved wavelengths.
-    features : array, shape (n, nl)
-        Spectra that are to be exact.
+    incident : array, shape (nl,)
+        Spectrum of the light that falls on the clouds, more than 0. [1]
 
     Returns
     -------
     array, shape (SOLVED, nl)
         Weights; 0 for wavelengths that are not there. [1]
+
+    Examples
+    --------
+    >>> box_spectrum(np.array([400.0, 500.0, 600.0]), np.array([0, 2]), np.array([1.0, 2.0, 4.0]))[:2]
+    array([[1.  , 1.  , 0.  ],
+           [0.  , 0.25, 1.  ]])
     """
     order = np.argsort(wavelengths[chosen])
-    unit = np.eye(chosen.size)[order]
-    nodes = wavelengths[chosen][order]
-    linear = np.array([np.interp(wavelengths, nodes, unit[:, k]) for k in range(chosen.size)])
-    scale = np.maximum(np.abs(features).max(axis=1, keepdims=True), 1e-30)
-    given = (features / scale)[:, chosen]
-    missing = features / scale - given @ linear
+    nodes, unit = wavelengths[chosen][order], np.eye(chosen.size)[order]
     weights = np.zeros((SOLVED, wavelengths.size))
-    weights[: chosen.size] = linear + np.linalg.pinv(given, rcond=_SINGULAR) @ missing
+    for k in range(chosen.size):
+        weights[k] = np.interp(wavelengths, nodes, unit[:, k]) * incident / incident[chosen[k]]
     return weights
 
 
