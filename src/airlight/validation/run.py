@@ -48,6 +48,7 @@ SUITES: Final[dict[str, Entry]] = {
     "kider": Entry("Measured days, load fitted", "measured_days:measured_days", ("kider*.npz",)),
     "energy": Entry("Energy, reversed paths and orders", "energy:energy"),
     "disort": Entry("Flat air against discrete ordinates", "plane_parallel:disort"),
+    "clouds": Entry("Clouds in three dimensions", "clouds:clouds"),
     "published": Entry("Published light", "published.light:published"),
     "polarisation": Entry("Polarised light", "polarised.light:polarisation"),
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,14 @@ from airlight.errors import Cancelled
 from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import BeamCells, beam_row, centred, mean_beam_row
-from airlight.solver.boxes.directions import Directions, degrees, directions, harmonics, term_count
+from airlight.solver.boxes.directions import (
+    SIGNS,
+    Directions,
+    degrees,
+    directions,
+    harmonics,
+    term_count,
+)
 from airlight.solver.boxes.grid import BoxGrid
 from airlight.solver.boxes.linear import in_chunks, solve_linear
 from airlight.solver.boxes.rebalance import (
@@ -30,6 +37,8 @@ Float32Array = NDArray[np.float32]
 
 #: Limits of the factor by which an iteration multiplies the light of a cell.
 _FACTORS: Final = (0.2, 5.0)
+#: Numbers of a level up to which another thread costs more time than it saves.
+_FEW: Final = 200_000
 #: Limits of the factor that conserves the energy of the beam.
 _LOST: Final = (0.9, 1.1)
 #: Sweeps that progress expects after the present one.
@@ -328,13 +337,55 @@ class BoxIteration:
         """Fill the moments with the light of diffusion."""
         phi = np.zeros_like(self.beam)
         coefficients = coefficients_for(self.balanced, self.light.currents, phi, first=True)
-        phi = np.maximum(solve_linear(coefficients, self.thickness, self.gain, phi), 0.0)
+        along = self._beam_currents()
+        gain = self.gain.copy()
+        for axis, (current, width) in enumerate(along):
+            gain -= (current - np.roll(current, 1, axis=axis)) / width
+        phi = solve_linear(coefficients, self.thickness, gain, phi)
+        np.maximum(phi, 0.0, out=phi)
         in_chunks(
             lambda a, b: correct(
                 a, b, self.balanced, coefficients, phi, self.light.moments, self.shares
             ),
             len(self.thickness),
+            self.problem.grid.extinction.size,
         )
+        if self.problem.grid.periodic:
+            self._fill_sides()
+
+    def _beam_currents(self) -> list[tuple[Float32Array, Any]]:
+        """Net currents by light that is scattered forwards, through upper faces, and cell widths.
+
+        Of the equation of diffusion, with the anisotropic part of the beam's scattering. [1], [m]
+        """
+        grid, cells, towards = self.problem.grid, self.cells, self.problem.towards
+        forward = grid.extinction[..., None] * cells.cloud_source[1]
+        forward += cells.air_source[:, None, None, 1]
+        forward *= self.beam
+        least = 1.0 / np.float32(grid.edges[-1] - grid.edges[0])
+        forward /= np.maximum(self.balanced.transport, least)
+        found = []
+        widths = (self.thickness[:, None, None, None], grid.widths[1], grid.widths[0])
+        for axis, width in enumerate(widths):
+            current = np.float32(-0.5 * towards[2 - axis]) * forward
+            current += np.roll(current, -1, axis=axis)
+            if axis == 0 or not grid.periodic:
+                current.swapaxes(0, axis)[-1] = 0.0
+            found.append((current, width))
+        return found
+
+    def _fill_sides(self) -> None:
+        """Fill the light that enters at the sides with that of the guess."""
+        light, total = self.light, self.light.moments[0] + self.light.moments[1]
+        vectors, _ = self.ways
+        functions = harmonics(vectors, 1)
+        for octant, (x, y) in enumerate(SIGNS):
+            for faces, cells in (
+                (light.sides, total[:, :, -1 if x > 0 else 0]),
+                (light.fronts, total[:, -1 if y > 0 else 0]),
+            ):
+                found = np.einsum("hdt,kitw->hkidw", functions[:, octant], cells[:, :, :4])
+                faces[:, octant] = _in_pairs(np.maximum(found, 0.0))
 
     def sweep(
         self, *, progress: Progress | None = None, cancel: Cancel | None = None, done: int = 0
@@ -364,17 +415,21 @@ class BoxIteration:
             level = step if hemisphere else levels - 1 - step
             sweep_level(level, hemisphere, periodic, self.cells, self.pairs, light)
 
+        def both(step: int, _: int) -> None:
+            one(step, 0)
+            one(step, 1)
+
+        together = light.heads[0].size > _FEW
         total = levels * (done + 1 + _REMAINING)
         for step in range(levels):
             if cancel is not None and cancel():
                 raise Cancelled("cancelled")
             if progress is not None:
                 progress(levels * done + step, total, f"light of clouds, sweep {done + 1}")
-            if 2 * step == levels - 1:
-                one(step, 0)
-                one(step, 1)
-            else:
+            if together and 2 * step != levels - 1:
                 run_blocks(partial(one, step), 2)
+            else:
+                run_blocks(partial(both, step), 1)
         self.down = -light.currents[2][0, 0]
 
     def rebalance(self) -> None:
@@ -388,6 +443,7 @@ class BoxIteration:
                 a, b, self.balanced, coefficients, change, light.moments, self.shares
             ),
             len(self.thickness),
+            self.problem.grid.extinction.size,
         )
         factor = better[0] / np.maximum(phi[0], np.float32(1e-20))
         self.down *= np.clip(factor, _FACTORS[0], _FACTORS[1])

@@ -19,9 +19,11 @@ Float32Array = NDArray[np.float32]
 FloatArray = NDArray[np.float64]
 
 #: Largest number of steps, and its tolerance. [1]
-_STEPS, _TOLERANCE = 30, 0.03
+_STEPS, _TOLERANCE = 30, 0.1
+#: Number of cells up to which other threads cost more time than they save.
+_FEW_CELLS: Final = 40_000
 #: Number of blocks of cells aimed at.
-_BLOCKS: Final = 1500
+_BLOCKS: Final = 700
 
 
 class FaceCoefficients(NamedTuple):
@@ -138,9 +140,15 @@ def substitute(first, last, coefficients, thickness, factors, given, out):
         _solve_row(y, coefficients, thickness, factors, given, out)
 
 
-def in_chunks(loop: Callable[[int, int], object], count: int) -> None:
-    """Run ``loop(first, last)`` for a part of ``count`` rows or levels on each core."""
-    parts = min(thread_count(), count)
+def in_chunks(loop: Callable[[int, int], object], count: int, cells: int) -> None:
+    """Run ``loop(first, last)`` for parts of ``count`` rows or levels, on each core if many.
+
+    Parameters
+    ----------
+    cells : int
+        Number of all cells.
+    """
+    parts = min(thread_count(), count) if cells > _FEW_CELLS else 1
     ends = [count * part // parts for part in range(parts + 1)]
     run_blocks(lambda part: loop(ends[part], ends[part + 1]), parts)
 
@@ -172,14 +180,16 @@ def _add_multiples(first, last, out, factors, a, b):
 def _dot(a: Float32Array, b: Float32Array) -> FloatArray:
     """Sum of products over the cells, shape (4,)."""
     out = np.empty((len(a), a.shape[-1]))
-    in_chunks(lambda first, last: _products(first, last, a, b, out), len(a))
+    in_chunks(lambda first, last: _products(first, last, a, b, out), len(a), a.size // 4)
     return np.asarray(out.sum(axis=0))
 
 
 def _add(out: Float32Array, p: FloatArray, a: Float32Array, q: FloatArray, b: Float32Array) -> None:
     """Add p a + q b to ``out``."""
     factors = np.stack([p, q]).astype(np.float32)
-    in_chunks(lambda first, last: _add_multiples(first, last, out, factors, a, b), len(out))
+    in_chunks(
+        lambda first, last: _add_multiples(first, last, out, factors, a, b), len(out), out.size // 4
+    )
 
 
 def _ratio(a: FloatArray, b: FloatArray) -> FloatArray:
@@ -294,12 +304,15 @@ def solve_linear(
         Guess of the mean radiance times 4π. [1]
     """
     levels, ny = phi.shape[:2]
+    size = phi.size // 4
     factors = np.empty_like(phi)
-    in_chunks(lambda a, b: factorise(a, b, coefficients, thickness, factors), ny)
+    in_chunks(lambda a, b: factorise(a, b, coefficients, thickness, factors), ny, size)
 
     def apply(vector: Float32Array) -> Float32Array:
         out = np.empty_like(vector)
-        in_chunks(lambda a, b: balance(a, b, coefficients, thickness, vector, out), levels)
+        in_chunks(
+            lambda a, b: balance(a, b, coefficients, thickness, vector, out), levels, phi.size // 4
+        )
         return out
 
     blocks = Blocks(coefficients, thickness, apply(np.ones_like(phi)))
@@ -310,7 +323,11 @@ def solve_linear(
         rest = apply(coarse)
         np.subtract(vector, rest, out=rest)
         out = np.empty_like(vector)
-        in_chunks(lambda a, b: substitute(a, b, coefficients, thickness, factors, rest, out), ny)
+        in_chunks(
+            lambda a, b: substitute(a, b, coefficients, thickness, factors, rest, out),
+            ny,
+            phi.size // 4,
+        )
         out += coarse
         return out
 

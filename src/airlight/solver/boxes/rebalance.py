@@ -18,8 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel
-from airlight.kernel.threads import run_blocks
-from airlight.solver.boxes.linear import FaceCoefficients
+from airlight.solver.boxes.linear import FaceCoefficients, in_chunks
 
 Float32Array = NDArray[np.float32]
 FloatArray = NDArray[np.float64]
@@ -126,12 +125,12 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                         low_x[k, y, x, w] = forward * per_x
                         high_x[k, y, x, w] = backward * per_x
                     elif first:
-                        loss += 0.25 * per_x
+                        loss += 0.5 * per_x
                     else:
                         loss += current_x[k, y, nx, w] / max(here, _LEAST) * per_x
                     if x == 0 and not periodic:
                         if first:
-                            loss += 0.25 * per_x
+                            loss += 0.5 * per_x
                         else:
                             loss -= current_x[k, y, 0, w] / max(here, _LEAST) * per_x
                 if not flat_y:
@@ -154,12 +153,12 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                         low_y[k, y, x, w] = forward * per_y
                         high_y[k, y, x, w] = backward * per_y
                     elif first:
-                        loss += 0.25 * per_y
+                        loss += 0.5 * per_y
                     else:
                         loss += current_y[k, ny, x, w] / max(here, _LEAST) * per_y
                     if y == 0 and not periodic:
                         if first:
-                            loss += 0.25 * per_y
+                            loss += 0.5 * per_y
                         else:
                             loss -= current_y[k, 0, x, w] / max(here, _LEAST) * per_y
                 upper = current_z[0, k + 1, y, x, w] + current_z[1, k + 1, y, x, w]
@@ -177,11 +176,11 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                     forward, backward = face(d, upper, here, beyond)
                     low_z[k, y, x, w], high_z[k, y, x, w] = forward, backward
                 elif first:
-                    loss += 0.25 * per_z
+                    loss += 0.5 * per_z
                 else:
                     loss += upper / max(here, _LEAST) * per_z
                 if k == 0:
-                    down = 0.25
+                    down = 0.5 / (1.0 + ground[w])  # Marshak's condition, as at the other ends
                     if not first:
                         lower = current_z[0, 0, y, x, w] + current_z[1, 0, y, x, w]
                         down = (0.0 - lower) / max(here, _LEAST)
@@ -276,6 +275,15 @@ def coefficients_for(
 
     found = FaceCoefficients(new(), (new(), new(), new()), (new(), new(), new()))
     levels = phi.shape[0]
-    run_blocks(lambda k: level_coefficients(k, cells, currents, phi, first, found), levels)
-    run_blocks(lambda k: add_losses(k, cells, found), levels)
+
+    def coefficients(first_level: int, last: int) -> None:
+        for k in range(first_level, last):
+            level_coefficients(k, cells, currents, phi, first, found)
+
+    def losses(first_level: int, last: int) -> None:
+        for k in range(first_level, last):
+            add_losses(k, cells, found)
+
+    in_chunks(coefficients, levels, phi.size // 4)
+    in_chunks(losses, levels, phi.size // 4)
     return found

@@ -99,7 +99,7 @@ QUALITIES: Final = {
         refinement=3,
         largest_depth=0.7,
         most_cells=800_000,
-        tolerance=2e-4,
+        tolerance=5e-4,
         max_sweeps=200,
     ),
 }

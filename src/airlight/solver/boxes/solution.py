@@ -96,7 +96,8 @@ class BoxSolution:
     @property
     def below(self) -> int:
         """Number of levels below the field."""
-        return self.levels.size - 1 - self.field.extinction.shape[2]
+        layers: int = self.field.extinction.shape[2]
+        return int(self.levels.size) - 1 - layers
 
     @property
     def degree(self) -> int:
