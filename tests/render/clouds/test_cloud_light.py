@@ -35,7 +35,7 @@ def test_depth_of_an_even_layer_is_that_of_its_slant_path(zenith):
 
 def test_sun_below_the_horizon_lights_clouds_from_below():
     mu = -0.01
-    depth, _ = beam_depths(layer(), ((1.0 - mu * mu) ** 0.5, 0.0, mu), RADIUS)
+    depth, _ = beam_depths(layer(extinction=1e-4), ((1.0 - mu * mu) ** 0.5, 0.0, mu), RADIUS)
     assert np.all(np.diff(depth[:, 0, 0]) > 0.0)  # the base is the nearest to the sun
 
 

@@ -1,4 +1,4 @@
-"""Table of the air in front of clouds: path radiance and transmittance by direction and distance."""
+"""Table of the air in front of clouds, by direction and distance."""
 
 from __future__ import annotations
 

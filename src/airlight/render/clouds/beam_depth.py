@@ -50,9 +50,7 @@ def beam_depths(
     def fill(k: int) -> None:
         _fill(levels[k], cells, box, np.asarray(towards), periodic, out[k])
 
-    run_blocks(
-        fill, levels.size, progress=progress, cancel=cancel, message="shadows of clouds"
-    )
+    run_blocks(fill, levels.size, progress=progress, cancel=cancel, message="shadows of clouds")
     return out[:-1], out[-1]
 
 
@@ -74,7 +72,11 @@ def _fill(level, cells, box, towards, periodic, out):
                     if rising > 0.0:
                         # on to the base
                         short = (-0.5 - z) * box[2]
-                        more = 2.0 * short / (rising + sqrt(rising * rising + 2.0 * short * flat / box[3]))
+                        more = (
+                            2.0
+                            * short
+                            / (rising + sqrt(rising * rising + 2.0 * short * flat / box[3]))
+                        )
                         s += max(more, step)
                     else:
                         s += step - rising * box[3] / max(flat, 1e-9) * 2.0
@@ -120,9 +122,9 @@ def cell_before(place, count, periodic):
     if not periodic:
         place = min(max(place, 0.0), count - 1.0)
     whole = floor(place)
-    index = int(whole)
+    index = whole
     if periodic:
-        index -= count * int(floor(whole / count))
+        index -= count * floor(whole / count)
     return index, place - whole
 
 

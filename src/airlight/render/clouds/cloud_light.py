@@ -163,13 +163,14 @@ def solve_clouds(
         field, towards, medium.bottom_radius, progress=progress, cancel=cancel
     )
     incident = beam * max(towards[2], 0.0) + sky
+    incident = np.maximum(incident, 1e-6 * incident.max() + 1e-30)
     return CloudLight(
         field=field,
         optics=optics_at(nm),
         box=box,
         towards=towards,
         unit=unit[chosen],
-        spectrum=box_spectrum(nm, chosen, np.maximum(incident, 1e-6 * incident.max() + 1e-30)),
+        spectrum=box_spectrum(nm, chosen, incident),
         depth=depth,
         base_depth=base_depth,
         clear=clear_distances(field),
@@ -218,7 +219,8 @@ def box_spectrum(
 
     Examples
     --------
-    >>> box_spectrum(np.array([400.0, 500.0, 600.0]), np.array([0, 2]), np.array([1.0, 2.0, 4.0]))[:2]
+    >>> nm, incident = np.array([400.0, 500.0, 600.0]), np.array([1.0, 2.0, 4.0])
+    >>> box_spectrum(nm, np.array([0, 2]), incident)[:2]
     array([[1.  , 1.  , 0.  ],
            [0.  , 0.25, 1.  ]])
     """

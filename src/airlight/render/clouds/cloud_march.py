@@ -1,9 +1,9 @@
-"""March of a line of sight through clouds and the air before them.
+r"""March of a line of sight through clouds and the air before them.
 
-.. math:: L = \\int_0^{s_1} \\left[T_a S + A(s) \\kappa\\right] T_c \\, ds + T_c(s_1) L_1 ,
+.. math:: L = \int_0^{s_1} \left[T_a S + A(s) \kappa\right] T_c \, ds + T_c(s_1) L_1 ,
 
-with the transmittances of air and of clouds T_a and T_c, the source S of clouds, their extinction κ,
-the path radiance A of the air up to a distance, and the radiance L₁ of all without clouds. In the
+with the transmittances of air and of clouds T_a and T_c, the source S of clouds, their extinction
+κ, the path radiance A of the air up to a distance, and the radiance L₁ of all without clouds. In the
 first order, S has the exact phase function and unscaled scattering with delta-M scaled attenuation
 (TMS; Nakajima & Tanaka 1988, JQSRT 40, 51); higher orders come from moments.
 """
@@ -27,7 +27,6 @@ from airlight.kernel.lanes import (
     maximum,
     pair,
     splat,
-    store,
 )
 from airlight.render.clouds.beam_depth import cell_after, cell_before, cell_value
 from airlight.render.clouds.directions import fill_harmonics
@@ -147,7 +146,7 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
     extent : SightExtent
         Part below the tops of the clouds.
     clouds, tables, work : CloudTables, MarchTables, CloudWork
-        The workspace receives ``before`` and ``through``, and in ``light[3]`` the light that is lost.
+        The workspace receives ``before``, ``through`` and, in ``light[3]``, the light lost.
     """
     nodes = clouds.air.shape[1]
     e, f = np.float32(place.right), np.float32(place.down)
@@ -334,7 +333,9 @@ def add_step(ray, point, extinction, step, half_sine, clouds, tables, work):
         )
         sun = sun * exponential(scaled_extinction * np.float32(-beam))
         kept = exponential(scaled_extinction * np.float32(-extinction * step))
-        source = sun * load(clouds.single[0], at) * phase_of(half_sine, 0, lane_view(clouds.phase, at))
+        source = (
+            sun * load(clouds.single[0], at) * phase_of(half_sine, 0, lane_view(clouds.phase, at))
+        )
         first[0] = first[0] + source / scaled_extinction * passed[1] * (np.float32(1.0) - kept)
         passed[1] = passed[1] * kept
     # harmonics of the direction in which light propagates, in the frame of the place
@@ -369,7 +370,9 @@ def add_step(ray, point, extinction, step, half_sine, clouds, tables, work):
         if weight > 0.0:
             part = splat(0.0)
             for n in range(clouds.source.shape[3]):
-                factor = pair(np.float32(work.harmonics[2 * n]), np.float32(work.harmonics[2 * n + 1]))
+                factor = pair(
+                    np.float32(work.harmonics[2 * n]), np.float32(work.harmonics[2 * n + 1])
+                )
                 part = part + factor * source[layer, line, column, n]
             total = total + part * np.float32(weight)
     total = maximum(folded(total), 0.0)

@@ -155,7 +155,9 @@ def _beam(
     radius, field = solution.medium.bottom_radius, light.field
     top = radius + field.top
     reach = math.acos(radius / top) + math.acos(min(radius / max(eye, radius), 1.0)) + 0.02
-    heights = [math.asin(min(max(sun, -1.0), 1.0)) for sun in (light.towards[2], sun_in_frame(scene).z)]
+    heights = [
+        math.asin(min(max(sun, -1.0), 1.0)) for sun in (light.towards[2], sun_in_frame(scene).z)
+    ]
     low = math.sin(max(min(heights) - reach, -0.5 * math.pi))
     high = math.sin(min(max(heights) + reach, 0.5 * math.pi))
     sines = np.linspace(low, high, _ANGLES)
