@@ -42,4 +42,4 @@ def clear_distances(field: CloudField) -> Float32Array:
             distance = np.minimum(distance, pad[axis] * steps[axis])
     distance = distance[:, pad[1] : pad[1] + cells.shape[1], pad[2] : pad[2] + cells.shape[2]]
     whole = float(np.linalg.norm(steps))
-    return np.maximum(_KEPT * distance - whole, 0.0).astype(np.float32)
+    return np.asarray(np.maximum(_KEPT * distance - whole, 0.0), np.float32)

@@ -146,7 +146,8 @@ def solve_clouds(
             np.full(count, towards[2]), np.clip(looking @ np.array(towards), -1.0, 1.0),
             medium.bottom_radius, medium.top_radius,
         )  # fmt: skip
-        return np.maximum(solution.relative_radiance(lines)[:, chosen] / unit[chosen], 0.0)
+        found = solution.relative_radiance(lines)[:, chosen] / unit[chosen]
+        return np.asarray(np.maximum(found, 0.0))
 
     light = BoxLight(
         towards=towards if shines else (1.0, 0.0, 0.0),
@@ -156,8 +157,8 @@ def solve_clouds(
         air=_box_air(solution, field.top, chosen),
     )
     box = solve_box(
-        coarse_field(field), optics_at(nm[chosen]), light, quality=quality, cache=cache, progress=progress,
-        cancel=cancel,
+        coarse_field(field), optics_at(nm[chosen]), light, quality=quality, cache=cache,
+        progress=progress, cancel=cancel,
     )  # fmt: skip
     depth, base_depth = beam_depths(
         field, towards, medium.bottom_radius, progress=progress, cancel=cancel

@@ -3,9 +3,9 @@ r"""March of a line of sight through clouds and the air before them.
 .. math:: L = \int_0^{s_1} \left[T_a S + A(s) \kappa\right] T_c \, ds + T_c(s_1) L_1 ,
 
 with the transmittances of air and of clouds T_a and T_c, the source S of clouds, their extinction
-κ, the path radiance A of the air up to a distance, and the radiance L₁ of all without clouds. In the
-first order, S has the exact phase function and unscaled scattering with delta-M scaled attenuation
-(TMS; Nakajima & Tanaka 1988, JQSRT 40, 51); higher orders come from moments.
+κ, the path radiance A of the air up to a distance, and the radiance L₁ of all without clouds. In
+the first order, S has the exact phase function and unscaled scattering with delta-M scaled
+attenuation (TMS; Nakajima & Tanaka 1988, JQSRT 40, 51); higher orders come from moments.
 """
 
 from __future__ import annotations

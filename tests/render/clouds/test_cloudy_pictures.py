@@ -1,0 +1,65 @@
+"""Pictures with even layers of cloud."""
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+
+from airlight import Camera, Scene, load_planet
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_optics import CloudOptics, droplets
+from airlight.render.clouds.clouds_around import CloudsAround
+from airlight.render.render import render
+from airlight.render.solve_planet import solve_planet
+
+pytestmark = pytest.mark.slow
+
+NM = (440.0, 520.0, 600.0, 680.0)
+
+
+@pytest.fixture(scope="module")
+def air():
+    return solve_planet(load_planet("earth-atmosphere-plus"), NM, "preview", polarisation=False)
+
+
+@lru_cache
+def optics(nm):
+    return CloudOptics.of_particles(droplets(10e-6, 0.1), nm)
+
+
+def layer(depth, sky=1):
+    """Even layer of an optical depth; ``sky`` periods of it in a row."""
+    return CloudsAround(
+        CloudField(
+            extinction=np.full((4 * sky, 4, 8), depth / 500.0, np.float32),
+            spacing=(500.0, 500.0, 62.5),
+            base=1000.0,
+            beyond="periodic",
+        ),
+        lambda nm: optics(tuple(np.asarray(nm).tolist())),
+        quality="default",
+    )
+
+
+def look(air, zenith, clouds=None, altitude=2.0, azimuth=90.0):
+    camera = Camera(width=4, height=3, field_of_view=2.0, look_zenith=zenith, look_azimuth=azimuth)
+    scene = Scene(altitude=altitude, sun_zenith=40.0, camera=camera)
+    return render(air, scene, clouds=clouds).rgb.mean((0, 1))
+
+
+@pytest.mark.parametrize("zenith", [0.0, 60.0, 80.0])
+def test_a_cloud_without_depth_is_not_there(air, zenith):
+    np.testing.assert_allclose(look(air, zenith, layer(1e-6)), look(air, zenith), rtol=1e-4)
+
+
+@pytest.mark.parametrize("zenith", [180.0, 120.0])
+def test_ground_below_a_cloud_without_depth_is_lit_by_the_box(air, zenith):
+    """The sky light of the box is that of the spherical solution within 0.3 %."""
+    seen = look(air, zenith, layer(1e-6), altitude=1e4)
+    np.testing.assert_allclose(seen, look(air, zenith, altitude=1e4), rtol=3e-3)
+
+
+def test_overcast_zenith_is_brighter_than_the_horizon(air):
+    """CIE standard overcast sky: (1 + 2 cos θ)/3 of the zenith; real ones are 2 to 3."""
+    zenith, low = (look(air, angle, layer(30.0))[1] for angle in (0.0, 83.0))
+    assert 1.8 < zenith / low < 3.2
