@@ -34,9 +34,16 @@ def test_depth_of_an_even_layer_is_that_of_its_slant_path(zenith):
 
 
 def test_sun_below_the_horizon_lights_clouds_from_below():
+    """The beam enters a wide layer through its base, to which it is nearer from low cells."""
+    field = CloudField(
+        extinction=np.full((200, 1, 8), 1e-4, np.float32), spacing=(1e3, 1e3, 50.0), base=1000.0
+    )
     mu = -0.01
-    depth, _ = beam_depths(layer(extinction=1e-4), ((1.0 - mu * mu) ** 0.5, 0.0, mu), RADIUS)
-    assert np.all(np.diff(depth[:, 0, 0]) > 0.0)  # the base is the nearest to the sun
+    depth, below = beam_depths(field, ((1.0 - mu * mu) ** 0.5, 0.0, mu), RADIUS)
+    middle = depth[:, 0, 100]
+    assert np.all(np.diff(middle) >= 0.0)
+    assert below[0, 100] < 0.05 * middle[-1]
+    assert middle[0] < 0.1 * middle[-1]
 
 
 def test_nothing_is_in_the_clear_distance():
