@@ -18,6 +18,7 @@ from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.clear_distance import clear_distances
 from airlight.render.clouds.cloud_tables import SOLVED
 from airlight.scene import Scene
+from airlight.solver.boxes.directions import directions
 from airlight.solver.boxes.light import BoxAir, BoxLight
 from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.boxes.solve import solve_box
@@ -33,6 +34,9 @@ OpticsAt = Callable[[FloatArray], CloudOptics]
 LOWEST_BEAM: Final = 0.01
 #: Largest number of cells of the boxes that are solved; larger fields are coarsened.
 MOST_SOLVED: Final = 640_000
+#: Zenith angles and azimuths of the light of the ground; largest factor of light in the air. [1]
+_AROUND: Final = (4, 8)
+MOST_LIGHT: Final = 10.0
 #: Levels of air in a box, and highest degree of their phase functions.
 _LEVELS: Final = 6
 _DEGREE: Final = 8
@@ -57,6 +61,8 @@ class CloudLight:
         Irradiance of the box's unit over that of the star. [1]
     spectrum : array, shape (SOLVED, nl)
         Weights of the solved wavelengths. [1]
+    air_light : array, shape (2, nl)
+        See ``CloudTables``. [1]
     depth, base_depth : array
         Results of ``beam_depths``.
     clear : array
@@ -69,6 +75,7 @@ class CloudLight:
     towards: tuple[float, float, float]
     unit: FloatArray
     spectrum: FloatArray
+    air_light: FloatArray
     depth: Float32Array
     base_depth: Float32Array
     clear: Float32Array
@@ -138,16 +145,18 @@ def solve_clouds(
     shines = towards[2] > LOWEST_BEAM and float(beam.min()) > 0.0
     unit = np.maximum(beam, 1e-6 * beam.max()) if shines else np.ones_like(beam)
 
-    def sky_at(directions: FloatArray) -> FloatArray:
-        looking = -np.asarray(directions, float)
+    def light_at(along: FloatArray) -> FloatArray:
+        looking = -np.asarray(along, float)
         count = looking.shape[0]
         lines = enter_shell(
             np.full(count, top[0]), looking[:, 2], np.hypot(looking[:, 0], looking[:, 1]),
             np.full(count, towards[2]), np.clip(looking @ np.array(towards), -1.0, 1.0),
             medium.bottom_radius, medium.top_radius,
         )  # fmt: skip
-        found = solution.relative_radiance(lines)[:, chosen] / unit[chosen]
-        return np.asarray(np.maximum(found, 0.0))
+        return np.asarray(np.maximum(solution.relative_radiance(lines), 0.0))
+
+    def sky_at(along: FloatArray) -> FloatArray:
+        return np.asarray(light_at(along)[:, chosen] / unit[chosen])
 
     light = BoxLight(
         towards=towards if shines else (1.0, 0.0, 0.0),
@@ -165,13 +174,15 @@ def solve_clouds(
     )
     incident = beam * max(towards[2], 0.0) + sky
     incident = np.maximum(incident, 1e-6 * incident.max() + 1e-30)
+    spectrum = box_spectrum(nm, chosen, incident)
     return CloudLight(
         field=field,
         optics=optics_at(nm),
         box=box,
         towards=towards,
         unit=unit[chosen],
-        spectrum=box_spectrum(nm, chosen, incident),
+        spectrum=spectrum,
+        air_light=_air_light(solution, box, unit[chosen], spectrum, towards, light_at),
         depth=depth,
         base_depth=base_depth,
         clear=clear_distances(field),
@@ -231,6 +242,43 @@ def box_spectrum(
     for k in range(chosen.size):
         weights[k] = np.interp(wavelengths, nodes, unit[:, k]) * incident / incident[chosen[k]]
     return weights
+
+
+def _air_light(
+    solution: MomentsSolution,
+    box: BoxSolution,
+    unit: FloatArray,
+    spectrum: FloatArray,
+    towards: tuple[float, float, float],
+    light_at: Callable[[FloatArray], FloatArray],
+) -> FloatArray:
+    """Diffuse light below and above the clouds over that of clear sky, shape (2, nl). [1]
+
+    The sum of the irradiances from above and from below, as in light that is equal from each.
+    """
+    medium = solution.medium
+    ground, mu_s = np.array([medium.bottom_radius]), np.array([towards[2]])
+    albedo = np.broadcast_to(medium.ground_albedo, medium.wavelengths.shape)
+    sky = solution.relative_sky_irradiance(ground, mu_s)[0]
+    sun = solution.relative_direct_irradiance(ground, mu_s)[0]
+    below, direct, up = (
+        (one.mean((0, 1), dtype=np.float64) * unit) @ spectrum[: unit.size]
+        for one in (box.down, box.direct, box.up)
+    )
+    rays = directions(*_AROUND)
+    rising = np.einsum(
+        "n,nw->w",
+        (rays.weights[1] * rays.vectors[1, :, :, 2]).ravel(),
+        light_at(rays.vectors[1].reshape(-1, 3)),
+    )
+    top = np.array([medium.bottom_radius + box.field.top])
+    falling = solution.relative_sky_irradiance(top, mu_s)[0]
+    clear = sky + albedo * (sky + sun)
+    factors = [
+        (below + albedo * (below + direct)) / np.maximum(clear, 1e-30),
+        (falling + up) / np.maximum(falling + rising, 1e-30),
+    ]
+    return np.asarray(np.clip(factors, 0.0, MOST_LIGHT))
 
 
 def _box_air(solution: MomentsSolution, top: float, chosen: NDArray[np.int64]) -> BoxAir:

@@ -159,6 +159,8 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
     for node in range(nodes):
         shade = 0.0
         distance = node_distance(node, nodes, extent)
+        middle = 0.5 * (so_far + distance)
+        above = middle < extent.leaves or middle > extent.enters
         if node > 0 and distance > so_far:
             for k in range(SHADOWS):
                 s = so_far + (k + 0.5) / SHADOWS * (distance - so_far)
@@ -194,9 +196,14 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
                 + w11 * air[below + 1, node, 4]
             )
             ahead = lane_view(work.passed, at)
+            factors = lane_view(clouds.air_light, at)
+            more = factors[1] if above else factors[0]
             if node > 0:
                 lost[3] = lost[3] + maximum(first - ahead[0], 0.0) * np.float32(shade)
-            ahead[0] = first
+                lost[3] = lost[3] + (higher - ahead[1]) * (np.float32(1.0) - more)
+            else:
+                lost[3] = higher * (np.float32(1.0) - more)
+            ahead[0], ahead[1] = first, higher
             kept[node] = first + higher - lost[3]
         so_far = distance
 

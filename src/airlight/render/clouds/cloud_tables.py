@@ -69,6 +69,9 @@ class CloudTables(NamedTuple):
         Direct normal irradiance between base and top, over the sine of the sun's height. [1]
     beam_low, beam_high : float
         Sines of the sun's height of the first and of the last angle. [1]
+    air_light : array, shape (2, w)
+        Diffuse light below the bases, and above them, over that of clear sky: factors of the higher
+        orders of scattering in the air. [1]
     window : SkyViewWindow
         Directions of ``air``.
     air : array, shape (directions, distances, 5, w)
@@ -109,6 +112,7 @@ class CloudTables(NamedTuple):
     beam: Float32Array
     beam_low: float
     beam_high: float
+    air_light: Float32Array
     window: SkyViewWindow
     air: Float32Array
 

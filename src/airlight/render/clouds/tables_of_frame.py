@@ -105,6 +105,7 @@ def cloud_tables(
         beam=pack(beam),
         beam_low=low,
         beam_high=high,
+        air_light=pack(light.air_light),
         window=window,
         air=air_table(
             solution.geometry, tables, observer, window, (eye, radius, base, top),
