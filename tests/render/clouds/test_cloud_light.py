@@ -3,11 +3,14 @@
 import numpy as np
 import pytest
 
+from airlight import Scene, load_planet
 from airlight.clouds.cloud_field import CloudField
+from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop
 from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.clear_distance import clear_distances
 from airlight.render.clouds.cloud_light import box_spectrum, coarse_field, solved_wavelengths
+from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.clouds.directions import fill_harmonics, harmonic_norms
 from airlight.render.clouds.sight_extent import node_distance, node_of_distance, sight_extent
 from airlight.solver.boxes.directions import harmonics
@@ -113,3 +116,10 @@ def test_line_meets_base_and_top(altitude, zenith):
     for node in range(24):
         distance = node_distance(node, 24, extent)
         assert node_of_distance(distance, 24, extent) == pytest.approx(node, abs=1e-6)
+
+
+def test_a_picture_has_one_kind_of_clouds():
+    two = load_planet("earth", {"clouds": [{"kind": "cumulus"}, {"kind": "cirrus"}]})
+    with pytest.raises(ParameterError, match="one kind"):
+        CloudsAround.of(two, Scene())
+    assert CloudsAround.of(two.without_clouds, Scene()) is None
