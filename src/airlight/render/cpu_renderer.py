@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import KW_ONLY, dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,10 @@ from airlight.scene.surface_map import surface_map
 from airlight.solver.moments.march_tables import new_workspace
 from airlight.solver.moments.solution import MomentsSolution
 
+if TYPE_CHECKING:
+    from airlight.render.clouds.cloud_light import CloudLight
+    from airlight.render.clouds.cloud_tables import CloudTables
+
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
@@ -52,6 +57,8 @@ class CpuRenderer:
         Whether atmosphere and ground are rendered; otherwise only the star's disc.
     stokes : bool
         Whether Stokes Q and U can be rendered too.
+    clouds : CloudLight, optional
+        Light of three-dimensional clouds.
 
     Attributes
     ----------
@@ -72,6 +79,7 @@ class CpuRenderer:
     edges: bool = True
     air: bool = True
     stokes: bool = False
+    clouds: CloudLight | None = None
 
     def __post_init__(self) -> None:
         solution, camera = self.solution, self.scene.camera
@@ -112,6 +120,7 @@ class CpuRenderer:
             uniforms, camera, self._ground, self._overlay, SkyViewLayers.none(), self._night
         )
         self._weights = _lane_weights(solution)
+        self._clouds: CloudTables | None = None
         alpha = solution.lights[0].angular_radius
         self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.geometry.max_refraction
 
@@ -119,6 +128,13 @@ class CpuRenderer:
         self, *, cancel: Cancel | None = None, progress: Progress | None = None
     ) -> None:
         """Fill the sky-view LUT, or what marched water needs; otherwise rendering does so."""
+        if self.clouds is not None and self._clouds is None and self.air:
+            from airlight.render.clouds.tables_of_frame import cloud_tables
+
+            self._clouds = cloud_tables(
+                self.clouds, self.solution, self.scene, self._tables, self._observer,
+                progress=progress, cancel=cancel,
+            )  # fmt: skip
         if self.filled is None or self._is_filled:
             return
         layers = fill_sky_view(
@@ -169,8 +185,17 @@ class CpuRenderer:
         """
         self.fill_sky_view()
         view = self._view if element is None else self._view._replace(filter=element)
+        frame, work = self._frame(view), new_workspace(self._tables)
+        if self._clouds is not None:
+            from airlight.render.clouds.cloud_tables import new_cloud_work
+            from airlight.render.clouds.cloudy_pixel import march_cloudy, render_cloudy
+
+            cloudy = march_cloudy if self.window is None else render_cloudy
+            with_clouds = new_cloud_work(self._clouds)
+            cloudy(px, py, frame, self._clouds, work, with_clouds, self._weights, rgb)
+            return
         pixels = march_pixels if self.window is None else render_pixels
-        pixels(px, py, self._frame(view), new_workspace(self._tables), self._weights, rgb)
+        pixels(px, py, frame, work, self._weights, rgb)
 
     def _frame(self, view: ViewUniforms) -> FrameTables:
         window = SkyViewWindow.whole(0, 0) if self.filled is None else self.filled

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.planets.reading.reader import PlanetLike
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.pixels.polarising_filter import ALONG, ASLANT
 from airlight.render.pixels.scenes_by_light import scenes_by_light
@@ -26,6 +26,9 @@ from airlight.scene.metering import unfiltered, white_luminance
 from airlight.solver import Solution
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.solve import solution_of
+
+if TYPE_CHECKING:
+    from airlight.render.clouds.clouds_around import CloudsAround
 
 Float32Array = NDArray[np.float32]
 
@@ -42,6 +45,7 @@ def render(
     disc: bool = True,
     samples: int = 1,
     stokes: bool = False,
+    clouds: CloudsAround | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
@@ -67,6 +71,8 @@ def render(
         are supersampled anyway.
     stokes : bool
         Whether the frame also has Stokes Q and U, in the meridian plane of each line of sight.
+    clouds : CloudsAround, optional
+        Three-dimensional clouds; by default those of a planet, and none of a solution.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -89,7 +95,13 @@ def render(
         raise ParameterError("scene", scene, "a Scene")
     if not isinstance(solution, Solution):
         latitude, longitude, altitude = scene.place
-        planet = local_ground(solution, latitude=latitude, longitude=longitude, altitude=altitude)
+        planet = load_planet(solution)
+        if planet.clouds and clouds is None:
+            from airlight.render.clouds.clouds_around import CloudsAround
+
+            clouds = CloudsAround.of(planet, scene)
+        planet = planet.without_clouds
+        planet = local_ground(planet, latitude=latitude, longitude=longitude, altitude=altitude)
         solution = solution_of(planet, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
         raise ParameterError(
@@ -115,6 +127,8 @@ def render(
             renderer = CpuRenderer(
                 lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
                 stokes=stokes,
+                clouds=None if clouds is None or not air
+                else clouds.lit(lit, seen, progress=progress, cancel=cancel),
             )  # fmt: skip
             share = None if progress is None else _shared(progress, number, len(pictures))
             add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
@@ -130,7 +144,9 @@ def render(
         white=white_luminance([one.light for one in pictures], solution.lights),
         unfiltered=None
         if scene.camera.polariser is None
-        else render(solution, unfiltered(scene), orders=orders, exact=exact, disc=disc),
+        else render(
+            solution, unfiltered(scene), orders=orders, exact=exact, disc=disc, clouds=clouds
+        ),
     )
 
 

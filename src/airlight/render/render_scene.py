@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
     from airlight.physics.units import Measures
     from airlight.planets.planet import Planet
+    from airlight.render.clouds.clouds_around import CloudsAround
     from airlight.render.gpu.device.device import Device
     from airlight.scene import Scene
     from airlight.solver.moments.solution import MomentsSolution
@@ -131,12 +132,16 @@ class Renderer:
             As ``render_scene``.
         """
         planet = load_planet(self.planet, progress=progress, cancel=cancel)
+        clouds = self._clouds_around(planet, scene)
+        planet = planet.without_clouds
         camera = scene.camera
         if self.stars:
             check_stars(planet.body, camera.projection)
         nm = None if self.wavelengths is None else color_wavelengths(self.wavelengths)
         check_drawn(camera.columns, camera.rows, 3 if self.stokes else 1)
-        device = self._chosen_device(planet, LIVE if nm is None else len(nm), camera.columns)
+        device = None
+        if clouds is None:
+            device = self._chosen_device(planet, LIVE if nm is None else len(nm), camera.columns)
         weights, metadata = None, {}
         if nm is None:
             by_default = picture_wavelengths if device is None else texel_wavelengths
@@ -157,6 +162,8 @@ class Renderer:
             )  # fmt: skip
         names = ("exact", "orders", "disc", "samples", *(["stokes"] if self.stokes else []))
         options = {name: getattr(self, name) for name in names}
+        if clouds is not None:
+            options["clouds"] = clouds
         frame = render_solution(
             solution, scene, device, weights, progress=progress, cancel=cancel, **options
         )
@@ -166,6 +173,17 @@ class Renderer:
         if solution.report.ground:
             metadata["solved_ground"] = solution.report.ground
         return RenderedScene(replace(frame, metadata={**frame.metadata, **metadata}), solution)
+
+    def _clouds_around(self, planet: Planet, scene: Scene) -> CloudsAround | None:
+        """Three-dimensional clouds, which the CPU renders."""
+        if not planet.clouds:
+            return None
+        from airlight.render.clouds.clouds_around import CloudsAround
+
+        if self.device == "gpu" and self.refused is not None:
+            self.refused("the GPU does not render three-dimensional clouds")
+        quality = self.quality if self.quality == "high" else "preview"
+        return CloudsAround.of(planet, scene, quality=quality, cache=self.cache)
 
     def _chosen_device(self, planet: Planet, count: int, width: int) -> Device | None:
         """GPU for a frame of so many wavelengths and columns; None for the CPU."""

@@ -12,7 +12,7 @@ from airlight.render.pixels.samples import sampled_light
 
 
 @inlined
-def _as_color(radiance, weights, sums, out):
+def as_color(radiance, weights, sums, out):
     """Convert spectral radiance to linear sRGB, into ``out``."""
     red, green, blue = splat(0.0), splat(0.0), splat(0.0)
     for at in range(0, radiance.size, LANES):
@@ -39,7 +39,7 @@ def _pixels(exact, px, py, frame, work, weights, out):
     sums = np.empty((3, LANES), np.float32)
     for k in range(px.size):
         sampled_light(px[k], py[k], exact, frame, work, color, total, found)
-        _as_color(found, weights, sums, out[k])
+        as_color(found, weights, sums, out[k])
 
 
 @compiled_loop

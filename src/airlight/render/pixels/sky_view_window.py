@@ -100,6 +100,21 @@ def sky_view_window(
     return _window(shape, *seen)
 
 
+def coarse_window(
+    camera: Camera, observer: Observer, bottom: float, top: float, shape: tuple[int, int]
+) -> SkyViewWindow:
+    """Window that a camera needs of a table with fewer directions.
+
+    Parameters
+    ----------
+    camera, observer, bottom, top :
+        Arguments of ``sky_view_window``.
+    shape : tuple of two int
+        Azimuths from 0 to π, and rows of each half.
+    """
+    return _window(shape, *_seen_ranges(replace(camera, crop=None), observer, bottom, top))
+
+
 def is_always_read(camera: Camera) -> bool:
     """Whether frames of this size always use a sky-view LUT, for any observer and direction."""
     texels = 2 * COARSEST[0] * COARSEST[1]

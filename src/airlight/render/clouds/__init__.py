@@ -1,0 +1,1 @@
+"""Three-dimensional clouds in pictures of the CPU."""

@@ -1,0 +1,102 @@
+"""Pictures with even layers of cloud."""
+
+from functools import lru_cache
+from importlib.resources import files
+
+import numpy as np
+import pytest
+
+from airlight import Camera, Scene, load_planet
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_optics import CloudOptics, droplets
+from airlight.render.clouds.clouds_around import CloudsAround
+from airlight.render.render import render
+from airlight.render.solve_planet import solve_planet
+
+pytestmark = pytest.mark.slow
+
+NM = (440.0, 520.0, 600.0, 680.0)
+
+
+@pytest.fixture(scope="module")
+def air():
+    return solve_planet(load_planet("earth-atmosphere-plus"), NM, "preview", polarisation=False)
+
+
+@lru_cache
+def optics(nm):
+    return CloudOptics.of_particles(droplets(10e-6, 0.1), nm)
+
+    """Even layer of an optical depth; ``sky`` periods of it in a row."""
+
+
+def layer(depth):
+    """Even layer of an optical depth."""
+    return CloudsAround(
+        CloudField(
+            extinction=np.full((4, 4, 8), depth / 500.0, np.float32),
+            spacing=(500.0, 500.0, 62.5),
+            base=1000.0,
+            beyond="periodic",
+        ),
+        lambda nm: optics(tuple(np.asarray(nm).tolist())),
+        quality="default",
+    )
+
+
+def look(air, zenith, clouds=None, altitude=2.0, azimuth=90.0):
+    camera = Camera(width=4, height=3, field_of_view=0.3, look_zenith=zenith, look_azimuth=azimuth)
+    scene = Scene(altitude=altitude, sun_zenith=40.0, camera=camera)
+    return render(air, scene, clouds=clouds).rgb.mean((0, 1))
+
+
+@pytest.mark.parametrize("zenith", [0.0, 60.0, 80.0])
+def test_a_cloud_without_depth_is_not_there(air, zenith):
+    np.testing.assert_allclose(look(air, zenith, layer(1e-6)), look(air, zenith), rtol=3e-3)
+
+
+@pytest.mark.parametrize("zenith", [180.0, 120.0])
+def test_ground_below_a_cloud_without_depth_is_lit_by_the_box(air, zenith):
+    """The sky light of the box is that of the spherical solution within 0.3 %."""
+    seen = look(air, zenith, layer(1e-6), altitude=1e4)
+    np.testing.assert_allclose(seen, look(air, zenith, altitude=1e4), rtol=3e-3)
+
+
+@pytest.fixture(scope="module")
+def overcast(tmp_path_factory):
+    """The same planet with a layer of optical depth 10 as a constituent."""
+    text = files("airlight").joinpath("planets/presets/earth-atmosphere-plus.toml").read_text()
+    cloud = """
+[[constituents]]
+name = "cloud"
+particles = { index = "water", sizes = { kind = "gamma", effective_radius = "10 um", \
+effective_variance = 0.1 }, optical_depth = 10, at = "550 nm" }
+profile = { kind = "layered", layers = [{ width = "1 km" }, { width = "500 m", \
+constant_term = 1 }, {}] }
+"""
+    path = tmp_path_factory.mktemp("planets") / "overcast.toml"
+    path.write_text(text + cloud)
+    return solve_planet(load_planet(path), NM, "preview", polarisation=False)
+
+
+@pytest.mark.parametrize(
+    ("altitude", "zenith", "within"),
+    [
+        (2.0, 0.0, 0.06),
+        (2.0, 60.0, 0.04),
+        (2.0, 80.0, 0.11),
+        (1e4, 180.0, 0.06),
+        (1e4, 120.0, 0.06),
+    ],
+)
+def test_even_layer_is_that_of_the_one_dimensional_solution(
+    air, overcast, altitude, zenith, within
+):
+    seen = look(air, zenith, layer(10.0), altitude=altitude)
+    np.testing.assert_allclose(seen, look(overcast, zenith, altitude=altitude), rtol=within)
+
+
+def test_overcast_zenith_is_brighter_than_the_horizon(air):
+    """The CIE standard overcast sky has (1 + 2 cos θ)/3: 2.2 at 80°, above dark ground."""
+    zenith, low = (look(air, angle, layer(10.0))[0] for angle in (0.0, 80.0))
+    assert 1.6 < zenith / low < 2.4
