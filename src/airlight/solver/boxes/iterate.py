@@ -9,7 +9,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled
+from airlight.errors import Cancelled, ConvergenceError
 from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import BeamCells, beam_row, centred, mean_beam_row
@@ -36,9 +36,15 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Limits of the factor by which an iteration multiplies the light of a cell.
-_FACTORS: Final = (0.2, 5.0)
+_FACTORS: Final = (np.float32(0.3), np.float32(3.0))
 #: Numbers of a level up to which another thread costs more time than it saves.
 _FEW: Final = 200_000
+#: Change after the last sweep, over the tolerance, above which a solution is refused. [1]
+_UNCONVERGED: Final = 10.0
+#: Sweeps after which a growing change damps acceleration, by a factor, down to the least.
+_SETTLED: Final = 3
+_DAMPING: Final = np.float32(0.7)
+_LEAST_RELAXATION: Final = np.float32(0.2)
 #: Limits of the factor that conserves the energy of the beam.
 _LOST: Final = (0.9, 1.1)
 #: Sweeps that progress expects after the present one.
@@ -250,6 +256,7 @@ class BoxIteration:
             zeros(2, ny, nx, terms, HALF_LANES),
         )
         self.down = np.zeros_like(self.direct)
+        self.relaxation = np.float32(1.0)
         self._balance_cells()
         self._incident()
 
@@ -444,7 +451,8 @@ class BoxIteration:
         light, phi = self.light, self.phi()
         coefficients = coefficients_for(self.balanced, light.currents, phi, first=False)
         better = solve_linear(coefficients, self.thickness, self.gain, phi)
-        change = better - phi
+        change = np.clip(better, _FACTORS[0] * phi, _FACTORS[1] * phi) - phi
+        change *= self.relaxation
         in_chunks(
             lambda a, b: correct(
                 a, b, self.balanced, coefficients, change, light.moments, self.shares
@@ -456,18 +464,36 @@ class BoxIteration:
         self.down *= np.clip(factor, _FACTORS[0], _FACTORS[1])
 
     def run(self, *, progress: Progress | None = None, cancel: Cancel | None = None) -> BoxLevels:
-        """Light after convergence, or after the largest number of sweeps."""
+        """Light after convergence, or after the largest number of sweeps.
+
+        Raises
+        ------
+        ConvergenceError
+            If it still changes by more than ten times the tolerance.
+        """
         self.guess()
         phi = self.phi()
         change = np.full(HALF_LANES, np.inf)
         sweeps = 0
-        while sweeps < self.settings.max_sweeps and change.max() > self.settings.tolerance:
+        while sweeps < self.settings.max_sweeps and not change.max() <= self.settings.tolerance:
             self.sweep(progress=progress, cancel=cancel, done=sweeps)
             self.rebalance()
             before, phi = phi, self.phi()
-            change = _change(before, phi)
+            earlier, change = change, _change(before, phi)
             sweeps += 1
+            if sweeps > _SETTLED and change.max() > earlier.max():  # in optically thick cells
+                self.relaxation = max(_DAMPING * self.relaxation, _LEAST_RELAXATION)
+        if not change.max() <= _UNCONVERGED * self.settings.tolerance:
+            raise ConvergenceError(
+                f"the light of clouds still changes by {100.0 * change.max():.2g} % after {sweeps} "
+                f"sweeps; cells have optical depths up to {self._thickest():.3g}"
+            )
         return self._levels(change, sweeps)
+
+    def _thickest(self) -> float:
+        """Largest scaled optical depth across a cell. [1]"""
+        steps = np.maximum(self.thickness, np.float32(max(self.problem.grid.widths)))
+        return float((self.balanced.total.max(axis=(1, 2, 3)) * steps).max())
 
     def _levels(self, change: FloatArray, sweeps: int) -> BoxLevels:
         light = self.light
@@ -476,7 +502,7 @@ class BoxIteration:
         inside = (self.balanced.absorption * (self.phi() + self.beam)).mean(axis=(1, 2))
         absorbed = np.asarray(self.thickness, np.float64) @ inside
         before += after
-        incident = self.cosine + self.entering
+        incident = np.maximum(self.cosine + self.entering, 1e-30)
         ground = (1.0 - self.ground) * (self.down + self.direct).mean(axis=(0, 1))
         energy = (up.mean(axis=(0, 1)) + ground + absorbed) / incident - 1.0
         return BoxLevels(

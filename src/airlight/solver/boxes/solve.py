@@ -79,6 +79,8 @@ def solve_box(
         If the light does not fit the field or the wavelengths.
     CostError
         If the solution does not fit into free memory.
+    ConvergenceError
+        If the sweeps do not converge: cells of scaled optical depth above about 10 are too coarse.
     """
     settings = settings_for(quality)
     count = np.size(optics.wavelengths)
@@ -147,7 +149,7 @@ def _computed(
         sweeps=int(sweeps.max()),
         residual=tuple(residual.tolist()),
         seconds=perf_counter() - started,
-        energy=tuple(energy.tolist()),
+        energy=tuple(energy.tolist()) if grid.periodic else (),
     )
     middle = 0.5 * (depth[..., 1:] + depth[..., :-1]).mean(axis=1)  # (ny, nx, levels)
     mean = grid.coarse(np.ascontiguousarray(middle.transpose(2, 0, 1))).transpose(2, 1, 0)
@@ -235,7 +237,8 @@ _ARRAYS: Final = ("moments", "depth", "down", "direct", "up", "absorbed")
 def _to_arrays(solution: BoxSolution) -> dict[str, NDArray[Any]]:
     report = solution.report
     return {name: getattr(solution, name) for name in _ARRAYS} | {
-        "report": np.array([report.residual, report.energy]),
+        "residual": np.array(report.residual),
+        "energy": np.array(report.energy),
         "sweeps": np.array(report.sweeps),
     }
 
@@ -257,20 +260,20 @@ def _of_arrays(
         sound = (
             stored["moments"].shape == (*shape, terms, count)
             and stored["depth"].shape == shape
-            and stored["report"].shape == (2, count)
+            and stored["residual"].shape == (count,)
+            and stored["energy"].shape == ((count,) if grid.periodic else (0,))
             and all(stored[name].shape == (nx, ny, count) for name in ("down", "direct", "up"))
             and bool(np.isfinite(stored["moments"]).all())
         )
         if not sound:
             return None
-        residual, energy = stored["report"].tolist()
         report = Report(
             solver="boxes",
             settings=settings.as_text(),
             sweeps=int(stored["sweeps"]),
-            residual=tuple(residual),
+            residual=tuple(stored["residual"].tolist()),
             seconds=0.0,
-            energy=tuple(energy),
+            energy=tuple(stored["energy"].tolist()),
         )
         arrays = {name: stored[name] for name in _ARRAYS}
         return BoxSolution(
