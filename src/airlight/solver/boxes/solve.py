@@ -20,8 +20,9 @@ from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress
 from airlight.solver.boxes.directions import TOGETHER, directions, term_count
 from airlight.solver.boxes.grid import BoxGrid, box_grid
-from airlight.solver.boxes.iterate import BoxIteration, BoxLevels, BoxProblem, beam_depths
+from airlight.solver.boxes.iterate import BoxIteration, BoxLevels
 from airlight.solver.boxes.light import BoxLight
+from airlight.solver.boxes.problem import BoxProblem, beam_depths
 from airlight.solver.boxes.scaled_optics import ScaledOptics, scaled_optics
 from airlight.solver.boxes.settings import BoxSettings, settings_for
 from airlight.solver.boxes.solution import BoxSolution
