@@ -32,6 +32,7 @@ from airlight.solver.boxes.problem import (
 )
 from airlight.solver.boxes.rebalance import (
     BalanceCells,
+    add_currents,
     coefficients_for,
     correct,
 )
@@ -252,9 +253,8 @@ class BoxIteration:
         )
         direction = -np.array(self.problem.towards)
         currents = np.einsum("hti,i->ht", self.shares[:, :, 1:], direction).astype(np.float32)
-        for moments, current in zip(self.light.moments, currents, strict=True):
-            for t, share in enumerate(current):
-                moments[..., t, :] += share * forward
+        given = forward, currents, self.light.moments
+        in_chunks(lambda a, b: add_currents(a, b, *given), len(forward), forward.size // 4)
         if self.problem.grid.periodic:
             self._fill_sides()
 
@@ -282,15 +282,18 @@ class BoxIteration:
 
     def _fill_sides(self) -> None:
         """Fill the light that enters at the sides with that of the guess."""
-        light, total = self.light, self.light.moments[0] + self.light.moments[1]
+        light = self.light
+        before, after = (moments[..., :4, :] for moments in light.moments)
         vectors, _ = self.ways
         functions = harmonics(vectors, 1)
         for octant, (x, y) in enumerate(SIGNS):
             for faces, cells in (
-                (light.sides, total[:, :, -1 if x > 0 else 0]),
-                (light.fronts, total[:, -1 if y > 0 else 0]),
+                (light.sides, (slice(None), slice(None), -1 if x > 0 else 0)),
+                (light.fronts, (slice(None), -1 if y > 0 else 0)),
             ):
-                found = np.einsum("hdt,kitw->hkidw", functions[:, octant], cells[:, :, :4])
+                found = np.einsum(
+                    "hdt,kitw->hkidw", functions[:, octant], before[cells] + after[cells]
+                )
                 faces[:, octant] = in_pairs(np.maximum(found, 0.0))
 
     def sweep(

@@ -271,6 +271,20 @@ def correct(first, last, cells, coefficients, change, moments, shares):
                         )
 
 
+@compiled_loop
+def add_currents(first, last, amount, shares, moments):
+    """Add amounts of light (levels, ny, nx, 4), with moments ``shares`` (2, terms), to levels."""
+    before, after = moments
+    _, ny, nx, terms, lanes = before.shape
+    for k in range(first, last):
+        for y in range(ny):
+            for x in range(nx):
+                for t in range(terms):
+                    for w in range(lanes):
+                        before[k, y, x, t, w] += shares[0, t] * amount[k, y, x, w]
+                        after[k, y, x, t, w] += shares[1, t] * amount[k, y, x, w]
+
+
 def coefficients_for(
     cells: BalanceCells, currents: tuple[Float32Array, ...], phi: Float32Array, *, first: bool
 ) -> FaceCoefficients:

@@ -139,8 +139,8 @@ def _computed(
             grid, optics_here, light.towards, ground[some], by_octant[..., some], depth
         )
         sides = None if grid.periodic else _sides(problem, settings)
-        iteration = BoxIteration(problem, settings, sides)
-        levels = iteration.run(progress=progress, cancel=cancel)
+        # Without a name, so that its workspace is free when the moments are copied.
+        levels = BoxIteration(problem, settings, sides).run(progress=progress, cancel=cancel)
         parts.append(_Part.of(levels, grid, settings, some.stop - some.start))
     joined = [np.concatenate(one, axis=-1) for one in zip(*parts, strict=True)]
     moments, down, direct, up, absorbed, residual, energy, sweeps = joined
