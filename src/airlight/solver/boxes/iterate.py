@@ -36,7 +36,7 @@ from airlight.solver.boxes.rebalance import (
     coefficients_for,
     correct,
 )
-from airlight.solver.boxes.scaled_optics import ScaledOptics
+from airlight.solver.boxes.scaled_optics import BoxOptics
 from airlight.solver.boxes.settings import BoxSettings
 from airlight.solver.boxes.sweep import SweepCells, SweepLight, sweep_level
 
@@ -176,7 +176,7 @@ class BoxIteration:
         amounts = centred(amounts, grid.extinction, offset, grid.periodic)
         self.lit[...] = amounts / self.thickness[:, None, None, None]
 
-    def _lost(self, grid: BoxGrid, optics: ScaledOptics) -> Float32Array:
+    def _lost(self, grid: BoxGrid, optics: BoxOptics) -> Float32Array:
         """Light that a periodic box takes from the beam, over that of its cells' means. [1]"""
         thickness = np.asarray(self.thickness, np.float64)
         cloud = np.einsum("kyx,kyxw->kw", grid.extinction, self.beam) * four_wide(optics.cloud)

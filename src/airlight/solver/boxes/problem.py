@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import BeamCells, beam_row
-from airlight.solver.boxes.directions import Directions, harmonics
+from airlight.solver.boxes.directions import BoxDirections, harmonics
 from airlight.solver.boxes.grid import BoxGrid
-from airlight.solver.boxes.scaled_optics import ScaledOptics
+from airlight.solver.boxes.scaled_optics import BoxOptics
 from airlight.solver.boxes.sweep import SweepDirections
 
 FloatArray = NDArray[np.float64]
@@ -26,7 +26,7 @@ class BoxProblem(NamedTuple):
     ----------
     grid : BoxGrid
         Cells.
-    optics : ScaledOptics
+    optics : BoxOptics
         Coefficients of these wavelengths.
     towards : tuple of three float
         Unit vector to the sun.
@@ -39,7 +39,7 @@ class BoxProblem(NamedTuple):
     """
 
     grid: BoxGrid
-    optics: ScaledOptics
+    optics: BoxOptics
     towards: tuple[float, float, float]
     ground: FloatArray
     sky: FloatArray
@@ -106,7 +106,7 @@ def in_pairs(values: Float32Array) -> Float32Array:
 
 
 def sweep_directions(
-    ways: Directions, grid: BoxGrid, degree: int, towards: tuple[float, float, float]
+    ways: BoxDirections, grid: BoxGrid, degree: int, towards: tuple[float, float, float]
 ) -> SweepDirections:
     """Directions of the sweeps of a grid."""
     vectors, weights = ways
@@ -126,7 +126,7 @@ def sweep_directions(
     )
 
 
-def half_range(ways: Directions, degree: int) -> Float32Array:
+def half_range(ways: BoxDirections, degree: int) -> Float32Array:
     """Moments of hemispheres of light of degrees 0 and 1, see ``rebalance.correct``."""
     vectors, weights = ways
     basis = np.concatenate([np.ones_like(vectors[..., :1]), 3.0 * vectors], axis=-1)

@@ -23,7 +23,7 @@ from airlight.solver.boxes.grid import BoxGrid, box_grid
 from airlight.solver.boxes.iterate import BoxIteration, BoxLevels
 from airlight.solver.boxes.light import BoxLight
 from airlight.solver.boxes.problem import BoxProblem, beam_depths
-from airlight.solver.boxes.scaled_optics import ScaledOptics, scaled_optics
+from airlight.solver.boxes.scaled_optics import BoxOptics, scaled_optics
 from airlight.solver.boxes.settings import BoxSettings, settings_for
 from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.report import Report
@@ -134,14 +134,14 @@ def _computed(
     parts = []
     for first in range(0, count, HALF_LANES):
         some = slice(first, min(first + HALF_LANES, count))
-        optics_here = ScaledOptics(*(one[..., some] for one in scaled))
+        optics_here = BoxOptics(*(one[..., some] for one in scaled))
         problem = BoxProblem(
             grid, optics_here, light.towards, ground[some], by_octant[..., some], depth
         )
         sides = None if grid.periodic else _sides(problem, settings)
         # Without a name, so that its workspace is free when the moments are copied.
         levels = BoxIteration(problem, settings, sides).run(progress=progress, cancel=cancel)
-        parts.append(_Part.of(levels, grid, settings, some.stop - some.start))
+        parts.append(_BoxPart.of(levels, grid, settings, some.stop - some.start))
     joined = [np.concatenate(one, axis=-1) for one in zip(*parts, strict=True)]
     moments, down, direct, up, absorbed, residual, energy, sweeps = joined
     report = Report(
@@ -172,11 +172,11 @@ def _computed(
     return solution
 
 
-class _Part(tuple[NDArray[Any], ...]):
+class _BoxPart(tuple[NDArray[Any], ...]):
     """Arrays of a solution for some wavelengths, the last axis."""
 
     @classmethod
-    def of(cls, levels: BoxLevels, grid: BoxGrid, settings: BoxSettings, count: int) -> _Part:
+    def of(cls, levels: BoxLevels, grid: BoxGrid, settings: BoxSettings, count: int) -> _BoxPart:
         """Arrays of the first ``count`` wavelengths, on the cells of the field."""
         terms = term_count(settings.stored_degree)
         moments = grid.coarse(levels.moments[..., :terms, :count])
