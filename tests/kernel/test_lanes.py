@@ -17,6 +17,7 @@ from airlight.kernel.lanes import (
     lane_view,
     largest,
     load,
+    load_half,
     load_two,
     looked_up,
     maximum,
@@ -24,6 +25,7 @@ from airlight.kernel.lanes import (
     splat,
     square_root,
     store,
+    store_half,
     where_positive,
 )
 
@@ -188,3 +190,17 @@ def test_views_have_the_axes_of_their_arrays() -> None:
     turned = np.empty((5, 4, LANES), np.float32)
     transposed(few, turned)
     assert_array_equal(turned, few.transpose(1, 0, 2))
+
+
+@compiled_loop
+def copy_half(x, first, out, to):
+    store(out, 0, load_half(x, first))
+    store_half(out, to, load_half(x, first))
+
+
+def test_four_elements_are_read_into_both_halves_and_written_alone():
+    x = np.arange(12, dtype=np.float32)
+    out = np.full(16, -1.0, np.float32)
+    copy_half(x, 3, out, 9)
+    assert_array_equal(out[:8], [3, 4, 5, 6, 3, 4, 5, 6])
+    assert_array_equal(out[8:], [-1, 3, 4, 5, 6, -1, -1, -1])

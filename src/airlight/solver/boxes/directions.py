@@ -77,7 +77,7 @@ def _double_factorial(odd: int) -> float:
     return float(np.prod(np.arange(odd, 0, -2))) if odd > 0 else 1.0
 
 
-class Directions(NamedTuple):
+class BoxDirections(NamedTuple):
     """Directions in which light propagates.
 
     Attributes
@@ -92,7 +92,7 @@ class Directions(NamedTuple):
     weights: FloatArray
 
 
-def directions(zenith_angles: int, azimuths: int) -> Directions:
+def directions(zenith_angles: int, azimuths: int) -> BoxDirections:
     """Gauss rule in the cosine of each hemisphere, and even azimuths off the axes.
 
     Parameters
@@ -112,4 +112,4 @@ def directions(zenith_angles: int, azimuths: int) -> Directions:
     first = np.stack([sine * np.cos(angle), sine * np.sin(angle), mu], axis=-1)
     signs = np.array([[(x, y, z) for x, y in SIGNS] for z in (-1, 1)], float)
     vectors = signs[:, :, None, :] * first
-    return Directions(vectors, np.broadcast_to(solid, vectors.shape[:3]).copy())
+    return BoxDirections(vectors, np.broadcast_to(solid, vectors.shape[:3]).copy())

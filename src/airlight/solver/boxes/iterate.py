@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled
+from airlight.errors import Cancelled, ConvergenceError
 from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.solver.boxes.beam import BeamCells, beam_row, centred, mean_beam_row
+from airlight.solver.boxes.beam import centred, mean_beam_row
 from airlight.solver.boxes.directions import (
     SIGNS,
-    Directions,
     degrees,
     directions,
     harmonics,
@@ -23,55 +22,43 @@ from airlight.solver.boxes.directions import (
 )
 from airlight.solver.boxes.grid import BoxGrid
 from airlight.solver.boxes.linear import in_chunks, solve_linear
+from airlight.solver.boxes.problem import (
+    BoxProblem,
+    across_column,
+    four_wide,
+    half_range,
+    in_pairs,
+    sweep_directions,
+)
 from airlight.solver.boxes.rebalance import (
     BalanceCells,
+    add_currents,
     coefficients_for,
     correct,
 )
-from airlight.solver.boxes.scaled_optics import ScaledOptics
+from airlight.solver.boxes.scaled_optics import BoxOptics
 from airlight.solver.boxes.settings import BoxSettings
-from airlight.solver.boxes.sweep import SweepCells, SweepDirections, SweepLight, sweep_level
+from airlight.solver.boxes.sweep import SweepCells, SweepLight, sweep_level
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Limits of the factor by which an iteration multiplies the light of a cell.
-_FACTORS: Final = (0.2, 5.0)
+_FACTORS: Final = (np.float32(0.3), np.float32(3.0))
 #: Numbers of a level up to which another thread costs more time than it saves.
 _FEW: Final = 200_000
+#: Change after the last sweep, over the tolerance, above which a solution is refused. [1]
+_UNCONVERGED: Final = 10.0
+#: Sweeps after which a growing change damps acceleration, by a factor, down to the least.
+_SETTLED: Final = 3
+_DAMPING: Final = np.float32(0.7)
+_LEAST_RELAXATION: Final = np.float32(0.2)
 #: Limits of the factor that conserves the energy of the beam.
 _LOST: Final = (0.9, 1.1)
 #: Sweeps that progress expects after the present one.
 _REMAINING: Final = 6
 #: √(4π): mean radiance times 4π over the moment of degree 0. [1]
 _ROOT: Final = float(np.sqrt(4.0 * np.pi))
-
-
-class BoxProblem(NamedTuple):
-    """Problem of at most four wavelengths.
-
-    Attributes
-    ----------
-    grid : BoxGrid
-        Cells.
-    optics : ScaledOptics
-        Coefficients of these wavelengths.
-    towards : tuple of three float
-        Unit vector to the sun.
-    ground : array, shape (w,)
-        Albedo of the ground. [1]
-    sky : array, shape (4, n, w)
-        Radiance that enters at the top, by octant and direction. [sr⁻¹]
-    beam_depth : array, shape (ny, points, nx, levels + 1)
-        Unscaled optical depth of the cloud along the beam, see ``beam_row``. [1]
-    """
-
-    grid: BoxGrid
-    optics: ScaledOptics
-    towards: tuple[float, float, float]
-    ground: FloatArray
-    sky: FloatArray
-    beam_depth: Float32Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,94 +95,6 @@ class BoxLevels:
     sweeps: int
 
 
-def beam_depths(
-    grid: BoxGrid,
-    towards: tuple[float, float, float],
-    points: int,
-    *,
-    progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> Float32Array:
-    """Unscaled optical depths of the cloud along the beam, see ``BoxProblem``."""
-    levels, ny, nx = grid.extinction.shape
-    across = across_column(grid, points)
-    found = np.zeros((ny, across[0] * across[1], nx, levels + 1), np.float32)
-    if towards[2] > 0.0:
-        cells = beam_cells(grid)
-        run_blocks(
-            lambda y: beam_row(y, towards, across, cells, found[y]),
-            ny,
-            progress=progress,
-            cancel=cancel,
-            message="shadows of clouds",
-        )
-    return found
-
-
-def across_column(grid: BoxGrid, points: int) -> tuple[int, int]:
-    """Points across a column along x and y from which the beam is followed."""
-    flat_x, flat_y = grid.flat
-    return 1 if flat_x else points, 1 if flat_y else points
-
-
-def beam_cells(grid: BoxGrid) -> BeamCells:
-    """Cells that the beam crosses."""
-    _, ny, nx = grid.extinction.shape
-    corner = -0.5 * nx * grid.widths[0], -0.5 * ny * grid.widths[1]
-    return BeamCells(
-        grid.extinction, grid.edges, corner, grid.widths, grid.periodic, grid.below, False
-    )
-
-
-def _four(values: FloatArray) -> Float32Array:
-    """Values with the last axis, of wavelengths, filled up to four by the first one."""
-    missing = HALF_LANES - values.shape[-1]
-    filled = np.concatenate([values, np.repeat(values[..., :1], missing, axis=-1)], axis=-1)
-    return np.ascontiguousarray(filled, np.float32)
-
-
-def _pairs(values: FloatArray) -> Float32Array:
-    """Values (2, 4, n, ...) by direction as registers (2, 4, n / 2, ..., 8)."""
-    shape = values.shape
-    split = np.moveaxis(values.reshape(*shape[:2], shape[2] // 2, 2, *shape[3:]), 3, -1)
-    return np.ascontiguousarray(np.repeat(split, HALF_LANES, axis=-1), np.float32)
-
-
-def _in_pairs(values: Float32Array) -> Float32Array:
-    """Values (..., n, 4) by direction and wavelength as registers (..., n / 2, 8)."""
-    shape = values.shape
-    return np.ascontiguousarray(values, np.float32).reshape(*shape[:-2], shape[-2] // 2, LANES)
-
-
-def sweep_directions(
-    ways: Directions, grid: BoxGrid, degree: int, towards: tuple[float, float, float]
-) -> SweepDirections:
-    """Directions of the sweeps of a grid."""
-    vectors, weights = ways
-    functions = harmonics(vectors, degree)
-    widths = np.array([*grid.widths, 1.0])
-    slopes = 2.0 * np.abs(vectors) / widths
-    for axis, flat in enumerate(grid.flat):
-        if flat:
-            slopes[..., axis] = 0.0
-    sun = harmonics(-np.array(towards), degree)
-    return SweepDirections(
-        _pairs(slopes),
-        _pairs(functions),
-        _pairs(functions * weights[..., None]),
-        _pairs(vectors * weights[..., None]),
-        np.asarray(sun, np.float32),
-    )
-
-
-def _half_range(ways: Directions, degree: int) -> Float32Array:
-    """Moments of hemispheres of light of degrees 0 and 1, see ``rebalance.correct``."""
-    vectors, weights = ways
-    basis = np.concatenate([np.ones_like(vectors[..., :1]), 3.0 * vectors], axis=-1)
-    functions = harmonics(vectors, degree) * weights[..., None] / (4.0 * np.pi)
-    return np.asarray(np.einsum("hodt,hodi->hti", functions, basis), np.float32)
-
-
 class BoxIteration:
     """Iteration for four wavelengths.
 
@@ -216,18 +115,18 @@ class BoxIteration:
         self.thickness = np.asarray(np.diff(grid.edges), np.float32)
         self.ways = directions(settings.zenith_angles, settings.azimuths)
         self.pairs = sweep_directions(self.ways, grid, settings.degree, problem.towards)
-        self.shares = _half_range(self.ways, settings.degree)
+        self.shares = half_range(self.ways, settings.degree)
         self.cosine = max(problem.towards[2], 0.0)
-        self.ground = _four(problem.ground)
+        self.ground = four_wide(problem.ground)
         self._mean_beam()
         self.cells = SweepCells(
             grid.extinction,
             self.beam,
             self.lit,
-            _four(optics.cloud),
-            _four(optics.cloud_source),
-            _four(optics.air),
-            _four(optics.air_source),
+            four_wide(optics.cloud),
+            four_wide(optics.cloud_source),
+            four_wide(optics.air),
+            four_wide(optics.air_source),
             degrees(settings.degree),
             self.thickness,
             grid.flat,
@@ -250,6 +149,7 @@ class BoxIteration:
             zeros(2, ny, nx, terms, HALF_LANES),
         )
         self.down = np.zeros_like(self.direct)
+        self.relaxation = np.float32(1.0)
         self._balance_cells()
         self._incident()
 
@@ -264,7 +164,7 @@ class BoxIteration:
             return
         above = np.cumsum((optics.air * np.diff(grid.edges)[:, None])[::-1], axis=0)[::-1]
         air = np.concatenate([above, np.zeros((1, above.shape[1]))]) / self.cosine
-        given = _four(air), _four(optics.cloud)
+        given = four_wide(air), four_wide(optics.cloud)
         across = across_column(grid, self.settings.beam_points)
         offset = np.zeros((levels, ny, nx, 3, HALF_LANES), np.float32)
         out = self.beam, offset, self.direct
@@ -276,11 +176,11 @@ class BoxIteration:
         amounts = centred(amounts, grid.extinction, offset, grid.periodic)
         self.lit[...] = amounts / self.thickness[:, None, None, None]
 
-    def _lost(self, grid: BoxGrid, optics: ScaledOptics) -> Float32Array:
+    def _lost(self, grid: BoxGrid, optics: BoxOptics) -> Float32Array:
         """Light that a periodic box takes from the beam, over that of its cells' means. [1]"""
         thickness = np.asarray(self.thickness, np.float64)
-        cloud = np.einsum("kyx,kyxw->kw", grid.extinction, self.beam) * _four(optics.cloud)
-        clear = self.beam.sum(axis=(1, 2)) * _four(optics.air)
+        cloud = np.einsum("kyx,kyxw->kw", grid.extinction, self.beam) * four_wide(optics.cloud)
+        clear = self.beam.sum(axis=(1, 2)) * four_wide(optics.air)
         columns = grid.extinction[0].size
         given = thickness @ (cloud + clear) / columns
         lost = self.cosine - self.direct.mean(axis=(0, 1), dtype=np.float64)
@@ -309,8 +209,8 @@ class BoxIteration:
     def _incident(self) -> None:
         """Light that enters from outside and leaves the ground for the first time."""
         vectors, weights = self.ways
-        sky = _four(self.problem.sky)
-        self.sky = _in_pairs(sky)
+        sky = four_wide(self.problem.sky)
+        self.sky = in_pairs(sky)
         self.entering = np.einsum("onw,on->w", sky, weights[0] * -vectors[0, ..., 2])
         self.gain[-1] += self.entering / self.thickness[-1]
         self.gain[0] += self.ground * self.direct / self.thickness[0]
@@ -353,9 +253,8 @@ class BoxIteration:
         )
         direction = -np.array(self.problem.towards)
         currents = np.einsum("hti,i->ht", self.shares[:, :, 1:], direction).astype(np.float32)
-        for moments, current in zip(self.light.moments, currents, strict=True):
-            for t, share in enumerate(current):
-                moments[..., t, :] += share * forward
+        given = forward, currents, self.light.moments
+        in_chunks(lambda a, b: add_currents(a, b, *given), len(forward), forward.size // 4)
         if self.problem.grid.periodic:
             self._fill_sides()
 
@@ -383,16 +282,19 @@ class BoxIteration:
 
     def _fill_sides(self) -> None:
         """Fill the light that enters at the sides with that of the guess."""
-        light, total = self.light, self.light.moments[0] + self.light.moments[1]
+        light = self.light
+        before, after = (moments[..., :4, :] for moments in light.moments)
         vectors, _ = self.ways
         functions = harmonics(vectors, 1)
         for octant, (x, y) in enumerate(SIGNS):
             for faces, cells in (
-                (light.sides, total[:, :, -1 if x > 0 else 0]),
-                (light.fronts, total[:, -1 if y > 0 else 0]),
+                (light.sides, (slice(None), slice(None), -1 if x > 0 else 0)),
+                (light.fronts, (slice(None), -1 if y > 0 else 0)),
             ):
-                found = np.einsum("hdt,kitw->hkidw", functions[:, octant], cells[:, :, :4])
-                faces[:, octant] = _in_pairs(np.maximum(found, 0.0))
+                found = np.einsum(
+                    "hdt,kitw->hkidw", functions[:, octant], before[cells] + after[cells]
+                )
+                faces[:, octant] = in_pairs(np.maximum(found, 0.0))
 
     def sweep(
         self, *, progress: Progress | None = None, cancel: Cancel | None = None, done: int = 0
@@ -444,7 +346,8 @@ class BoxIteration:
         light, phi = self.light, self.phi()
         coefficients = coefficients_for(self.balanced, light.currents, phi, first=False)
         better = solve_linear(coefficients, self.thickness, self.gain, phi)
-        change = better - phi
+        change = np.clip(better, _FACTORS[0] * phi, _FACTORS[1] * phi) - phi
+        change *= self.relaxation
         in_chunks(
             lambda a, b: correct(
                 a, b, self.balanced, coefficients, change, light.moments, self.shares
@@ -456,18 +359,36 @@ class BoxIteration:
         self.down *= np.clip(factor, _FACTORS[0], _FACTORS[1])
 
     def run(self, *, progress: Progress | None = None, cancel: Cancel | None = None) -> BoxLevels:
-        """Light after convergence, or after the largest number of sweeps."""
+        """Light after convergence, or after the largest number of sweeps.
+
+        Raises
+        ------
+        ConvergenceError
+            If it still changes by more than ten times the tolerance.
+        """
         self.guess()
         phi = self.phi()
         change = np.full(HALF_LANES, np.inf)
         sweeps = 0
-        while sweeps < self.settings.max_sweeps and change.max() > self.settings.tolerance:
+        while sweeps < self.settings.max_sweeps and not change.max() <= self.settings.tolerance:
             self.sweep(progress=progress, cancel=cancel, done=sweeps)
             self.rebalance()
             before, phi = phi, self.phi()
-            change = _change(before, phi)
+            earlier, change = change, _change(before, phi)
             sweeps += 1
+            if sweeps > _SETTLED and change.max() > earlier.max():  # in optically thick cells
+                self.relaxation = max(_DAMPING * self.relaxation, _LEAST_RELAXATION)
+        if not change.max() <= _UNCONVERGED * self.settings.tolerance:
+            raise ConvergenceError(
+                f"the light of clouds still changes by {100.0 * change.max():.2g} % after {sweeps} "
+                f"sweeps; cells have optical depths up to {self._thickest():.3g}"
+            )
         return self._levels(change, sweeps)
+
+    def _thickest(self) -> float:
+        """Largest scaled optical depth across a cell. [1]"""
+        steps = np.maximum(self.thickness, np.float32(max(self.problem.grid.widths)))
+        return float((self.balanced.total.max(axis=(1, 2, 3)) * steps).max())
 
     def _levels(self, change: FloatArray, sweeps: int) -> BoxLevels:
         light = self.light
@@ -476,7 +397,7 @@ class BoxIteration:
         inside = (self.balanced.absorption * (self.phi() + self.beam)).mean(axis=(1, 2))
         absorbed = np.asarray(self.thickness, np.float64) @ inside
         before += after
-        incident = self.cosine + self.entering
+        incident = np.maximum(self.cosine + self.entering, 1e-30)
         ground = (1.0 - self.ground) * (self.down + self.direct).mean(axis=(0, 1))
         energy = (up.mean(axis=(0, 1)) + ground + absorbed) / incident - 1.0
         return BoxLevels(

@@ -22,6 +22,8 @@ FloatArray = NDArray[np.float64]
 _STEPS, _TOLERANCE = 30, 0.1
 #: Number of cells up to which other threads cost more time than they save.
 _FEW_CELLS: Final = 40_000
+#: Addition to the diagonal of the balance of blocks, over its largest element. [1]
+_REGULAR: Final = 1e-5
 #: Number of blocks of cells aimed at.
 _BLOCKS: Final = 700
 
@@ -245,6 +247,9 @@ class Blocks:
                 columns.append(source.ravel())
                 gains.append(part.reshape(-1, part.shape[-1]))
                 np.add.at(diagonal.reshape(-1, 4), target.ravel(), gains[-1])
+        # A preconditioner may be inexact; blocks that lose nothing would make it singular.
+        scale = np.abs(diagonal).max(axis=(0, 1, 2))
+        diagonal += _REGULAR * np.where(scale > 0.0, scale, 1.0)
         rows.append(index.ravel())
         columns.append(index.ravel())
         at = np.concatenate(rows), np.concatenate(columns)

@@ -27,6 +27,8 @@ FloatArray = NDArray[np.float64]
 LEAST_DEPTH = 0.15
 #: Largest addition to D, and the optical depths at which it begins and over which it grows.
 _ADDED, _BEGIN, _GROWTH = 0.127, 1.0, 3.0
+#: Largest current over the light of a cell. [1]
+_MOST_LEAVING = 2.0
 #: Least mean radiance, against division by 0. [sr⁻¹]
 _LEAST = 1e-20
 
@@ -71,14 +73,18 @@ def diffusivity(low_depth, high_depth, low_total, high_total):
 
 
 @kernel
+def leaving(current, light):
+    """Current over the light from which it comes, 0 to a limit. [1]"""
+    return min(max(current / max(light, _LEAST), 0.0), _MOST_LEAVING)
+
+
+@kernel
 def face(d, current, low, high):
     """Coefficients D + H and D - H of a face, both at least 0. [1]"""
     bend = (current - d * (low - high)) / max(low + high, _LEAST)
     if bend > d or bend < 0.0 - d:
         # All of the current is from one side.
-        forward = current / max(low, _LEAST)
-        backward = (0.0 - current) / max(high, _LEAST)
-        return max(forward, 0.0), max(backward, 0.0)
+        return leaving(current, low), leaving(0.0 - current, high)
     return d + bend, d - bend
 
 
@@ -127,12 +133,12 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                     elif first:
                         loss += 0.5 * per_x
                     else:
-                        loss += current_x[k, y, nx, w] / max(here, _LEAST) * per_x
+                        loss += leaving(current_x[k, y, nx, w], here) * per_x
                     if x == 0 and not periodic:
                         if first:
                             loss += 0.5 * per_x
                         else:
-                            loss -= current_x[k, y, 0, w] / max(here, _LEAST) * per_x
+                            loss += leaving(0.0 - current_x[k, y, 0, w], here) * per_x
                 if not flat_y:
                     other = y + 1 if y + 1 < ny else 0
                     if y + 1 < ny or periodic:
@@ -155,12 +161,12 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                     elif first:
                         loss += 0.5 * per_y
                     else:
-                        loss += current_y[k, ny, x, w] / max(here, _LEAST) * per_y
+                        loss += leaving(current_y[k, ny, x, w], here) * per_y
                     if y == 0 and not periodic:
                         if first:
                             loss += 0.5 * per_y
                         else:
-                            loss -= current_y[k, 0, x, w] / max(here, _LEAST) * per_y
+                            loss += leaving(0.0 - current_y[k, 0, x, w], here) * per_y
                 upper = current_z[0, k + 1, y, x, w] + current_z[1, k + 1, y, x, w]
                 if k + 1 < levels:
                     half, next_half = 0.5 * thickness[k], 0.5 * thickness[k + 1]
@@ -178,12 +184,12 @@ def level_coefficients(k, cells, currents, phi, first, coefficients):
                 elif first:
                     loss += 0.5 * per_z
                 else:
-                    loss += upper / max(here, _LEAST) * per_z
+                    loss += leaving(upper, here) * per_z
                 if k == 0:
                     down = 0.5 / (1.0 + ground[w])  # Marshak's condition, as at the other ends
                     if not first:
                         lower = current_z[0, 0, y, x, w] + current_z[1, 0, y, x, w]
-                        down = (0.0 - lower) / max(here, _LEAST)
+                        down = leaving(0.0 - lower, here)
                     loss += (1.0 - ground[w]) * down * per_z
                 diagonal[k, y, x, w] = loss
 
@@ -263,6 +269,20 @@ def correct(first, last, cells, coefficients, change, moments, shares):
                             + shares[1, t, 2] * along_y
                             + shares[1, t, 3] * along_z
                         )
+
+
+@compiled_loop
+def add_currents(first, last, amount, shares, moments):
+    """Add amounts of light (levels, ny, nx, 4), with moments ``shares`` (2, terms), to levels."""
+    before, after = moments
+    _, ny, nx, terms, lanes = before.shape
+    for k in range(first, last):
+        for y in range(ny):
+            for x in range(nx):
+                for t in range(terms):
+                    for w in range(lanes):
+                        before[k, y, x, t, w] += shares[0, t] * amount[k, y, x, w]
+                        after[k, y, x, t, w] += shares[1, t] * amount[k, y, x, w]
 
 
 def coefficients_for(

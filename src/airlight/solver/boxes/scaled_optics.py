@@ -14,7 +14,7 @@ from airlight.solver.boxes.light import BoxAir
 FloatArray = NDArray[np.float64]
 
 
-class ScaledOptics(NamedTuple):
+class BoxOptics(NamedTuple):
     """Scaled coefficients; those of the cloud are per extinction at 550 nm.
 
     Attributes
@@ -39,7 +39,7 @@ class ScaledOptics(NamedTuple):
 
 def scaled_optics(
     optics: CloudOptics, air: BoxAir | None, edges: FloatArray, degree: int
-) -> ScaledOptics:
+) -> BoxOptics:
     """Scaled coefficients by Wiscombe (1977), J. Atmos. Sci. 34, 1408 (delta-M).
 
     Parameters
@@ -58,7 +58,7 @@ def scaled_optics(
     if air is None:
         nothing = np.zeros((levels, count))
         none = np.zeros((levels, degree + 1, count))
-        return ScaledOptics(cloud, source.T, extinction * albedo, nothing, none, nothing)
+        return BoxOptics(cloud, source.T, extinction * albedo, nothing, none, nothing)
     if air.extinction.shape[1] != count:
         raise ParameterError("air.extinction", air.extinction.shape, f"{count} wavelengths")
     known = np.zeros((*air.extinction.shape, degree + 2))
@@ -66,7 +66,7 @@ def scaled_optics(
     known[..., : given.shape[-1]] = given
     own, own_source = _scaled(air.extinction, air.albedo, known)
     shares = overlap(air.edges, edges)
-    return ScaledOptics(
+    return BoxOptics(
         cloud,
         source.T,
         extinction * albedo,

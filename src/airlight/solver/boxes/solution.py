@@ -18,7 +18,7 @@ from airlight.solver.boxes.beam import BeamCells
 from airlight.solver.boxes.directions import degrees, harmonics
 from airlight.solver.boxes.forward_peak import peak_depth, peak_table
 from airlight.solver.boxes.light import BoxLight
-from airlight.solver.boxes.scaled_optics import ScaledOptics, overlap, scaled_optics
+from airlight.solver.boxes.scaled_optics import BoxOptics, overlap, scaled_optics
 from airlight.solver.boxes.settings import BoxSettings
 from airlight.solver.boxes.view import ViewLines, ViewTables, view_block
 from airlight.solver.report import Report
@@ -105,7 +105,7 @@ class BoxSolution:
         return isqrt(int(self.moments.shape[3])) - 1
 
     @cached_property
-    def scaled(self) -> ScaledOptics:
+    def scaled(self) -> BoxOptics:
         """Delta-M scaled coefficients on the levels."""
         return scaled_optics(self.optics, self.light.air, self.levels, self.settings.degree)
 

@@ -20,9 +20,10 @@ from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress
 from airlight.solver.boxes.directions import TOGETHER, directions, term_count
 from airlight.solver.boxes.grid import BoxGrid, box_grid
-from airlight.solver.boxes.iterate import BoxIteration, BoxLevels, BoxProblem, beam_depths
+from airlight.solver.boxes.iterate import BoxIteration, BoxLevels
 from airlight.solver.boxes.light import BoxLight
-from airlight.solver.boxes.scaled_optics import ScaledOptics, scaled_optics
+from airlight.solver.boxes.problem import BoxProblem, beam_depths
+from airlight.solver.boxes.scaled_optics import BoxOptics, scaled_optics
 from airlight.solver.boxes.settings import BoxSettings, settings_for
 from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.report import Report
@@ -79,6 +80,8 @@ def solve_box(
         If the light does not fit the field or the wavelengths.
     CostError
         If the solution does not fit into free memory.
+    ConvergenceError
+        If the sweeps do not converge: cells of scaled optical depth above about 10 are too coarse.
     """
     settings = settings_for(quality)
     count = np.size(optics.wavelengths)
@@ -131,14 +134,14 @@ def _computed(
     parts = []
     for first in range(0, count, HALF_LANES):
         some = slice(first, min(first + HALF_LANES, count))
-        optics_here = ScaledOptics(*(one[..., some] for one in scaled))
+        optics_here = BoxOptics(*(one[..., some] for one in scaled))
         problem = BoxProblem(
             grid, optics_here, light.towards, ground[some], by_octant[..., some], depth
         )
         sides = None if grid.periodic else _sides(problem, settings)
-        iteration = BoxIteration(problem, settings, sides)
-        levels = iteration.run(progress=progress, cancel=cancel)
-        parts.append(_Part.of(levels, grid, settings, some.stop - some.start))
+        # Without a name, so that its workspace is free when the moments are copied.
+        levels = BoxIteration(problem, settings, sides).run(progress=progress, cancel=cancel)
+        parts.append(_BoxPart.of(levels, grid, settings, some.stop - some.start))
     joined = [np.concatenate(one, axis=-1) for one in zip(*parts, strict=True)]
     moments, down, direct, up, absorbed, residual, energy, sweeps = joined
     report = Report(
@@ -147,7 +150,7 @@ def _computed(
         sweeps=int(sweeps.max()),
         residual=tuple(residual.tolist()),
         seconds=perf_counter() - started,
-        energy=tuple(energy.tolist()),
+        energy=tuple(energy.tolist()) if grid.periodic else (),
     )
     middle = 0.5 * (depth[..., 1:] + depth[..., :-1]).mean(axis=1)  # (ny, nx, levels)
     mean = grid.coarse(np.ascontiguousarray(middle.transpose(2, 0, 1))).transpose(2, 1, 0)
@@ -169,11 +172,11 @@ def _computed(
     return solution
 
 
-class _Part(tuple[NDArray[Any], ...]):
+class _BoxPart(tuple[NDArray[Any], ...]):
     """Arrays of a solution for some wavelengths, the last axis."""
 
     @classmethod
-    def of(cls, levels: BoxLevels, grid: BoxGrid, settings: BoxSettings, count: int) -> _Part:
+    def of(cls, levels: BoxLevels, grid: BoxGrid, settings: BoxSettings, count: int) -> _BoxPart:
         """Arrays of the first ``count`` wavelengths, on the cells of the field."""
         terms = term_count(settings.stored_degree)
         moments = grid.coarse(levels.moments[..., :terms, :count])
@@ -235,7 +238,8 @@ _ARRAYS: Final = ("moments", "depth", "down", "direct", "up", "absorbed")
 def _to_arrays(solution: BoxSolution) -> dict[str, NDArray[Any]]:
     report = solution.report
     return {name: getattr(solution, name) for name in _ARRAYS} | {
-        "report": np.array([report.residual, report.energy]),
+        "residual": np.array(report.residual),
+        "energy": np.array(report.energy),
         "sweeps": np.array(report.sweeps),
     }
 
@@ -257,20 +261,20 @@ def _of_arrays(
         sound = (
             stored["moments"].shape == (*shape, terms, count)
             and stored["depth"].shape == shape
-            and stored["report"].shape == (2, count)
+            and stored["residual"].shape == (count,)
+            and stored["energy"].shape == ((count,) if grid.periodic else (0,))
             and all(stored[name].shape == (nx, ny, count) for name in ("down", "direct", "up"))
             and bool(np.isfinite(stored["moments"]).all())
         )
         if not sound:
             return None
-        residual, energy = stored["report"].tolist()
         report = Report(
             solver="boxes",
             settings=settings.as_text(),
             sweeps=int(stored["sweeps"]),
-            residual=tuple(residual),
+            residual=tuple(stored["residual"].tolist()),
             seconds=0.0,
-            energy=tuple(energy),
+            energy=tuple(stored["energy"].tolist()),
         )
         arrays = {name: stored[name] for name in _ARRAYS}
         return BoxSolution(

@@ -48,9 +48,9 @@ class SweepCells(NamedTuple):
     lit : array, shape (levels, ny, nx, 4)
         Extinction of the cloud at 550 nm times that, as the sweep sees it (``beam.centred``). [m⁻¹]
     cloud, cloud_source : array, shapes (4,), (degree + 1, 4)
-        See ``ScaledOptics``. [1]
+        See ``BoxOptics``. [1]
     air, air_source : array, shapes (levels, 4), (levels, degree + 1, 4)
-        See ``ScaledOptics``. [m⁻¹]
+        See ``BoxOptics``. [m⁻¹]
     degrees : array of int, shape (terms,)
         Degrees of the harmonics.
     thickness : array, shape (levels,)

@@ -48,7 +48,7 @@ class ViewTables(NamedTuple):
     degrees : array of int, shape (terms,)
         Degrees of the harmonics.
     cloud, cloud_single, cloud_source : array, shapes (w,), (w,), (degrees, w)
-        See ``ScaledOptics``.
+        See ``BoxOptics``.
     air, air_source, air_phase : array, shapes (levels, w), (levels, degrees, w) and
         (levels, moments, w); the last has (2l + 1)/4π times unscaled scattering times moments.
         [m⁻¹]

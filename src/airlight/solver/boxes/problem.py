@@ -1,0 +1,134 @@
+"""Problem of a box at four wavelengths, and its arrays in registers of eight lanes."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel.lanes import HALF_LANES, LANES
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.solver.boxes.beam import BeamCells, beam_row
+from airlight.solver.boxes.directions import BoxDirections, harmonics
+from airlight.solver.boxes.grid import BoxGrid
+from airlight.solver.boxes.scaled_optics import BoxOptics
+from airlight.solver.boxes.sweep import SweepDirections
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+
+class BoxProblem(NamedTuple):
+    """Problem of at most four wavelengths.
+
+    Attributes
+    ----------
+    grid : BoxGrid
+        Cells.
+    optics : BoxOptics
+        Coefficients of these wavelengths.
+    towards : tuple of three float
+        Unit vector to the sun.
+    ground : array, shape (w,)
+        Albedo of the ground. [1]
+    sky : array, shape (4, n, w)
+        Radiance that enters at the top, by octant and direction. [sr⁻¹]
+    beam_depth : array, shape (ny, points, nx, levels + 1)
+        Unscaled optical depth of the cloud along the beam, see ``beam_row``. [1]
+    """
+
+    grid: BoxGrid
+    optics: BoxOptics
+    towards: tuple[float, float, float]
+    ground: FloatArray
+    sky: FloatArray
+    beam_depth: Float32Array
+
+
+def beam_depths(
+    grid: BoxGrid,
+    towards: tuple[float, float, float],
+    points: int,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Float32Array:
+    """Unscaled optical depths of the cloud along the beam, see ``BoxProblem``."""
+    levels, ny, nx = grid.extinction.shape
+    across = across_column(grid, points)
+    found = np.zeros((ny, across[0] * across[1], nx, levels + 1), np.float32)
+    if towards[2] > 0.0:
+        cells = beam_cells(grid)
+        run_blocks(
+            lambda y: beam_row(y, towards, across, cells, found[y]),
+            ny,
+            progress=progress,
+            cancel=cancel,
+            message="shadows of clouds",
+        )
+    return found
+
+
+def across_column(grid: BoxGrid, points: int) -> tuple[int, int]:
+    """Points across a column along x and y from which the beam is followed."""
+    flat_x, flat_y = grid.flat
+    return 1 if flat_x else points, 1 if flat_y else points
+
+
+def beam_cells(grid: BoxGrid) -> BeamCells:
+    """Cells that the beam crosses."""
+    _, ny, nx = grid.extinction.shape
+    corner = -0.5 * nx * grid.widths[0], -0.5 * ny * grid.widths[1]
+    return BeamCells(
+        grid.extinction, grid.edges, corner, grid.widths, grid.periodic, grid.below, False
+    )
+
+
+def four_wide(values: FloatArray) -> Float32Array:
+    """Values with the last axis, of wavelengths, filled up to four by the first one."""
+    missing = HALF_LANES - values.shape[-1]
+    filled = np.concatenate([values, np.repeat(values[..., :1], missing, axis=-1)], axis=-1)
+    return np.ascontiguousarray(filled, np.float32)
+
+
+def _pairs(values: FloatArray) -> Float32Array:
+    """Values (2, 4, n, ...) by direction as registers (2, 4, n / 2, ..., 8)."""
+    shape = values.shape
+    split = np.moveaxis(values.reshape(*shape[:2], shape[2] // 2, 2, *shape[3:]), 3, -1)
+    return np.ascontiguousarray(np.repeat(split, HALF_LANES, axis=-1), np.float32)
+
+
+def in_pairs(values: Float32Array) -> Float32Array:
+    """Values (..., n, 4) by direction and wavelength as registers (..., n / 2, 8)."""
+    shape = values.shape
+    return np.ascontiguousarray(values, np.float32).reshape(*shape[:-2], shape[-2] // 2, LANES)
+
+
+def sweep_directions(
+    ways: BoxDirections, grid: BoxGrid, degree: int, towards: tuple[float, float, float]
+) -> SweepDirections:
+    """Directions of the sweeps of a grid."""
+    vectors, weights = ways
+    functions = harmonics(vectors, degree)
+    widths = np.array([*grid.widths, 1.0])
+    slopes = 2.0 * np.abs(vectors) / widths
+    for axis, flat in enumerate(grid.flat):
+        if flat:
+            slopes[..., axis] = 0.0
+    sun = harmonics(-np.array(towards), degree)
+    return SweepDirections(
+        _pairs(slopes),
+        _pairs(functions),
+        _pairs(functions * weights[..., None]),
+        _pairs(vectors * weights[..., None]),
+        np.asarray(sun, np.float32),
+    )
+
+
+def half_range(ways: BoxDirections, degree: int) -> Float32Array:
+    """Moments of hemispheres of light of degrees 0 and 1, see ``rebalance.correct``."""
+    vectors, weights = ways
+    basis = np.concatenate([np.ones_like(vectors[..., :1]), 3.0 * vectors], axis=-1)
+    functions = harmonics(vectors, degree) * weights[..., None] / (4.0 * np.pi)
+    return np.asarray(np.einsum("hodt,hodi->hti", functions, basis), np.float32)
