@@ -12,10 +12,16 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import inlined
+from airlight.kernel import compiled_loop, inlined
 from airlight.physics.optics.density_profile import relative_density
 from airlight.physics.optics.reflection import direct_reflectance
-from airlight.solver.montecarlo.rays import place_at_depth, point_at
+from airlight.solver.montecarlo.cloud_rays import FAR, cloud_collision
+from airlight.solver.montecarlo.rays import (
+    place_at_depth,
+    point_at,
+    trace_optical_depth,
+    trace_part,
+)
 from airlight.solver.montecarlo.scattering_angles import lobe_value, random_cosine
 from airlight.solver.montecarlo.streams import uniform
 from airlight.solver.montecarlo.sun_biased_sampling import sample_sun_biased, sun_biased_density
@@ -179,6 +185,45 @@ def scattering_fractions(altitude, air, shares):
         for i in range(shares.size):
             shares[i] /= total
     return total
+
+
+@compiled_loop
+def trace_to_end(point, direction, to_ground, extinction, clouds, path, state):
+    """Trace of a ray through the air up to a collision with a cloud's particle, or to its end.
+
+    Parameters
+    ----------
+    to_ground, extinction, path :
+        Arguments of ``trace_optical_depth``.
+    point, direction, clouds, state :
+        Arguments of ``cloud_collision``.
+
+    Returns
+    -------
+    field, distance : int, float
+        Result of ``cloud_collision``. [m]
+    count, depth : int, float
+        Result of ``trace_optical_depth`` for the air up to there. [1]
+    """
+    x, y, z = point
+    u, v, w = direction
+    r = sqrt(x * x + y * y + z * z)
+    rise = x * u + y * v + z * w
+    mu = min(max(rise / r, -1.0), 1.0)
+    end = FAR
+    if to_ground:
+        end = -rise - sqrt(
+            max((extinction.bottom - r) * (extinction.bottom + r) + rise * rise, 0.0)
+        )
+    field, distance = cloud_collision(point, direction, end, clouds, state)
+    if field < 0:
+        count, depth = trace_optical_depth(r, mu, to_ground, extinction, path)
+    else:
+        last = sqrt(r * r + distance * (distance + 2.0 * rise))
+        last = min(max(last, extinction.bottom), extinction.top)
+        rises = mu >= 0.0 or distance > -rise
+        count, depth = trace_part(r, mu, rises, last, extinction, path)
+    return field, distance, count, depth
 
 
 @inlined

@@ -38,7 +38,7 @@ from airlight.physics.optics.reflection import (
     diffuse_reflectance,
     direct_reflectance,
 )
-from airlight.solver.montecarlo.cloud_rays import FAR, cloud_depth, trace_to_end
+from airlight.solver.montecarlo.cloud_rays import FAR, cloud_depth
 from airlight.solver.montecarlo.events import (
     MAX_BIASED_EVENTS,
     TracedRay,
@@ -52,6 +52,7 @@ from airlight.solver.montecarlo.events import (
     start_in_area,
     start_vectors,
     towards_star,
+    trace_to_end,
     turned,
 )
 from airlight.solver.montecarlo.rays import trace_optical_depth
