@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -44,7 +45,6 @@ class Work(Exception):
 
 @pytest.fixture(autouse=True)
 def _nothing_is_computed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    import airlight.render.solve_planet
     import airlight.solver
     import airlight.studies.fit
     import airlight.validation.run
@@ -53,7 +53,8 @@ def _nothing_is_computed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Non
         raise Work
 
     monkeypatch.setattr(airlight.solver, "solve", work)
-    monkeypatch.setattr("airlight.render.solve_planet.solve_planet", work)
+    # `airlight.render` may be the function of this name
+    monkeypatch.setattr(import_module("airlight.render.solve_planet"), "solve_planet", work)
     monkeypatch.setattr("airlight.engines.environment.environment_map.environment_map", work)
     monkeypatch.setattr("airlight.validation.run.run", work)
     monkeypatch.setattr("airlight.cli.fit._radiances", work)
