@@ -41,7 +41,7 @@ VIEWS: dict[str, tuple[str, dict[str, Any]]] = {
         {**DESERT, "view.altitude": 2.0, "display.exposure": -2.5, "view.ground": "plain"},
     ),
     "earth, detail of the ground": (
-        "earth", {**DESERT, "view.altitude": 2.0, "display.exposure": -2.5},
+        "earth", {**DESERT, "view.altitude": 2.0, "display.exposure": -3.5},
     ),
     "earth, waves": (
         "earth",
