@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from airlight.solver.montecarlo.cloudy_air import Areas
 from airlight.validation.boxes import differences
-from airlight.validation.finite_cloud import SUN, VIEWS, reference
+from airlight.validation.finite_cloud import HALF_WIDTH, SUN, VIEWS, reference
 from airlight.validation.finite_cloud_light import (
     BOXES_LIMIT,
     HISTORIES_LIMIT,
@@ -38,6 +39,10 @@ def test_boxes_have_the_means_of_the_views() -> None:
 @pytest.mark.slow
 def test_monte_carlo_has_the_mean_of_the_view_from_above() -> None:
     known, known_error = reference()
-    radiance, error = traced(cloud_over_plane(0.1), VIEWS[0])
-    both = 100.0 * np.sqrt(np.sum(error**2 + known_error[0] ** 2)) / known[0].sum()
-    assert abs(differences(radiance, known[0])[1]) < HISTORIES_LIMIT + 3.0 * both
+    cloud = cloud_over_plane(0.004)
+    whole = Areas.at(0.0, 0.0, 2.0 * HALF_WIDTH, 2.0 * HALF_WIDTH)
+    found = traced(cloud, VIEWS[0], whole)
+    error = np.hypot(float(found.total_error[0, 0]), np.sqrt(np.sum(known_error[0] ** 2)) / 36)
+    expected = known[0].mean()
+    off = float(found.total[0, 0]) - expected
+    assert abs(off) < 0.01 * HISTORIES_LIMIT * expected + 3.0 * error

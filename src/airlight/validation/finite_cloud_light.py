@@ -18,6 +18,7 @@ from airlight.solver.boxes.light import BoxLight
 from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.boxes.solve import solve_box
 from airlight.solver.montecarlo.cloudy_air import Areas, CloudyAir
+from airlight.solver.montecarlo.estimate import Estimate
 from airlight.solver.montecarlo.settings import MonteCarloSettings
 from airlight.solver.montecarlo.solution import MonteCarloSolution
 from airlight.validation.boxes import differences
@@ -75,25 +76,25 @@ def pixel_areas(view: View) -> tuple[Areas, float]:
     return Areas.at(middle[..., 0], middle[..., 1], side / abs(along[2]), side), altitude
 
 
-def traced(cloud: CloudyAir, view: View) -> tuple[FloatArray, FloatArray]:
-    """Monte Carlo radiance and standard error of the pixels, (PIXELS, PIXELS). [sr⁻¹]
+def traced(cloud: CloudyAir, view: View, areas: Areas | None = None) -> Estimate:
+    """Monte Carlo radiances of the pixels of a view, row by row. [sr⁻¹]
 
     Parameters
     ----------
     cloud : CloudyAir
         Result of ``cloud_over_plane``.
+    areas : Areas, optional
+        Other areas of the plane of ``pixel_areas``.
     """
-    areas, altitude = pixel_areas(view)
-    found = cloud.radiance_over(
-        areas,
+    pixels, altitude = pixel_areas(view)
+    return cloud.radiance_over(
+        pixels if areas is None else areas,
         altitude=altitude,
         view_zenith=_zenith(view.along),
         azimuth=_azimuth(view.along),
         sun_zenith=_zenith(SUN),
         sun_azimuth=_azimuth(SUN),
     )
-    shape = PIXELS, PIXELS
-    return found.total[:, 0].reshape(shape), found.total_error[:, 0].reshape(shape)
 
 
 def _zenith(vector: Sequence[float]) -> float:
@@ -160,7 +161,10 @@ def finite_cloud_light(run: SuiteRun) -> tuple[list[Threshold], ReportTable]:
     for number, view in enumerate(VIEWS):
         run.step(number, len(VIEWS), f"finite cloud, {view.name}")
         expected = known[number]
-        histories, error = traced(cloud, view)
+        found = traced(cloud, view)
+        histories, error = (
+            one[:, 0].reshape(expected.shape) for one in (found.total, found.total_error)
+        )
         rms, off = differences(histories, expected)
         both = np.sqrt(np.sum(error**2 + known_error[number] ** 2)) / expected.sum()
         box_rms, box_off = differences(box_pixels(box, view), expected)

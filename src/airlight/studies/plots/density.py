@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from airlight.physics.optics.density_profile import DensitySegments
-from airlight.planets.clouds import check_clear
 from airlight.planets.planet import Planet
 from airlight.studies.plots.figure import PALETTE, grid, look, new_figure, words
 
@@ -26,16 +25,10 @@ def density(planet: Planet) -> Figure:
     Figure
         Two panels over altitude [km], with a curve per constituent.
 
-    Raises
-    ------
-    ConflictError
-        If the planet has three-dimensional clouds.
-
     References
     ----------
     Atmosphere Plus notes 2, section 1.5.2.
     """
-    check_clear(planet, "a figure of densities")
     rows = [constituent.profile.row(planet.thickness) for constituent in planet.constituents]
     altitude = np.linspace(0.0, planet.thickness, 1001)
     values = DensitySegments.from_rows(rows).at(altitude)

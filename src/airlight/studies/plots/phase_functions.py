@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.planets.clouds import check_clear
 from airlight.planets.constituent import Constituent
 from airlight.planets.planet import Planet
 from airlight.studies.plots.figure import (
@@ -47,16 +46,10 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
         Two logarithmic panels: polar, with the light arriving from the left, and over the
         scattering angle. Legends give the mean cosine g.
 
-    Raises
-    ------
-    ConflictError
-        If the planet has three-dimensional clouds.
-
     References
     ----------
     Atmosphere Plus notes 2, section 1.6.
     """
-    check_clear(planet, "a figure of phase functions")
     nm = planet.wavelengths if wavelengths is None else wavelengths
     planet.check_wavelengths(nm)
     nm = tuple(nm[k] for k in chosen(nm, _MOST))
