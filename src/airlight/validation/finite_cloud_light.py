@@ -30,7 +30,7 @@ from airlight.validation.finite_cloud import (
     PIXELS,
     SUN,
     VIEWS,
-    View,
+    CloudView,
     finite_cloud,
     reference,
 )
@@ -63,7 +63,7 @@ def particles() -> CloudOptics:
     )
 
 
-def pixel_areas(view: View) -> tuple[Areas, float]:
+def pixel_areas(view: CloudView) -> tuple[Areas, float]:
     """Pixels of a view as areas of the horizontal plane from which it looks, and its altitude. [m]
 
     Above the cloud, or on the ground; views look vertically or in the plane of east and up.
@@ -76,7 +76,7 @@ def pixel_areas(view: View) -> tuple[Areas, float]:
     return Areas.at(middle[..., 0], middle[..., 1], side / abs(along[2]), side), altitude
 
 
-def traced(cloud: CloudyAir, view: View, areas: Areas | None = None) -> Estimate:
+def traced(cloud: CloudyAir, view: CloudView, areas: Areas | None = None) -> Estimate:
     """Monte Carlo radiances of the pixels of a view, row by row. [sr⁻¹]
 
     Parameters
@@ -142,7 +142,7 @@ def _padded(field: CloudField) -> CloudField:
     return replace(field, extinction=np.pad(field.extinction, around))
 
 
-def box_pixels(solution: BoxSolution, view: View) -> FloatArray:
+def box_pixels(solution: BoxSolution, view: CloudView) -> FloatArray:
     """Radiance of the pixels by the box, (PIXELS, PIXELS). [sr⁻¹]"""
     along = np.array(view.along)
     points = view.points(_ACROSS)
