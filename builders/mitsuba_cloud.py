@@ -22,7 +22,7 @@ from airlight.validation.finite_cloud import (
     PIXELS,
     SUN,
     VIEWS,
-    View,
+    CloudView,
     centre,
     finite_cloud,
 )
@@ -40,7 +40,7 @@ view,row,column,radiance,error
 """
 
 
-def world(view: View) -> dict[str, object]:
+def world(view: CloudView) -> dict[str, object]:
     """Scene of a view."""
     field = finite_cloud()
     cells = np.ascontiguousarray(field.extinction.transpose(2, 1, 0)[..., None])
@@ -98,8 +98,8 @@ def world(view: View) -> dict[str, object]:
     }
 
 
-def pixel_order(view: View, scene: mi.Scene) -> np.ndarray:
-    """Indices of Mitsuba's pixels, row by row of ``View.points``, by the origins of its rays."""
+def pixel_order(view: CloudView, scene: mi.Scene) -> np.ndarray:
+    """Indices of pixels, row by row of ``CloudView.points``, by the origins of its rays."""
     sensor = scene.sensors()[0]
     across, upwards = view.axes
     order = np.full((PIXELS, PIXELS), -1)

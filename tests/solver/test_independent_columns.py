@@ -7,7 +7,7 @@ import pytest
 
 import airlight
 from airlight.errors import ParameterError
-from airlight.solver.independent_columns import Column, IndependentColumns
+from airlight.solver.independent_columns import IndependentColumns, SolvedColumn
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +26,7 @@ def hazy():
 
 
 def test_every_quantity_is_the_mean_of_the_columns(clear, hazy):
-    mean = IndependentColumns([Column(0.7, clear), Column(0.3, hazy)])
+    mean = IndependentColumns([SolvedColumn(0.7, clear), SolvedColumn(0.3, hazy)])
     sight = {"altitude": "1 km", "sun_zenith": 60.0, "view_zenith": [30.0, 120.0]}
     asked = [
         lambda one: one.radiance(**sight),
@@ -40,7 +40,7 @@ def test_every_quantity_is_the_mean_of_the_columns(clear, hazy):
 
 
 def test_a_column_that_is_everything_is_the_mean(clear):
-    alone = IndependentColumns([Column(1.0, clear)])
+    alone = IndependentColumns([SolvedColumn(1.0, clear)])
     sight = {"altitude": 0.0, "sun_zenith": 30.0, "view_zenith": 45.0}
     np.testing.assert_allclose(alone.radiance(**sight), clear.radiance(**sight), rtol=1e-12)
     assert "1 independent column" in alone.report.note
@@ -48,10 +48,10 @@ def test_a_column_that_is_everything_is_the_mean(clear):
 
 def test_fractions_that_are_no_cover_are_rejected(clear):
     with pytest.raises(ParameterError, match="whose sum is 1"):
-        IndependentColumns([Column(0.5, clear), Column(0.4, clear)])
+        IndependentColumns([SolvedColumn(0.5, clear), SolvedColumn(0.4, clear)])
 
 
 def test_another_shell_is_rejected(clear):
     other = airlight.solve("mars", quality="preview", wavelengths=[550.0], polarisation=False)
     with pytest.raises(ParameterError, match="shell"):
-        IndependentColumns([Column(0.5, clear), Column(0.5, other)])
+        IndependentColumns([SolvedColumn(0.5, clear), SolvedColumn(0.5, other)])

@@ -182,11 +182,13 @@ def bake(
     from airlight.engines.baking.table_files import FILES, FORMAT, write_tables
     from airlight.files.atomic_folder import check_folder
     from airlight.planets import replace
+    from airlight.planets.clouds import check_clear
 
     tables.check(layout)
     mu_s_min, texels, number = tables.mu_s_min(), tables.texels(layout), tables.scattering_order()
     check_folder(output, FORMAT, FILES, overwrite=overwrite)
     world = planet.load()
+    check_clear(world, "tables")
     if world.refraction != "none":
         note("tables ignore refraction")
         world = replace(world, refraction="none")
@@ -263,6 +265,7 @@ def bake_target(
     from airlight.engines.targets import target_of
     from airlight.files.atomic_folder import check_folder
     from airlight.planets import replace
+    from airlight.planets.clouds import check_clear
 
     program = target_of(name)
     wavelengths = None if solve.wavelengths == "rgb" else solve.wavelengths
@@ -271,6 +274,7 @@ def bake_target(
         raise ConflictError(f"--layout {name}", f"takes no --wavelengths: they are {fixed} nm")
     check_folder(output, program.form, program.files, overwrite=overwrite)
     world = planet.load()
+    check_clear(world, program.program)
     if world.refraction != "none" and not program.bends_light:
         note(f"{program.program} ignores refraction")
         world = replace(world, refraction="none")

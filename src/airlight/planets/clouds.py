@@ -344,7 +344,7 @@ def check_clear(planet: HasClouds, consumer: str = "this computation") -> None:
     if planet.clouds:
         raise ConflictError(
             "clouds",
-            f"cannot be used by {consumer}, which has no three-dimensional clouds: remove them",
+            f"cannot be used by {consumer}, where air is the same everywhere: remove them",
         )
 
 

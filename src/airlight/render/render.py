@@ -24,7 +24,7 @@ from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
 from airlight.scene.metering import unfiltered, white_luminance
 from airlight.solver import Solution
-from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import moments_solution
 from airlight.solver.solve import solution_of
 
 if TYPE_CHECKING:
@@ -103,12 +103,7 @@ def render(
         planet = planet.without_clouds
         planet = local_ground(planet, latitude=latitude, longitude=longitude, altitude=altitude)
         solution = solution_of(planet, picture_wavelengths, progress=progress, cancel=cancel)
-    if not isinstance(solution, MomentsSolution):
-        raise ParameterError(
-            "solution",
-            solution.report.solver,
-            "a solution of the moments solver",
-        )
+    solution = moments_solution(solution, "a renderer of a solution")
     if (stokes or scene.camera.polariser is not None) and not solution.polarised:
         field = "stokes" if stokes else "camera.polariser"
         value = True if stokes else scene.camera.polariser

@@ -19,6 +19,7 @@ from airlight import solver
 from airlight.errors import ConvergenceError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import values_in
+from airlight.planets.clouds import check_clear
 from airlight.planets.medium import Medium
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
@@ -76,7 +77,13 @@ def solve_planet(
     around : (float, float, float), optional
         Latitude and longitude [deg] and altitude [m] of an observer, with whose local ground the
         planet is solved, see ``airlight.local_ground``; by default with its mean.
+
+    Raises
+    ------
+    ConflictError
+        If the planet has three-dimensional clouds.
     """
+    check_clear(planet)
     if wavelengths is None:
         chosen = picture_wavelengths if device is None else texel_wavelengths
         wavelengths = chosen(planet)

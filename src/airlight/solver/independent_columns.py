@@ -28,7 +28,7 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
-class Column:
+class SolvedColumn:
     """Solution of a part of the planet.
 
     Attributes
@@ -52,7 +52,7 @@ class IndependentColumns(Solution):
 
     Parameters
     ----------
-    columns : sequence of Column
+    columns : sequence of SolvedColumn
         Solutions of one shell at the same wavelengths under the same light.
 
     Raises
@@ -61,7 +61,7 @@ class IndependentColumns(Solution):
         If the fractions are not in 0 to 1 or their sum is not 1, or the shells differ.
     """
 
-    def __init__(self, columns: Sequence[Column]) -> None:
+    def __init__(self, columns: Sequence[SolvedColumn]) -> None:
         fractions = [one.fraction for one in columns]
         if min(fractions, default=-1.0) < 0.0 or abs(sum(fractions) - 1.0) > _ROUNDING:
             raise ParameterError("fractions", fractions, "numbers from 0, whose sum is 1")
@@ -91,7 +91,7 @@ class IndependentColumns(Solution):
         """Solution under another light source; see ``Solution``."""
         other = super().with_light(source, secondary=secondary)
         other.columns = tuple(
-            Column(one.fraction, one.solution.with_light(source, secondary=secondary))
+            SolvedColumn(one.fraction, one.solution.with_light(source, secondary=secondary))
             for one in self.columns
         )
         return other

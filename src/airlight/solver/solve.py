@@ -192,7 +192,7 @@ def _solve_columns(
 ) -> Solution:
     """Mean of the solutions of the columns of a planet with clouds."""
     from airlight.clouds.columns import planet_columns
-    from airlight.solver.independent_columns import Column, IndependentColumns
+    from airlight.solver.independent_columns import IndependentColumns, SolvedColumn
 
     parts = planet_columns(planet)
 
@@ -204,7 +204,7 @@ def _solve_columns(
         )
 
     return IndependentColumns(
-        [Column(one.fraction, solved(one.planet, share(k))) for k, one in enumerate(parts)]
+        [SolvedColumn(one.fraction, solved(one.planet, share(k))) for k, one in enumerate(parts)]
     )
 
 

@@ -1,8 +1,9 @@
-"""The suite ``clouds``: three-dimensional clouds against the consensus of I3RC."""
+"""The suite ``clouds``: three-dimensional clouds against I3RC and Mitsuba."""
 
 from __future__ import annotations
 
 from airlight.validation.boxes import box_consensus
+from airlight.validation.finite_cloud_light import PIXEL_ERROR, finite_cloud_light
 from airlight.validation.monte_carlo_consensus import (
     COLUMN_ERROR,
     MEAN_ERROR,
@@ -12,7 +13,7 @@ from airlight.validation.suite import Suite, SuiteRun
 
 
 def clouds(run: SuiteRun) -> Suite:
-    """Comparison of the light of cloud fields with the consensus of I3RC, phase I.
+    """Comparison of the light of cloud fields with the consensus of I3RC and with Mitsuba.
 
     Parameters
     ----------
@@ -20,22 +21,25 @@ def clouds(run: SuiteRun) -> Suite:
     """
     of_boxes, boxes = box_consensus(run)
     of_histories, histories = monte_carlo_consensus(run)
-    thresholds = [*of_boxes, *of_histories]
+    of_finite, finite = finite_cloud_light(run)
+    thresholds = [*of_boxes, *of_histories, *of_finite]
     met = sum(threshold.passed for threshold in thresholds)
     return Suite(
         summary=(
             "A step cloud and a field from a cloud radar, periodic and infinite in one direction, "
             "as in the Intercomparison of 3D Radiation Codes, whose consensus is the mean of many "
-            f"Monte Carlo and discrete-ordinate codes: {met} of {len(thresholds)} thresholds are "
-            "met. Light is unpolarised; there are no gases."
+            "Monte Carlo and discrete-ordinate codes; and a finite cloud over a plane by "
+            f"Mitsuba 3: {met} of {len(thresholds)} thresholds are met. Light is "
+            "unpolarised; there are no gases."
         ),
         thresholds=thresholds,
-        parts=[boxes, histories],
+        parts=[boxes, histories, finite],
         settings=[
             "I3RC phase I, cases 1 and 2, all experiments with published results",
             (
                 "Monte Carlo: radius of the planet times 1000, point star, seed 1, standard error "
-                f"{100 * MEAN_ERROR:g} % of means, {100 * COLUMN_ERROR:g} % of columns"
+                f"{100 * MEAN_ERROR:g} % of means, {100 * COLUMN_ERROR:g} % of columns, "
+                f"{100 * PIXEL_ERROR:g} % of pixels"
             ),
         ],
     )

@@ -38,7 +38,7 @@ _CELLS: Final = (12, 12, 6)
 _DENSEST: Final = 0.06
 
 
-class View(NamedTuple):
+class CloudView(NamedTuple):
     """Orthographic view of the centre of the cloud.
 
     Attributes
@@ -82,10 +82,10 @@ class View(NamedTuple):
 _LOW: Final = float(np.sqrt(0.75))
 #: Views from above, from both sides at 60°, and from below.
 VIEWS: Final = (
-    View("nadir", (0.0, 0.0, -1.0)),
-    View("towards the sun", (_LOW, 0.0, -0.5)),
-    View("from the sun", (-_LOW, 0.0, -0.5)),
-    View("zenith", (0.0, 0.0, 1.0)),
+    CloudView("nadir", (0.0, 0.0, -1.0)),
+    CloudView("towards the sun", (_LOW, 0.0, -0.5)),
+    CloudView("from the sun", (-_LOW, 0.0, -0.5)),
+    CloudView("zenith", (0.0, 0.0, 1.0)),
 )
 
 
@@ -116,7 +116,7 @@ def reference() -> tuple[FloatArray, FloatArray]:
     Returns
     -------
     radiance, error : array, shape (views, PIXELS, PIXELS)
-        Means over pixels, in the order of ``View.points``.
+        Means over pixels, in the order of ``CloudView.points``.
     """
     table = packaged_table(FILE)
     radiance, error = table[:, 3:5].T.reshape(2, len(VIEWS), PIXELS, PIXELS)

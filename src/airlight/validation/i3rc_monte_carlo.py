@@ -33,7 +33,7 @@ _RADIUS: Final = 6360e3 * VAST
 _THICKNESS: Final = 5e3
 
 
-class Result(NamedTuple):
+class FieldResult(NamedTuple):
     """Quantity of I3RC with its standard error.
 
     Attributes
@@ -80,7 +80,7 @@ def cloudy_experiment(
     return CloudyAir(solution, [CloudLayer(experiment.field, experiment.optics)])
 
 
-def result(cloud: CloudyAir, experiment: Experiment, quantity: str, areas: Areas) -> Result:
+def result(cloud: CloudyAir, experiment: Experiment, quantity: str, areas: Areas) -> FieldResult:
     """Quantity of an experiment over areas.
 
     Parameters
@@ -108,7 +108,7 @@ def result(cloud: CloudyAir, experiment: Experiment, quantity: str, areas: Areas
             direct = cloud.direct_over(
                 areas, altitude=altitude, sun_zenith=zenith, sun_azimuth=azimuth
             )[:, 0]
-    return Result(
+    return FieldResult(
         scale * (found.total[:, 0] + direct),
         scale * found.total_error[:, 0],
         int(found.histories.sum()),

@@ -115,7 +115,7 @@ def test_cancelled(earth: MomentsSolution) -> None:
 
 
 def test_a_planet_of_another_solver_is_refused(earth: MomentsSolution) -> None:
-    with pytest.raises(ParameterError, match="a moments solution"):
+    with pytest.raises(ParameterError, match="of the moments solver"):
         AerialPerspective.fill("earth", Scene())  # type: ignore[arg-type]
 
 

@@ -28,7 +28,7 @@ from airlight.physics.units import Measure, quantity, values_in
 from airlight.render.pixels.view_uniforms import view_uniforms
 from airlight.scene import Scene
 from airlight.solver.lines_of_sight import enter_shell
-from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution, moments_solution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -126,8 +126,7 @@ class AerialPerspective:
         sky_size : (int, int)
             Number of azimuths and of rows per hemisphere of the sky tables.
         """
-        if not isinstance(solution, MomentsSolution):
-            raise ParameterError("solution", type(solution).__name__, "a moments solution")
+        solution = moments_solution(solution, "aerial perspective")
         nearest = quantity(nearest, "m", "nearest", bare=True)
         farthest = quantity(farthest, "m", "farthest", bare=True)
         check_request(

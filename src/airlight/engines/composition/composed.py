@@ -29,7 +29,7 @@ from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solver import Solution
-from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution, moments_solution
 from airlight.solver.solve import solution_of
 
 FloatArray = NDArray[np.float64]
@@ -165,8 +165,7 @@ def compose(
     if white is not None and not 0.0 < white < np.inf:
         raise ParameterError("white", white, "above 0")
     solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
-    if not isinstance(solution, MomentsSolution):
-        raise ParameterError("solution", type(solution).__name__, "a moments solution")
+    solution = moments_solution(solution, "compose")
     view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
         _LightRenderer(seen, lit, view, exact, disc)

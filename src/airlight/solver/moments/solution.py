@@ -10,6 +10,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ParameterError
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.image.upsampling import reflectance_basis
 from airlight.kernel import compiled_loop
@@ -17,6 +18,7 @@ from airlight.kernel.lanes import LANES, lane_view, load
 from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.physics.optics.reflection import cos_reflected
+from airlight.planets.clouds import check_clear
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.solver.lines_of_sight import LinesOfSight
@@ -61,6 +63,24 @@ def _face(source: LightSource) -> Float32Array:
     if source.face is None:
         return pack(np.ones((1, 1, count)))
     return pack(source.face @ reflectance_basis(source.wavelengths).T)
+
+
+def moments_solution(given: Solution, consumer: str) -> MomentsSolution:
+    """The same solution, for a consumer that reads its moments.
+
+    Raises
+    ------
+    ConflictError
+        If its planet has three-dimensional clouds: it is a mean of independent columns.
+    ParameterError
+        If it is of another solver.
+    """
+    if isinstance(given, MomentsSolution):
+        return given
+    if isinstance(given, Solution) and given.planet is not None:
+        check_clear(given.planet, consumer)
+    name = given.report.solver if isinstance(given, Solution) else type(given).__name__
+    raise ParameterError("solution", name, "a solution of the moments solver")
 
 
 class MomentsSolution(Solution):

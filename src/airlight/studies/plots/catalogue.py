@@ -108,10 +108,14 @@ def _given(choices: Choices, *names: str) -> dict[str, Any]:
     return {name: value for name, value in pairs.items() if value is not None}
 
 
-def _of_planet(function: str) -> Draw:
-    """Figure of a planet alone, by the module and name of a function."""
+def _of_planet(function: str, *, air: bool = True) -> Draw:
+    """Figure of a planet alone, by the module and name of a function; whether it shows the air."""
 
     def draw(planet: Planet, choices: Choices, work: Work) -> Figure:
+        if air:
+            from airlight.planets.clouds import check_clear
+
+            check_clear(planet, "this figure")
         chosen = _given(choices, "wavelengths", "altitude")
         figure: Figure = resolve_name(f"airlight.studies.plots.{function}")(planet, **chosen)
         return figure
@@ -151,7 +155,7 @@ KINDS: Final[dict[str, PlotKind]] = {
     "solar-spectrum": PlotKind(
         "The star's spectrum at the planet, the visible band in its colours.",
         ("wavelengths",),
-        _of_planet("solar_spectrum:solar_spectrum"),
+        _of_planet("solar_spectrum:solar_spectrum", air=False),
     ),
     "spectral-to-rgb": PlotKind(
         "RGB of pure wavelengths with the normalisations none, sum and peak.",
@@ -191,7 +195,7 @@ KINDS: Final[dict[str, PlotKind]] = {
     "mapping-regions": PlotKind(
         "Regions U, L and S of the weighted power mapping, on the ground and aloft.",
         ("altitude",),
-        _of_planet("mapping_regions:mapping_regions"),
+        _of_planet("mapping_regions:mapping_regions", air=False),
     ),
     "mapping-comparison": PlotKind(
         "The scattering table on the linear and on the weighted power mapping.",

@@ -34,7 +34,7 @@ from airlight.scene.light_position import LightPosition
 from airlight.scene.surface_map import surface_map
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.moments.radiance_parts import radiance_parts
-from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution, moments_solution
 from airlight.solver.stokes_frame import to_meridian
 from airlight.solver.tables.columns import columns
 from airlight.viewer.painting.ground_radiance import ground_radiance, probed_clouds
@@ -169,8 +169,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     -----
     The position of the ground point neglects refraction, up to half a degree on Earth.
     """
-    if not isinstance(solution, MomentsSolution):
-        raise ParameterError("solution", type(solution).__name__, "a moments solution")
+    solution = moments_solution(solution, "a probe")
     medium = solution.medium
     zenith, azimuth = zenith_azimuth(direction)
     pictures = scenes_by_light(scene, solution)

@@ -40,7 +40,7 @@ from airlight.render.pixels.view_uniforms import (
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.metering import unfiltered, white_luminance
-from airlight.solver.moments.solution import MomentsSolution
+from airlight.solver.moments.solution import MomentsSolution, moments_solution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -111,8 +111,7 @@ class GpuRenderer:
         maps : bool
             Whether ground maps are used; they take up to 270 MB of GPU memory.
         """
-        if not isinstance(solution, MomentsSolution):
-            raise ParameterError("solution", type(solution), "a solution of the moments solver")
+        solution = moments_solution(solution, "a picture by a GPU")
         nm = solution.wavelengths
         check_capacity(nm.size)
         self._given = weights

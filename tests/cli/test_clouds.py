@@ -1,0 +1,143 @@
+"""What each command does with three-dimensional clouds: it computes their light, or refuses."""
+
+from __future__ import annotations
+
+import csv
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from airlight.cli import main
+from airlight.errors import ConflictError
+from airlight.planets import load_planet
+from airlight.render.solve_planet import solve_planet
+from airlight.solver.independent_columns import IndependentColumns
+from airlight.solver.moments.solution import moments_solution
+
+QUICK = ["--quality", "preview", "--no-cache"]
+REFUSED = "clouds cannot be used by"
+COVERED = ["earth-atmosphere-plus", "--clouds", "stratocumulus"]
+
+
+@pytest.fixture
+def cloudy(tmp_path: Path) -> str:
+    """Planet file with a broken layer of clouds."""
+    file = tmp_path / "cloudy.toml"
+    preset = files("airlight.planets").joinpath("presets/earth-atmosphere-plus.toml")
+    text = preset.read_text(encoding="utf-8")
+    file.write_text(f'{text}\n[[clouds]]\nkind = "stratocumulus"\ncover = 0.5\n', encoding="utf-8")
+    return str(file)
+
+
+def refusal(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    """The only line of an error."""
+    assert main(list(words)) == 2
+    line = capsys.readouterr().err.strip()
+    assert line.count("\n") == 0
+    return line
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["bake", *COVERED, "--layout", "bruneton", "-o", "tables"],
+        ["bake", *COVERED, "--layout", "celestia", "-o", "celestia"],
+        ["aerial", *COVERED, *QUICK, "-o", "air"],
+        ["export-page", *COVERED, *QUICK, "-o", "page.html"],
+        ["show", *COVERED],
+        ["plot", *COVERED, "density", "-o", "density.png"],
+        ["plot", *COVERED, "phase", "-o", "phases.png"],
+        ["plot", *COVERED, "optical-depth", "-o", "depth.png"],
+    ],
+    ids=lambda words: " ".join((words[0], *words[4:6])),
+)
+def test_commands_without_clouds_refuse_them_in_one_line(
+    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    if words[0] == "plot":
+        pytest.importorskip("matplotlib")
+        words = ["plot", words[1], words[4], *words[2:4], *words[5:]]
+    assert REFUSED in refusal(capsys, *words)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_film_of_a_cloudy_planet_is_refused(
+    cloudy: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = str(tmp_path / "frames")
+    words = ["animate", cloudy, "--frames", "2", "--key", "view.sun_zenith=10deg,20deg", "--size",
+             "32x18", "--quality", "preview", "--workers", "1", "-o", folder]  # fmt: skip
+    assert main(words) == 2
+    assert REFUSED in capsys.readouterr().err
+
+
+def radiance_of(capsys: pytest.CaptureFixture[str], *words: str) -> float:
+    """Radiance of the zenith under the sun at 40°. [W m⁻² sr⁻¹ nm⁻¹]"""
+    view = ["--sun-zenith", "40", "--view-zenith", "0", "--wavelengths", "550"]
+    assert main(["radiance", "earth-atmosphere-plus", *words, *view, *QUICK]) == 0
+    return float(capsys.readouterr().out.split()[2])
+
+
+@pytest.mark.slow
+def test_radiances_are_the_means_of_independent_columns(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    cover = ["--clouds", "stratocumulus", "--set"]
+    clear, half, full = (
+        radiance_of(capsys, *words)
+        for words in ([], [*cover, "clouds.cover=0.5"], [*cover, "clouds.cover=1"])
+    )
+    assert half == pytest.approx(0.5 * (clear + full), rel=1e-5)
+    assert full > 3.0 * clear
+
+
+@pytest.mark.slow
+def test_a_sweep_and_a_spectrum_have_clouds(cloudy: str, tmp_path: Path) -> None:
+    store = tmp_path / "sweep.zarr"
+    axes = ["--sun-zenith", "40", "--view-zenith", "0", "--azimuth", "0", "--wavelengths", "550"]
+    words = ["sweep", cloudy, "--vary", "clouds.optical_depth=1,20", *axes]
+    assert main([*words, "--quality", "preview", "--workers", "1", "-o", str(store)]) == 0
+    with xarray.open_zarr(store) as data:
+        values = np.ravel(data["radiance"].values)
+    assert values.size == 2
+    assert abs(values[1] / values[0] - 1.0) > 0.05
+    albedos: list[float] = []
+    for number, planet in enumerate((cloudy, "earth-atmosphere-plus")):
+        table = tmp_path / f"albedo-{number}.csv"
+        of = ["--of", "geometric-albedo", "--wavelengths", "550"]
+        assert main(["spectrum", planet, *of, *QUICK, "-o", str(table)]) == 0
+        with table.open(newline="") as stream:
+            albedos.append(float(list(csv.reader(stream))[-1][1]))
+    assert albedos[0] > 1.3 * albedos[1]
+
+
+def test_a_fit_refuses_clouds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "sky.csv"
+    header = "altitude_m,wavelength_nm,sun_zenith_deg,view_zenith_deg,azimuth_deg,radiance"
+    file.write_text(f"{header}\n0,550,40,10,60,0.05\n0,550,40,60,60,0.06\n", encoding="utf-8")
+    words = ["fit", *COVERED[:1], "--data", str(file), "--free", "aerosol.optical_depth"]
+    clouds = ["--set", 'clouds=[{ kind = "stratocumulus" }]']
+    output = ["--uncertainty", "1%", "-o", str(tmp_path / "fitted.toml")]
+    assert REFUSED in refusal(capsys, *words, *clouds, *output, *QUICK)
+
+
+def test_a_solution_with_clouds_is_refused_by_who_reads_moments() -> None:
+    planet = load_planet("earth-atmosphere-plus", {"clouds": [{"kind": "stratocumulus"}]})
+    with pytest.raises(ConflictError, match=REFUSED):
+        solve_planet(planet, [550.0], "preview")
+    solved = StandIn()
+    solved.planet = planet
+    with pytest.raises(ConflictError, match="cannot be used by compose"):
+        moments_solution(solved, "compose")
+
+
+class StandIn(IndependentColumns):
+    """Mean of columns that are not solved."""
+
+    def __init__(self) -> None:
+        """No columns."""
