@@ -79,12 +79,14 @@ def _every(vectors, norms, out):
         fill_harmonics(vectors[k, 0], vectors[k, 1], vectors[k, 2], norms, out[k])
 
 
-def test_weights_of_solved_wavelengths_are_exact_for_grey_scattering():
+@pytest.mark.parametrize("beam_power", [0.0, 4.0])  # 4: the same spectrum as the sky's
+def test_weights_of_solved_wavelengths_are_exact_for_grey_scattering(beam_power):
     nm = np.linspace(400.0, 700.0, 16)
-    chosen, incident = solved_wavelengths(16), (550.0 / nm) ** 4
-    weights = box_spectrum(nm, chosen, incident)
-    np.testing.assert_allclose(0.3 * incident[chosen] @ weights, 0.3 * incident, rtol=1e-12)
-    assert np.all(weights >= 0.0)
+    chosen, beam, sky = solved_wavelengths(16), (nm / 550.0) ** beam_power, (550.0 / nm) ** -4
+    light = 0.3 * beam + (0.2 + 1e-3 * nm) * sky
+    weights = box_spectrum(nm, chosen, beam, sky)
+    np.testing.assert_allclose(light[chosen] @ weights[: chosen.size], light, rtol=1e-6)
+    assert np.abs(weights).max() < 3.0
 
 
 def test_coarse_field_keeps_the_mean(monkeypatch):

@@ -42,6 +42,8 @@ _LEVELS: Final = 6
 _DEGREE: Final = 8
 #: Distance of the first and the last solved wavelength from the ends, over the number of all. [1]
 _INSET: Final = 0.08
+#: Singular value over the largest below which spectra of beam and sky count as alike. [1]
+_ALIKE: Final = 1e-6
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -172,9 +174,7 @@ def solve_clouds(
     depth, base_depth = beam_depths(
         field, towards, medium.bottom_radius, progress=progress, cancel=cancel
     )
-    incident = beam * max(towards[2], 0.0) + sky
-    incident = np.maximum(incident, 1e-6 * incident.max() + 1e-30)
-    spectrum = box_spectrum(nm, chosen, incident)
+    spectrum = box_spectrum(nm, chosen, beam, sky)
     return CloudLight(
         field=field,
         optics=optics_at(nm),
@@ -208,12 +208,14 @@ def coarse_field(field: CloudField) -> CloudField:
 
 
 def box_spectrum(
-    wavelengths: FloatArray, chosen: NDArray[np.int64], incident: FloatArray
+    wavelengths: FloatArray, chosen: NDArray[np.int64], beam: FloatArray, sky: FloatArray
 ) -> FloatArray:
-    """Weights that give the light at all wavelengths from that at the solved ones.
+    r"""Weights that give the light at all wavelengths from that at the solved ones.
 
-    Light in clouds, which scatter all colours alike, over the incident light is smooth: it is
-    linear in wavelength.
+    Clouds scatter all colours alike, so that their light is a mixture of that of the beam and of
+    the sky, each with a factor linear in wavelength:
+
+    .. math:: L = (a + b\lambda) E_\odot + (c + d\lambda) E_s
 
     Parameters
     ----------
@@ -221,8 +223,8 @@ def box_spectrum(
         Wavelengths. [nm]
     chosen : array of int, shape (solved,)
         Indices of the solved wavelengths.
-    incident : array, shape (nl,)
-        Spectrum of the light that falls on the clouds, more than 0. [1]
+    beam, sky : array, shape (nl,)
+        Spectra of the light that falls on the clouds. [1]
 
     Returns
     -------
@@ -231,16 +233,17 @@ def box_spectrum(
 
     Examples
     --------
-    >>> nm, incident = np.array([400.0, 500.0, 600.0]), np.array([1.0, 2.0, 4.0])
-    >>> box_spectrum(nm, np.array([0, 2]), incident)[:2]
-    array([[1.  , 1.  , 0.  ],
-           [0.  , 0.25, 1.  ]])
+    >>> nm, beam = np.linspace(400.0, 700.0, 7), np.linspace(1.0, 2.0, 7)
+    >>> sky, chosen = (500.0 / nm) ** 4, np.array([0, 2, 4, 6])
+    >>> mixed = 0.3 * beam + (0.2 + 1e-3 * nm) * sky
+    >>> bool(np.allclose(mixed[chosen] @ box_spectrum(nm, chosen, beam, sky), mixed))
+    True
     """
-    order = np.argsort(wavelengths[chosen])
-    nodes, unit = wavelengths[chosen][order], np.eye(chosen.size)[order]
+    slope = (wavelengths - wavelengths.mean()) / max(np.ptp(wavelengths), 1.0)
+    spectra = [one / max(one.max(), 1e-30) for one in (beam, sky)]
+    basis = np.stack([one * factor for one in spectra for factor in (1.0, slope)], axis=1)
     weights = np.zeros((SOLVED, wavelengths.size))
-    for k in range(chosen.size):
-        weights[k] = np.interp(wavelengths, nodes, unit[:, k]) * incident / incident[chosen[k]]
+    weights[: chosen.size] = (basis @ np.linalg.pinv(basis[chosen], rcond=_ALIKE)).T
     return weights
 
 

@@ -28,9 +28,6 @@ Float32Array = NDArray[np.float32]
 _PHASES: Final = 40001
 _ALTITUDES: Final = 4
 _ANGLES: Final = 256
-#: Largest moment of degree 0, over the irradiance of the beam; below a cloud's top that is lit from
-#: the zenith it is 0.9. [1]
-BRIGHTEST: Final = 1.5
 
 
 def cloud_tables(
@@ -58,7 +55,7 @@ def cloud_tables(
     radius = solution.medium.bottom_radius
     base, top, eye = radius + field.base, radius + field.top, radius + scene.altitude
     east, north, up = field_axes(field, scene)
-    moments = bounded(box.moments[:, :, box.below :])
+    moments = box.moments[:, :, box.below :]
     per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
     single_orders = observer.orders == 1
     factor = 0.0 if single_orders else 1.0
@@ -112,17 +109,6 @@ def cloud_tables(
             progress=progress, cancel=cancel,
         ),
     )  # fmt: skip
-
-
-def bounded(moments: Float32Array) -> Float32Array:
-    """Moments of the diffuse radiance, whose degree 0 is limited to ``BRIGHTEST``.
-
-    Thick cells that the solver has not resolved may oscillate; below zero they are dark.
-    """
-    first = moments[..., :1, :]
-    held = np.clip(first, 0.0, BRIGHTEST)
-    share = np.where(np.abs(first) > 1e-30, held / np.where(first == 0.0, 1.0, first), 0.0)
-    return np.asarray(moments * np.clip(share, 0.0, 1.0), np.float32)
 
 
 def _scaled(light: CloudLight) -> FloatArray:

@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled, ConvergenceError
+from airlight.errors import Cancelled, ConvergenceError, warn
 from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import centred, mean_beam_row
@@ -47,7 +47,9 @@ Float32Array = NDArray[np.float32]
 _FACTORS: Final = (np.float32(0.3), np.float32(3.0))
 #: Numbers of a level up to which another thread costs more time than it saves.
 _FEW: Final = 200_000
-#: Change after the last sweep, over the tolerance, above which a solution is refused. [1]
+#: Change after the last sweep above which a solution is refused [1], and over the tolerance, above
+#: which there is a warning.
+_REJECTED: Final = 0.1
 _UNCONVERGED: Final = 10.0
 #: Sweeps after which a growing change damps acceleration, by a factor, down to the least.
 _SETTLED: Final = 3
@@ -364,6 +366,11 @@ class BoxIteration:
         Raises
         ------
         ConvergenceError
+            If it still changes by more than 10 %.
+
+        Warns
+        -----
+        AirlightWarning
             If it still changes by more than ten times the tolerance.
         """
         self.guess()
@@ -379,10 +386,13 @@ class BoxIteration:
             if sweeps > _SETTLED and change.max() > earlier.max():  # in optically thick cells
                 self.relaxation = max(_DAMPING * self.relaxation, _LEAST_RELAXATION)
         if not change.max() <= _UNCONVERGED * self.settings.tolerance:
-            raise ConvergenceError(
+            message = (
                 f"the light of clouds still changes by {100.0 * change.max():.2g} % after {sweeps} "
                 f"sweeps; cells have optical depths up to {self._thickest():.3g}"
             )
+            if not change.max() <= _REJECTED:
+                raise ConvergenceError(message)
+            warn(message)
         return self._levels(change, sweeps)
 
     def _thickest(self) -> float:
