@@ -44,6 +44,7 @@ from airlight.physics.optics import (
     moon_phase,
     phase_functions,
     reflection,
+    rpv,
     water,
 )
 from airlight.physics.optics.reflection import LAWS, Reflection
@@ -329,6 +330,11 @@ GROUND = [
         *(uniform(0.0, 1.0, k) for k in range(47, 50)),
         clouds.GroundFactors(*(uniform(0.0, 1.0, k) for k in range(50, 55))),
     ), atol=8 * EPS),
+    # Roots, and 1 - 2Θν + Θ², at least 0.8.
+    Case(rpv.land_direct, (uniform(-0.1, 1.0, 61), uniform(0.0, 1.0, 62), uniform(-1.0, 1.0, 63)),
+         rtol=16 * EPS),
+    Case(rpv.land_diffuse, (uniform(0.0, 1.0, 64),)),
+    Case(rpv.unsaturated, (uniform(0.0, 3.0, 65), UNIT), atol=8 * EPS),
 ]  # fmt: skip
 
 #: Cosines of a star and of an observer over water, the angle between both planes, and the wind.

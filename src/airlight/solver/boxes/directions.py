@@ -51,7 +51,7 @@ def harmonics(directions: FloatArray, degree: int) -> FloatArray:
     --------
     >>> up = harmonics(np.array([0.0, 0.0, 1.0]), 1)
     >>> np.round(up * np.sqrt(4.0 * np.pi), 12).tolist()  # 1, and √3 cos θ
-    [1.0, 0.0, 1.7320508075689, 0.0]
+    [1.0, 0.0, 1.732050807569, 0.0]
     """
     x, y, z = np.moveaxis(np.asarray(directions, np.float64), -1, 0)
     out = np.empty((*x.shape, term_count(degree)))
