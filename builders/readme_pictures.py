@@ -32,6 +32,8 @@ PICTURES = {
     "stockholm": "earth --at 59.33N,18.07E --time 2026-06-21T22:10+02:00 --look-at sun "
     "--size 960x540",
     "gale": "mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun --fov 50 --size 960x540",
+    "cumulus": "earth --clouds cumulus --altitude 2m --sun-zenith 60 --size 960x540",
+    "cumulus-evening": "earth --clouds cumulus --altitude 2m --sun-zenith 85 --size 960x540",
     "sunset-straight": f"earth {_LOW_SUN} --set refraction=none",
     "sunset-bent": f"earth {_LOW_SUN}",
 }
