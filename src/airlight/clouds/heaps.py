@@ -60,7 +60,7 @@ class Heaps(NamedTuple):
 
 @kernel
 def roughness(x, y, z):
-    """Rounded bumps between sharp creases, three octaves of |gradient noise|, mean about 0. [1]"""
+    """Rounded bumps between sharp creases, three octaves of folded noise, mean about 0. [1]"""
     total, share, scale = 0.0, 1.0, 1.0
     for _octave in range(3):
         total += share * (abs(gradient_noise(x * scale, y * scale, z * scale)) - 0.11)

@@ -1,7 +1,10 @@
-"""Directions of light in a box, by octant, and real spherical harmonics about the vertical.
+r"""Directions of light in a box, by octant, and real spherical harmonics about the vertical.
 
-Y_lm = K_lm P_l^|m|(cos θ) times cos mφ for m ≥ 0 and sin |m|φ for m < 0, orthonormal on the sphere,
-without the Condon-Shortley sign; z is up, x east and y north. (l, m) has index l² + l + m.
+.. math:: Y_{lm} = K_{lm} P_l^{|m|}(\cos\theta) \times \begin{cases} \cos m\varphi & m \ge 0 \\
+          \sin |m|\varphi & m < 0 \end{cases}
+
+is orthonormal on the sphere, without the Condon-Shortley sign; z is up, x east and y north. (l, m)
+has index l² + l + m.
 """
 
 from __future__ import annotations

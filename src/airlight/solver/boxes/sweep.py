@@ -77,7 +77,7 @@ class SweepDirections(NamedTuple):
     Attributes
     ----------
     slopes : array, shape (2, 4, pairs, 3, 8)
-        Twice |μ_x| and |μ_y| over the cell's widths, and twice |μ_z|. [m⁻¹], [1]
+        Twice the magnitudes of μ_x and μ_y over the cell's widths, and of μ_z. [m⁻¹], [1]
     functions, weighted : array, shape (2, 4, pairs, terms, 8)
         Harmonics, and harmonics times solid angle. [1], [sr]
     crossing : array, shape (2, 4, pairs, 3, 8)
