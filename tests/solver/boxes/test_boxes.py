@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
-from airlight.errors import Cancelled, ConvergenceError, CostError, ParameterError
+from airlight.errors import AirlightWarning, Cancelled, ConvergenceError, CostError, ParameterError
 from airlight.kernel import memory
 from airlight.planets.matter.phases.formulas import HenyeyGreenstein, Rayleigh
 from airlight.solver.boxes.light import BoxAir, BoxLight
@@ -124,6 +124,12 @@ def test_optically_thick_cells_beside_clear_ones_converge(beyond):
 
 def test_cells_that_are_far_too_coarse_are_refused():
     with pytest.raises(ConvergenceError, match="optical depths"):
+        solve_box(_slab(1000.0, 16), _optics(), _light(60.0), quality="preview", cache=False)
+
+
+def test_light_that_converges_slowly_is_warned_of(monkeypatch):
+    monkeypatch.setattr("airlight.solver.boxes.iterate._REJECTED", 1.0)
+    with pytest.warns(AirlightWarning, match="still changes"):
         solve_box(_slab(1000.0, 16), _optics(), _light(60.0), quality="preview", cache=False)
 
 

@@ -49,7 +49,7 @@ _FACTORS: Final = (np.float32(0.3), np.float32(3.0))
 _FEW: Final = 200_000
 #: Change after the last sweep above which a solution is refused [1], and over the tolerance, above
 #: which there is a warning.
-_REJECTED: Final = 0.1
+_REJECTED: Final = 0.08
 _UNCONVERGED: Final = 10.0
 #: Sweeps after which a growing change damps acceleration, by a factor, down to the least.
 _SETTLED: Final = 3
@@ -366,7 +366,7 @@ class BoxIteration:
         Raises
         ------
         ConvergenceError
-            If it still changes by more than 10 %.
+            If it still changes by more than 8 %.
 
         Warns
         -----
