@@ -1,4 +1,4 @@
-r"""Light scattered once at a large angle, or never, and any number of times by the forward peak.
+r"""Correction of first-order scattering for multiple scattering by the delta-M forward peak.
 
 Delta-M scaling transmits the fraction f of scattering as if it were not scattered. In first order
 it is seen under the angles of the phase function p, attenuated by the scaled optical depth (TMS).
