@@ -27,8 +27,6 @@ def air():
 def optics(nm):
     return CloudOptics.of_particles(droplets(10e-6, 0.1), nm)
 
-    """Even layer of an optical depth; ``sky`` periods of it in a row."""
-
 
 def layer(depth):
     """Even layer of an optical depth."""
@@ -85,6 +83,7 @@ constant_term = 1 }, {}] }
         (2.0, 0.0, 0.06),
         (2.0, 60.0, 0.04),
         (2.0, 80.0, 0.11),
+        (500.0, 180.0, 0.06),  # the ground below the layer
         (1e4, 180.0, 0.06),
         (1e4, 120.0, 0.06),
     ],
