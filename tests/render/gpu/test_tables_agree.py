@@ -421,7 +421,8 @@ WHOLE = {
         "sky_view_texel", "line_of_texel",
     ),
     "test_gpu_renderer.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
-        "star_disc", "seen_disc", "disc_light", "leaving_air", "_point_like", "_step", "darkened", "whole_powers",
+        "star_disc", "seen_disc", "disc_light", "leaving_air", "_point_like", "_step", "darkened",
+        "whole_powers",
     ),
     "test_lights.py::test_several_lights_are_shown_as_by_the_cpu": ("added_texel",),
     "test_gpu_renderer.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
