@@ -188,11 +188,15 @@ class CpuRenderer:
         frame, work = self._frame(view), new_workspace(self._tables)
         if self._clouds is not None:
             from airlight.render.clouds.cloud_tables import new_cloud_work
-            from airlight.render.clouds.cloudy_pixel import march_cloudy, render_cloudy
+            from airlight.render.clouds.cloudy_pixel import (
+                CloudyWorkspace,
+                march_cloudy,
+                render_cloudy,
+            )
 
             cloudy = march_cloudy if self.window is None else render_cloudy
-            with_clouds = new_cloud_work(self._clouds)
-            cloudy(px, py, frame, self._clouds, work, with_clouds, self._weights, rgb)
+            with_clouds = CloudyWorkspace(work, self._clouds, new_cloud_work(self._clouds))
+            cloudy(px, py, frame, with_clouds, self._weights, rgb)
             return
         pixels = march_pixels if self.window is None else render_pixels
         pixels(px, py, frame, work, self._weights, rgb)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.geometry.vectors import Vec3
 from airlight.render.cpu_renderer import CpuRenderer
-from airlight.render.pixels.eclipsed_pixel import render_eclipsed
+from airlight.render.pixels.eclipsed_pixel import EclipsedWorkspace, render_eclipsed
 from airlight.scene import Scene
 from airlight.solver.eclipsed.eclipsed_march import new_eclipse
 from airlight.solver.eclipsed.solution import EclipsedSolution
@@ -43,8 +43,8 @@ class EclipseRenderer(CpuRenderer):
         super().__init__(eclipsed.solution, scene, exact=True, disc=False)
         self.filled = None  # the sky is not symmetric about the star
         self._shadow = eclipsed.shadow
-        self._turn = tuple(Vec3(*row) for row in (eclipsed.axes @ local.T).tolist())
-        self._colors = eclipsed.solution.lights[0].colors()
+        x, y, z = (Vec3(*row) for row in (eclipsed.axes @ local.T).tolist())
+        self._turn = x, y, z
 
     def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
@@ -52,7 +52,6 @@ class EclipseRenderer(CpuRenderer):
         """See ``CpuRenderer``; Stokes Q and U are not supported."""
         if element is not None:
             raise ParameterError("stokes", True, "False where a moon's shadow is rendered")
-        out = np.empty((px.size, self._tables.lanes), np.float32)
         eclipse = new_eclipse(self._tables, self._shadow)
-        render_eclipsed(px, py, self._turn, self._frame(self._view), eclipse, out)
-        rgb[:] = out[:, : len(self._colors)] @ self._colors
+        work = EclipsedWorkspace(self._turn, eclipse, np.empty((2, self._tables.lanes), np.float32))
+        render_eclipsed(px, py, self._frame(self._view), work, self._weights, rgb)

@@ -35,6 +35,7 @@ from airlight.render.gpu.emit.shader_types import (
     VEC3,
     VEC4,
     Constant,
+    ConstantFunction,
     LocalArray,
     ShaderTable,
     StructValue,
@@ -439,6 +440,34 @@ def test_constants_are_bound_and_their_other_branches_left_out(on_gpu: Run) -> N
         assert_array_equal(on_gpu(switched, X, Constant(which), Constant(False)),
                            np.float32(factor) * np.float32(X))  # fmt: skip
         assert_array_equal(on_gpu(switched, X, which, False), np.float32(factor) * np.float32(X))
+
+
+@kernel
+def tripled(x):
+    return 3.0 * x
+
+
+@kernel
+def increased(x):
+    return x + 1.0
+
+
+@kernel
+def applied(function, x):
+    return function(function(x))
+
+
+def test_a_function_as_an_argument_is_called(on_gpu: Run) -> None:
+    # One function for each argument, which the shader does not pass.
+    emitter = Emitter()
+    made = [emitter.add(applied, ConstantFunction(one), F32) for one in (tripled, increased)]
+    assert made[0].name != made[1].name
+    for one in (tripled, increased):
+        assert_allclose(
+            on_gpu(applied, ConstantFunction(one), X), [applied(one, x) for x in X], rtol=4 * EPS,
+            atol=4 * EPS,
+        )  # fmt: skip
+    assert applied(tripled, 2.0) == 18.0
 
 
 def test_shading_languages_have_a_type_of_vectors() -> None:

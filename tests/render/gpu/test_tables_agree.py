@@ -25,7 +25,7 @@ from airlight.render.gpu.emit.shader_types import ShaderTable
 from airlight.render.gpu.picture.display_shaders import all_shaders
 from airlight.render.gpu.solver import passes as solver_passes
 from airlight.render.gpu.solver import ray_sums
-from airlight.render.pixels import pixel as picture
+from airlight.render.pixels import sky_lookup as picture
 from airlight.solver.moments import first_order, harmonics, ray_optics, source
 from airlight.solver.moments import opaque_culling as block_rays
 from airlight.solver.tables import column_ratios, columns
@@ -399,8 +399,8 @@ def test_a_formula_with_tables_on_the_gpu_is_the_cpu_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_gpu_renderer.py::test_a_marched_picture_has_the_cpu_s_radiance": (
-        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_reflectances",
-        "ground_angles",
+        "pixel_light", "classify_ray", "seen_line", "line_radiance", "ground_along",
+        "ground_radiance", "reflectance", "ground_color", "ground_reflectances", "ground_angles",
         "ground_factor", "look", "line_of_sight",
         "star_on_ground", "unseparated_phases", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
@@ -415,13 +415,14 @@ WHOLE = {
     "test_gpu_renderer.py::test_a_filter_lets_the_same_light_through_as_the_cpu_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",
         "polarised_between", "polarised_ratio_columns",
-        "filter_shares",
+        "filter_shares", "filtered",
     ),
     "test_gpu_renderer.py::test_the_shader_fills_the_table_as_the_cpu_does": (
         "sky_view_texel", "line_of_texel",
     ),
     "test_gpu_renderer.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
-        "star_disc", "leaving_air", "_point_like", "_step", "darkened", "whole_powers",
+        "star_disc", "seen_disc", "disc_light", "leaving_air", "_point_like", "_step", "darkened",
+        "whole_powers",
     ),
     "test_lights.py::test_several_lights_are_shown_as_by_the_cpu": ("added_texel",),
     "test_gpu_renderer.py::test_what_is_drawn_is_exposed_and_tone_mapped": (

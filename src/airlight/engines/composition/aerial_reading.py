@@ -18,7 +18,7 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import exponential, lane_view, maximum, splat
 from airlight.kernel.shader_fields import InTexture
 from airlight.physics.cubic_curves import catmull_rom
-from airlight.render.pixels.pixel import TexelPlace, between_texels, texel_before
+from airlight.render.pixels.sky_lookup import TexelPlace, between_texels, texel_before
 from airlight.render.pixels.sky_view_lut import half_sine_between
 from airlight.render.pixels.star_disc import covered
 

@@ -31,7 +31,7 @@ from airlight.kernel.lanes import (
 from airlight.render.clouds.beam_depth import cell_after, cell_before, cell_value
 from airlight.render.clouds.directions import fill_harmonics
 from airlight.render.clouds.sight_extent import node_distance, node_of_distance
-from airlight.render.pixels.pixel import phase_of
+from airlight.render.pixels.sky_lookup import phase_of
 
 #: Transmittance at which a line ends. [1]
 OPAQUE = 0.005

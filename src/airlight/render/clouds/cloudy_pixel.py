@@ -6,117 +6,89 @@ shadow, and with the diffuse light below them.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, lane_view, load, maximum, splat, store
-from airlight.kernel.without_refcount import without_refcount
-from airlight.physics.optics.clouds import GroundFactors
 from airlight.render.clouds.beam_depth import cell_after, cell_before
 from airlight.render.clouds.cloud_march import add_clouds, beam_depth_at, box_place, line_of_air
+from airlight.render.clouds.cloud_tables import CloudTables, CloudWork
 from airlight.render.clouds.sight_extent import sight_extent
-from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_night, night_light
-from airlight.render.pixels.disc_shading import DiscPlace, darkened, whole_powers
-from airlight.render.pixels.ground import (
-    GROUND_VALUES,
-    ground_factor,
-    ground_reflectances,
-    lamp_light,
+from airlight.render.pixels.ground_angles import ground_angles
+from airlight.render.pixels.pixel import (
+    disc_light,
+    filtered,
+    line_radiance,
+    seen_disc,
+    seen_line,
 )
-from airlight.render.pixels.ground_angles import columns_to_ground, ground_angles
-from airlight.render.pixels.pixel import classify_ray, sky_lookup, sky_view_place
-from airlight.render.pixels.polarising_filter import filter_shares
-from airlight.render.pixels.render_cpu import as_color
-from airlight.render.pixels.samples import sample_place, samples_per_side
+from airlight.render.pixels.render_cpu import each_pixel
+from airlight.render.pixels.sky_lookup import classify_ray, sky_view_place
 from airlight.render.pixels.sky_view_lut import half_sine_between
-from airlight.render.pixels.skyglow import skyglow_color
-from airlight.render.pixels.star_disc import camera_direction, star_disc
 from airlight.solver.moments.irradiance import ground_light
-from airlight.solver.moments.march_tables import FACETS, MIRRORED
-from airlight.solver.moments.source import transmittance_columns
+from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchWorkspace
+
+
+class CloudyWorkspace(NamedTuple):
+    """Clouds, and workspaces of their pixels.
+
+    Attributes
+    ----------
+    air, clouds, front : MarchWorkspace, CloudTables, CloudWork
+        Workspace of a pixel without clouds, clouds, and workspace of their light.
+    """
+
+    air: MarchWorkspace
+    clouds: CloudTables
+    front: CloudWork
 
 
 @inlined
-def cloudy_light(px, py, ray, exact, frame, clouds, work, cloud_work, color, result):
+def cloudy_light(px, py, ray, exact, frame, work, color, result):
     """Spectral radiance of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
-    px, py, ray, exact, frame, work, color, result :
+    px, py, ray, exact, frame, color, result :
         Arguments of ``pixel_light``.
-    clouds, cloud_work : CloudTables, CloudWork
-        Clouds and workspace.
+    work : CloudyWorkspace
+        Clouds and workspaces.
     """
     observer, view, tables = frame.observer, frame.camera, frame.tables
+    air_work, clouds, front = work
     found = classify_ray(ray, observer, tables)
-    through_air, to_ground = found.through_air and view.draws_air, found.to_ground
-    factors = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
-    dark = by_night(ray, found.sine, to_ground, frame)
-    glow, lit = Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0)
     for at in range(0, tables.lanes, LANES):
-        light = lane_view(cloud_work.light, at)
+        light = lane_view(front.light, at)
         light[0], light[1], light[2], light[3] = splat(0.0), splat(1.0), splat(1.0), splat(0.0)
     extent = sight_extent(
-        ray.z, found.sine, to_ground, clouds.eye, clouds.radius, clouds.base, clouds.top
+        ray.z, found.sine, found.to_ground, clouds.eye, clouds.radius, clouds.base, clouds.top
     )
-    if through_air and extent.last > extent.first:
+    if found.through_air and view.draws_air and extent.last > extent.first:
         half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
         place = sky_view_place(ray, found, clouds.window)
-        line_of_air(ray, half_sine, place, extent, clouds, tables, cloud_work)
-        add_clouds(ray, half_sine, extent, clouds, tables, cloud_work)
-    if dark and view.skyglow > 0.0 and through_air:
-        glow = skyglow_color(ray, found.sine, to_ground, frame)
-    if through_air:
-        refraction = sky_lookup(ray, found, exact, frame, work)
-        if to_ground:
-            factors = ground_reflectances(ray, found.sine, refraction, frame, work, color)
-            mu_s, _, _ = ground_angles(ray.x, ray.z, found.sine, refraction, observer, tables)
-            ground_light(mu_s, observer.orders, tables, work)
-            shade_ground(ray, extent.last, observer.orders, clouds, tables, work)
-            if view.overlaid or dark:
-                columns_to_ground(
-                    ray.z, found.sine, observer, tables, work.columns_total, work.columns_so_far
-                )
-    if dark:
-        glow = plus(glow, airglow_color(ray, found.sine, to_ground, frame, work.columns_total))
-        lit = airglow_on_ground(view)
-    whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
-    if view.filter > 0:
-        whole, stokes_q, stokes_u = filter_shares(ray, view)
+        line_of_air(ray, half_sine, place, extent, clouds, tables, front)
+        add_clouds(ray, half_sine, extent, clouds, tables, front)
+    seen = seen_line(ray, found, exact, frame, air_work, color)
+    if seen.through_air and seen.to_ground:
+        mu_s, _, _ = ground_angles(ray.x, ray.z, found.sine, seen.refraction, observer, tables)
+        ground_light(mu_s, observer.orders, tables, air_work)
+        shade_ground(ray, extent.last, observer.orders, clouds, tables, air_work)
     for at in range(0, tables.lanes, LANES):
-        radiance, light = lane_view(work.radiance, at), lane_view(cloud_work.light, at)
-        total = splat(0.0)
-        if through_air:
-            total = maximum(radiance[0] - light[3], 0.0)
-        if to_ground and view.draws_air:
-            factor = ground_factor(color, view, factors, tables, work, at)
-            total = total + radiance[1] * factor
-            if view.overlaid:
-                total = total + lamp_light(color, view, tables, work.columns_total, at)
-        if dark:
-            total = total + night_light(
-                glow, lit, to_ground, color, view, tables, work.columns_total, at
-            )
+        radiance, light = lane_view(air_work.radiance, at), lane_view(front.light, at)
+        air = maximum(radiance[0] - light[3], 0.0)
+        total = line_radiance(air, seen, color, frame, air_work, at)
         total = light[0] + light[1] * total
-        if view.filter > 0:
-            total = total * np.float32(whole)
-            if through_air:
-                total = total + light[1] * radiance[4] * np.float32(stokes_q)
-                total = total + light[1] * radiance[5] * np.float32(stokes_u)
-        store(result, at, total)
-    if view.draws_disc and not to_ground:
-        apart = 2.0 * half_sine_between(ray, observer.seen_x, observer.seen_z)
-        powers, place = whole_powers(0.0), DiscPlace(0.0, 0.0, 0.0)
-        if apart < frame.reach:
-            powers, place = star_disc(px, py, ray, frame, work.columns_total)
+        store(result, at, filtered(total, light[1], seen, view, air_work, at))
+    if view.draws_disc and not seen.to_ground:
+        powers, place = seen_disc(px, py, ray, frame, air_work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
-                transmittance = transmittance_columns(
-                    work.columns_total, lane_view(tables.extinction, at), tables.constituents
-                )
-                disc = darkened(powers, place, tables, at) * lane_view(cloud_work.light, at)[2]
-                store(result, at, load(result, at) + transmittance * disc * np.float32(whole))
+                disc = disc_light(powers, place, seen.whole, tables, air_work.columns_total, at)
+                disc = disc * lane_view(front.light, at)[2]
+                store(result, at, load(result, at) + disc)
 
 
 @inlined
@@ -172,47 +144,21 @@ def shade_ground(ray, distance, orders, clouds, tables, work):
             behind[FACETS] = behind[FACETS] * ratio
 
 
-@inlined
-def _pixels(exact, px, py, frame, clouds, work, cloud_work, weights, out):
-    """Common loop of ``render_cloudy`` and ``march_cloudy``."""
-    frame, clouds, work, cloud_work, weights, out = without_refcount(
-        (frame, clouds, work, cloud_work, weights, out)
-    )
-    lanes, view = frame.tables.lanes, frame.camera
-    found, total = np.empty(lanes, np.float32), np.empty(lanes, np.float32)
-    color = np.zeros(GROUND_VALUES)
-    sums = np.empty((3, LANES), np.float32)
-    for k in range(px.size):
-        ray = camera_direction(px[k], py[k], view)
-        side = samples_per_side(ray, frame.observer, view)
-        share = np.float32(1.0 / (side * side))
-        total[:] = 0.0
-        for sample in range(side * side):
-            sx, sy = px[k], py[k]
-            if side > 1:
-                sx, sy = sample_place(px[k], py[k], sample, side, view)
-                ray = camera_direction(sx, sy, view)
-            cloudy_light(sx, sy, ray, exact, frame, clouds, work, cloud_work, color, found)
-            for at in range(0, lanes, LANES):
-                store(total, at, load(total, at) + load(found, at) * share)
-        as_color(total, weights, sums, out[k])
-
-
 @compiled_loop
-def render_cloudy(px, py, frame, clouds, work, cloud_work, weights, out):
+def render_cloudy(px, py, frame, work, weights, out):
     """Render pixels with the sky-view LUT.
 
     Parameters
     ----------
-    px, py, frame, work, weights, out :
+    px, py, frame, weights, out :
         Arguments of ``render_pixels``.
-    clouds, cloud_work : CloudTables, CloudWork
-        Clouds and workspace.
+    work : CloudyWorkspace
+        Clouds and workspaces of the thread.
     """
-    _pixels(False, px, py, frame, clouds, work, cloud_work, weights, out)
+    each_pixel(cloudy_light, False, px, py, frame, work, weights, out)
 
 
 @compiled_loop
-def march_cloudy(px, py, frame, clouds, work, cloud_work, weights, out):
+def march_cloudy(px, py, frame, work, weights, out):
     """March pixels; arguments of ``render_cloudy``."""
-    _pixels(True, px, py, frame, clouds, work, cloud_work, weights, out)
+    each_pixel(cloudy_light, True, px, py, frame, work, weights, out)

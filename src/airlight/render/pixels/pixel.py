@@ -2,34 +2,27 @@
 
 from __future__ import annotations
 
-from math import atan2, pi, sqrt
 from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from airlight.geometry.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.geometry.vectors import Vec3, plus, scaled
-from airlight.kernel import inlined, kernel
+from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture, scalars
 from airlight.physics.optics.clouds import GroundFactors
 from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_night, night_light
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
-from airlight.render.pixels.ground_angles import (
-    columns_to_ground,
-    ground_angles,
-    refraction_to_ground,
-)
+from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.polarising_filter import filter_shares
-from airlight.render.pixels.sea_sky import mean_facet, mirror_place, mirrored_sky
-from airlight.render.pixels.sky_view_lut import Observer, SightLine, half_sine_between, look
+from airlight.render.pixels.sky_lookup import classify_ray, sky_lookup
+from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.skyglow import skyglow_color
 from airlight.render.pixels.star_disc import star_disc
-from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchTables
+from airlight.solver.moments.march_tables import MarchTables
 from airlight.solver.moments.source import transmittance_columns
-from airlight.solver.stokes_frame import star_plane
 
 
 class LampColor(NamedTuple):
@@ -128,247 +121,198 @@ class FrameTables(NamedTuple):
     tables: MarchTables
 
 
-class ClassifiedRay(NamedTuple):
-    """Classification of a line of sight.
+class SeenLine(NamedTuple):
+    """What is seen along a line of sight.
 
     Attributes
     ----------
-    sine, row : float
-        Sine of the zenith angle; row coordinate in its half of the sky-view LUT. [1]
-    through_air, to_ground : bool
-        Whether it crosses the atmosphere, and whether it ends on the ground.
+    through_air, to_ground, dark : bool
+        Whether the air is drawn, whether the line ends on the ground, and whether the light of the
+        night is drawn.
+    refraction : float
+        Refraction angle of a line that ends on the ground. [rad]
+    factors : GroundFactors
+        Reflectances of the ground.
+    glow, lit : Vec3
+        Arguments of ``night_light``.
+    whole, stokes_q, stokes_u : float
+        Weights of I, Q and U, ``filter_shares``. [1]
     """
 
-    sine: float
-    row: float
     through_air: bool
     to_ground: bool
-
-
-class TexelPlace(NamedTuple):
-    """Place between four texels of a layer.
-
-    Attributes
-    ----------
-    near, stride : int
-        Index of the first of the four texels, and texels per row.
-    right, down : float
-        Fractions of the distance to the next texel and to the next row. [1]
-    """
-
-    near: int
-    stride: int
-    right: float
-    down: float
-
-
-@kernel
-def texel_before(coordinate, first, last):
-    """Lower texel and fraction for linear interpolation.
-
-    Parameters
-    ----------
-    coordinate : float
-        Coordinate in texels; clamped between the first and the last. [1]
-    first, last : int
-        Index range of the texels.
-
-    Examples
-    --------
-    >>> texel_before(2.25, 0, 7), texel_before(9.0, 0, 7), texel_before(1.0, 2, 7)
-    ((2, 0.25), (6, 1.0), (2, 0.0))
-    """
-    held = min(max(coordinate, float(first)), float(last))
-    texel = min(int(held), last - 1)
-    return texel, held - texel
+    dark: bool
+    refraction: float
+    factors: GroundFactors
+    glow: Vec3
+    lit: Vec3
+    whole: float
+    stokes_q: float
+    stokes_u: float
 
 
 @inlined
-def between_texels(table, place):
-    """Bilinear interpolation of a layer of the sky-view LUT.
+def seen_line(ray, found, exact, frame, work, color):
+    """``SeenLine`` of a line of sight; its light and columns are in the workspace.
 
     Parameters
     ----------
-    table, place : lanes of shape (texels,), TexelPlace
-        Layer of fourth roots, and place in it.
+    found : ClassifiedRay
+        Class of the line.
+    ray, exact, frame, work, color :
+        Arguments of ``pixel_light``.
     """
-    e, f = np.float32(place.right), np.float32(place.down)
-    g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    near, below = place.near, place.near + place.stride
-    root = (
-        table[near] * (g * h)
-        + table[near + 1] * (g * e)
-        + table[below] * (f * h)
-        + table[below + 1] * (f * e)
+    view = frame.camera
+    through_air, to_ground = found.through_air and view.draws_air, found.to_ground
+    factors, refraction = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0), 0.0
+    dark = by_night(ray, found.sine, to_ground, frame)
+    glow, lit = Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0)
+    if dark and view.skyglow > 0.0 and through_air:
+        glow = skyglow_color(ray, found.sine, to_ground, frame)
+    if through_air:
+        refraction = sky_lookup(ray, found, exact, frame, work)
+        if to_ground:
+            factors = ground_along(ray, found.sine, refraction, dark, frame, work, color)
+            if view.clouded:
+                glow = scaled(glow, 1.0 - color[9])
+    if dark:
+        glow = plus(glow, airglow_color(ray, found.sine, to_ground, frame, work.columns_total))
+        lit = airglow_on_ground(view)
+    whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
+    if view.filter > 0:
+        whole, stokes_q, stokes_u = filter_shares(ray, view)
+    return SeenLine(
+        through_air, to_ground, dark, refraction, factors, glow, lit, whole, stokes_q, stokes_u
     )
-    square = root * root
-    return square * square
 
 
 @inlined
-def phase_of(half_sine, constituent, table):
-    """Phase matrix element of one constituent. [sr⁻¹]
+def ground_along(ray, sine, refraction, dark, frame, work, color):
+    """Reflectances of the ground at the end of a line of sight: ``GroundFactors``.
 
     Parameters
     ----------
-    half_sine : float
-        sin(θ/2). [1]
-    table : lanes, shape (nodes, nc)
-        ``phase`` or ``phase_f12`` of the tables.
+    ray, sine, refraction : Vec3, float, float
+        Direction of the line, sine of its zenith angle, and its refraction angle. [1], [rad]
+    dark : bool
+        Whether the light of the night is drawn; for it and lamps, ``columns_total`` of the
+        workspace receives the columns to the ground.
+    frame, work, color :
+        Arguments of ``pixel_light``.
     """
-    u = half_sine * (table.shape[0] - 1)
-    node = min(int(u), table.shape[0] - 2)
-    f = np.float32(u - node)
-    low = table[node, constituent]
-    return low + f * (table[node + 1, constituent] - low)
+    factors = ground_reflectances(ray, sine, refraction, frame, work, color)
+    if frame.camera.overlaid or dark:
+        columns_to_ground(
+            ray.z, sine, frame.observer, frame.tables, work.columns_total, work.columns_so_far
+        )
+    return factors
 
 
 @inlined
-def polarised_between(place, half_sine, turn_cosine, turn_sine, view, tables, at):
-    """Q and U from the sky-view LUT, with exact phase matrices of separated constituents. [sr⁻¹]
+def ground_radiance(white, factors, color, frame, work, at):
+    """Spectral radiance of ground and lamps behind the air, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
-    place, half_sine, view, tables, at :
-        Arguments of ``air_between``.
-    turn_cosine, turn_sine : float
-        Results of ``star_plane``. [1]
-    """
-    phases = lane_view(tables.phase_f12, at)
-    peaked = splat(0.0)
-    if tables.separated_1 >= 0:
-        first = lane_view(view.sky_first, at)
-        element = phase_of(half_sine, tables.separated_1, phases)
-        peaked = peaked + element * between_texels(first, place)
-    if tables.separated_2 >= 0:
-        second = lane_view(view.sky_second, at)
-        element = phase_of(half_sine, tables.separated_2, phases)
-        peaked = peaked + element * between_texels(second, place)
-    rest = between_texels(lane_view(view.sky_air, at), place)
-    stokes_q = between_texels(lane_view(view.sky_q, at), place) - rest
-    stokes_u = between_texels(lane_view(view.sky_u, at), place) - rest
-    return stokes_q + peaked * np.float32(turn_cosine), stokes_u + peaked * np.float32(turn_sine)
-
-
-@inlined
-def air_between(place, half_sine, view, tables, at):
-    """Radiance from the sky-view LUT, with exact phase functions where separated. [sr⁻¹]
-
-    Parameters
-    ----------
-    place : TexelPlace
-        Place in the LUT.
-    half_sine : float
-        sin(θ/2) of the angle to the apparent star. [1]
-    view, tables : ViewUniforms, MarchTables
-        Sky-view LUT, and tables of the solution.
+    white : lanes
+        Radiance of a white ground there. [sr⁻¹]
+    factors : GroundFactors
+        Result of ``ground_reflectances``.
+    frame, work, color :
+        Arguments of ``pixel_light``.
     at : int
         Index of the first lane.
     """
-    phases = lane_view(tables.phase, at)
-    total = between_texels(lane_view(view.sky_air, at), place)
-    if tables.separated_1 >= 0:
-        first = lane_view(view.sky_first, at)
-        element = phase_of(half_sine, tables.separated_1, phases)
-        total = total + element * between_texels(first, place)
-    if tables.separated_2 >= 0:
-        second = lane_view(view.sky_second, at)
-        element = phase_of(half_sine, tables.separated_2, phases)
-        total = total + element * between_texels(second, place)
+    view, tables = frame.camera, frame.tables
+    total = white * ground_factor(color, view, factors, tables, work, at)
+    if view.overlaid:
+        total = total + lamp_light(color, view, tables, work.columns_total, at)
     return total
 
 
 @inlined
-def classify_ray(ray, observer, tables):
-    """``ClassifiedRay`` of a direction in the observer's frame; zero outside the projection."""
-    sine = sqrt(ray.x * ray.x + ray.y * ray.y)
-    shown = ray.x != 0.0 or ray.y != 0.0 or ray.z != 0.0
-    if observer.outside:
-        impact = observer.r * sine
-        inside = shown and ray.z < 0.0 and impact < tables.top
-        to_ground = inside and impact < tables.bottom
-        row = row_from_impact(impact, tables.bottom, tables.top)
-        return ClassifiedRay(sine, row, inside, to_ground)
-    angle_up = angle_above_horizon(ray.z, sine, observer.horizon_mu, observer.horizon_sine)
-    row = row_from_angle(angle_up, observer.horizon_mu)
-    return ClassifiedRay(sine, row, shown, shown and angle_up < 0.0)
-
-
-@inlined
-def sky_view_place(ray, found, window):
-    """``TexelPlace`` of a line of sight in a window of the sky-view LUT; ``found`` is its class."""
-    last = window.first_column + window.column_count - 1
-    azimuth = atan2(abs(ray.y), ray.x) / pi * (window.columns - 1)
-    column, right = texel_before(azimuth, window.first_column, last)
-    first, count, before = window.first_sky, window.sky_count, 0
-    if found.to_ground:
-        first, count, before = window.first_ground, window.ground_count, window.sky_count
-    line, down = texel_before(found.row * (window.rows - 1), first, first + count - 1)
-    near = (before + line - first) * window.column_count + column - window.first_column
-    return TexelPlace(near, window.column_count, right, down)
-
-
-@inlined
-def sky_lookup(ray, found, exact, frame, work):
-    """Path radiance along a line of sight, and radiance of a white ground behind it.
+def line_radiance(air, seen, color, frame, work, at):
+    """Spectral radiance along a line of sight, without the disc and the filter. [sr⁻¹]
 
     Parameters
     ----------
-    ray, found : Vec3, ClassifiedRay
-        Its direction in the observer's frame, and its classification. [1]
-    exact, frame, work :
-        Arguments of ``pixel_light``; ``work.radiance`` receives results of ``look``, Q and U only
-        with a filter, and those of the mirrored sky at ``MIRRORED`` and ``FACETS``. [sr⁻¹]
-
-    Returns
-    -------
-    float
-        Refraction angle of a line that ends on the ground. [rad]
+    air : lanes
+        Path radiance. [sr⁻¹]
+    seen : SeenLine
+        Result of ``seen_line``.
+    color, frame, work, at :
+        Arguments of ``ground_radiance``.
     """
-    window, observer, view, tables = frame.window, frame.observer, frame.camera, frame.tables
-    half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
-    refraction = 0.0
-    wet = found.to_ground and tables.ground.wet
-    if exact:
-        cos_azimuth = ray.x / found.sine if found.sine > 0.0 else 1.0
-        line = SightLine(ray.z, found.sine, cos_azimuth, half_sine, found.to_ground)
-        refraction = look(line, True, False, view.filter > 0, observer, tables, work)
-        for at in range(0, tables.lanes, LANES):
-            radiance = lane_view(work.radiance, at)
-            radiance[MIRRORED] = splat(0.0)
-        if wet and observer.orders != 1:
-            mu_s, mu_r, nu = ground_angles(ray.x, ray.z, found.sine, refraction, observer, tables)
-            end = mirror_place(mu_s, mu_r, nu, 1.0, observer, window)
-            mirrored_sky(end, view.sky_air, tables, work)
-            mean_facet(end, view.sky_air, tables, work)
-    else:
-        place = sky_view_place(ray, found, window)
-        after = place.near + place.stride * window.ground_count
-        below = TexelPlace(after, place.stride, place.right, place.down)
-        turn_cosine, turn_sine = 1.0, 0.0
-        if view.filter > 0:
-            nu = min(max(ray.x * observer.sun_x + ray.z * observer.sun_z, -1.0), 1.0)
-            turn_cosine, turn_sine = star_plane(ray.z, observer.sun_z, nu)
-        for at in range(0, tables.lanes, LANES):
-            radiance = lane_view(work.radiance, at)
-            radiance[0] = air_between(place, half_sine, view, tables, at)
-            if view.filter > 0:
-                radiance[4], radiance[5] = polarised_between(
-                    place, half_sine, turn_cosine, turn_sine, view, tables, at
-                )
-            if found.to_ground:
-                radiance[1] = between_texels(lane_view(view.sky_ground, at), place)
-            if wet:
-                radiance[MIRRORED] = splat(0.0)
-                if observer.orders != 1:
-                    mirrored = lane_view(view.sky_mirrored, at)
-                    radiance[MIRRORED] = between_texels(mirrored, place)
-                    radiance[FACETS] = between_texels(mirrored, below)
-        if found.to_ground and tables.refraction_strength > 0.0:
-            refraction = refraction_to_ground(
-                ray.z, found.sine, observer, tables, work.columns_total
-            )
-    return refraction
+    view, tables = frame.camera, frame.tables
+    radiance = lane_view(work.radiance, at)
+    total = splat(0.0)
+    if seen.through_air:
+        total = air
+    if seen.to_ground and view.draws_air:
+        total = total + ground_radiance(radiance[1], seen.factors, color, frame, work, at)
+    if seen.dark:
+        total = total + night_light(
+            seen.glow, seen.lit, seen.to_ground, color, view, tables, work.columns_total, at
+        )
+    return total
+
+
+@inlined
+def filtered(total, clear, seen, view, work, at):
+    """Radiance behind the polarising filter. [sr⁻¹]
+
+    Parameters
+    ----------
+    total, clear : lanes
+        Radiance before it [sr⁻¹], and transmittance of the clouds before the air [1].
+    seen, view, work, at :
+        Arguments of ``line_radiance``, and the camera.
+    """
+    radiance = lane_view(work.radiance, at)
+    if view.filter > 0:
+        total = total * np.float32(seen.whole)
+        if seen.through_air:
+            total = total + clear * radiance[4] * np.float32(seen.stokes_q)
+            total = total + clear * radiance[5] * np.float32(seen.stokes_u)
+    return total
+
+
+@inlined
+def seen_disc(px, py, ray, frame, columns):
+    """Part of the star's disc in a pixel on the sky: results of ``star_disc``, zero outside.
+
+    Parameters
+    ----------
+    px, py, ray, frame :
+        Arguments of ``pixel_light``.
+    columns : array, shape (nc,)
+        Receives the columns of the line. [m]
+    """
+    observer = frame.observer
+    apart = 2.0 * half_sine_between(ray, observer.seen_x, observer.seen_z)
+    powers, place = whole_powers(0.0), DiscPlace(0.0, 0.0, 0.0)
+    if apart < frame.reach:
+        powers, place = star_disc(px, py, ray, frame, columns)
+    return powers, place
+
+
+@inlined
+def disc_light(powers, place, whole, tables, columns, at):
+    """Spectral radiance of the disc behind the air and the filter, per irradiance. [sr⁻¹]
+
+    Parameters
+    ----------
+    powers, place, columns :
+        Results of ``seen_disc``.
+    whole : float
+        Weight of Stokes I. [1]
+    tables, at : MarchTables, int
+        Tables of the solution, and index of the first lane.
+    """
+    transmittance = transmittance_columns(
+        columns, lane_view(tables.extinction, at), tables.constituents
+    )
+    return transmittance * darkened(powers, place, tables, at) * np.float32(whole)
 
 
 @inlined
@@ -390,59 +334,16 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
-    found = classify_ray(ray, observer, tables)
-    through_air, to_ground = found.through_air and view.draws_air, found.to_ground
-    factors = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
-    dark = by_night(ray, found.sine, to_ground, frame)
-    glow, lit = Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0)
-    if dark and view.skyglow > 0.0 and through_air:
-        glow = skyglow_color(ray, found.sine, to_ground, frame)
-    if through_air:
-        refraction = sky_lookup(ray, found, exact, frame, work)
-        if to_ground:
-            factors = ground_reflectances(ray, found.sine, refraction, frame, work, color)
-            if view.clouded:
-                glow = scaled(glow, 1.0 - color[9])
-            if view.overlaid or dark:
-                columns_to_ground(
-                    ray.z, found.sine, observer, tables, work.columns_total, work.columns_so_far
-                )
-    if dark:
-        glow = plus(glow, airglow_color(ray, found.sine, to_ground, frame, work.columns_total))
-        lit = airglow_on_ground(view)
-    whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
-    if view.filter > 0:
-        whole, stokes_q, stokes_u = filter_shares(ray, view)
+    view, tables = frame.camera, frame.tables
+    found = classify_ray(ray, frame.observer, tables)
+    seen = seen_line(ray, found, exact, frame, work, color)
     for at in range(0, tables.lanes, LANES):
         radiance = lane_view(work.radiance, at)
-        total = splat(0.0)
-        if through_air:
-            total = radiance[0]
-        if to_ground and view.draws_air:
-            factor = ground_factor(color, view, factors, tables, work, at)
-            total = total + radiance[1] * factor
-            if view.overlaid:
-                total = total + lamp_light(color, view, tables, work.columns_total, at)
-        if dark:
-            total = total + night_light(
-                glow, lit, to_ground, color, view, tables, work.columns_total, at
-            )
-        if view.filter > 0:
-            total = total * np.float32(whole)
-            if through_air:
-                total = total + radiance[4] * np.float32(stokes_q)
-                total = total + radiance[5] * np.float32(stokes_u)
-        store(result, at, total)
-    if view.draws_disc and not to_ground:
-        apart = 2.0 * half_sine_between(ray, observer.seen_x, observer.seen_z)
-        powers, place = whole_powers(0.0), DiscPlace(0.0, 0.0, 0.0)
-        if apart < frame.reach:
-            powers, place = star_disc(px, py, ray, frame, work.columns_total)
+        total = line_radiance(radiance[0], seen, color, frame, work, at)
+        store(result, at, filtered(total, splat(1.0), seen, view, work, at))
+    if view.draws_disc and not seen.to_ground:
+        powers, place = seen_disc(px, py, ray, frame, work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
-                transmittance = transmittance_columns(
-                    work.columns_total, lane_view(tables.extinction, at), tables.constituents
-                )
-                disc = darkened(powers, place, tables, at)
-                store(result, at, load(result, at) + transmittance * disc * np.float32(whole))
+                disc = disc_light(powers, place, seen.whole, tables, work.columns_total, at)
+                store(result, at, load(result, at) + disc)

@@ -8,6 +8,7 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, lane_view, load, splat
 from airlight.kernel.without_refcount import without_refcount
 from airlight.render.pixels.ground import GROUND_VALUES
+from airlight.render.pixels.pixel import pixel_light
 from airlight.render.pixels.samples import sampled_light
 
 
@@ -30,15 +31,23 @@ def as_color(radiance, weights, sums, out):
 
 
 @inlined
-def _pixels(exact, px, py, frame, work, weights, out):
-    """Common loop of ``render_pixels`` and ``march_pixels``."""
+def each_pixel(light, exact, px, py, frame, work, weights, out):
+    """Body of a loop over pixels.
+
+    Parameters
+    ----------
+    light, exact :
+        Arguments of ``sampled_light``.
+    px, py, frame, work, weights, out :
+        Arguments of ``render_pixels``; the workspace is that of ``light``.
+    """
     frame, work, weights, out = without_refcount((frame, work, weights, out))
     lanes = frame.tables.lanes
     found, total = np.empty(lanes, np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     sums = np.empty((3, LANES), np.float32)
     for k in range(px.size):
-        sampled_light(px[k], py[k], exact, frame, work, color, total, found)
+        sampled_light(px[k], py[k], light, exact, frame, work, color, total, found)
         as_color(found, weights, sums, out[k])
 
 
@@ -59,10 +68,10 @@ def render_pixels(px, py, frame, work, weights, out):
     out : array, shape (n, 3)
         Receives linear sRGB.
     """
-    _pixels(False, px, py, frame, work, weights, out)
+    each_pixel(pixel_light, False, px, py, frame, work, weights, out)
 
 
 @compiled_loop
 def march_pixels(px, py, frame, work, weights, out):
     """March pixels; arguments of ``render_pixels``."""
-    _pixels(True, px, py, frame, work, weights, out)
+    each_pixel(pixel_light, True, px, py, frame, work, weights, out)

@@ -13,7 +13,6 @@ import numpy as np
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, store
-from airlight.render.pixels.pixel import pixel_light
 from airlight.render.pixels.star_disc import camera_direction
 from airlight.scene.projections import PROJECTIONS
 
@@ -73,22 +72,24 @@ def sample_place(px, py, sample, side, view):
 
 
 @inlined
-def light_of_centre(px, py, exact, frame, work, color, result):
+def light_of_centre(px, py, light, exact, frame, work, color, result):
     """Spectral radiance of a pixel with one sample; arguments of ``sampled_light``."""
     ray = camera_direction(px, py, frame.camera)
-    pixel_light(px, py, ray, exact, frame, work, color, result)
+    light(px, py, ray, exact, frame, work, color, result)
 
 
 @inlined
-def sampled_light(px, py, exact, frame, work, color, total, result):
+def sampled_light(px, py, light, exact, frame, work, color, total, result):
     """Spectral radiance of a pixel, averaged over samples, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
         Pixel centre, from the left and top edge of the frame. [pixel]
+    light : inlined function
+        Constant: ``pixel_light``, or a function with the same arguments.
     exact, frame, work, color :
-        Arguments of ``pixel_light``.
+        Its arguments.
     total : array, shape (w,)
         Workspace.
     result : array, shape (w,)
@@ -103,7 +104,7 @@ def sampled_light(px, py, exact, frame, work, color, total, result):
         if side > 1:
             sx, sy = sample_place(px, py, sample, side, view)
             ray = camera_direction(sx, sy, view)
-        pixel_light(sx, sy, ray, exact, frame, work, color, result)
+        light(sx, sy, ray, exact, frame, work, color, result)
         if side > 1:
             for at in range(0, tables.lanes, LANES):
                 share = load(result, at) * np.float32(step * step)

@@ -21,6 +21,7 @@ from airlight.render.gpu.emit.shader_types import (
     I32,
     VEC4,
     Constant,
+    ConstantFunction,
     LocalArray,
     Scalar,
     ShaderTable,
@@ -99,6 +100,8 @@ class Calls(Scope, ABC):
     def call(self, node: ast.Call) -> tuple[str, Value | None]:
         """Emit a call."""
         called = self.bound(node.func)
+        if isinstance(called, ConstantFunction):
+            called = called.function
         if node.keywords:
             raise self.refuse(node, "takes no keyword arguments")
         if called is min or called is max:

@@ -16,6 +16,7 @@ from airlight.render.gpu.emit.shader_types import (
     VEC3,
     VEC4,
     Constant,
+    ConstantFunction,
     LocalArray,
     Scalar,
     ShaderTable,
@@ -124,7 +125,7 @@ class Dialect(ABC):
         """Whether a value is a run-time argument."""
         if isinstance(value, LocalArray):
             return not value.variable
-        return not isinstance(value, (Constant, ShaderTable, StructValue))
+        return not isinstance(value, (Constant, ConstantFunction, ShaderTable, StructValue))
 
     def element(self, table: ShaderTable, index: str) -> str:
         """Element of a table."""

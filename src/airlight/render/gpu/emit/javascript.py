@@ -19,6 +19,7 @@ from airlight.render.gpu.emit.shader_types import (
     I32,
     VEC4,
     Constant,
+    ConstantFunction,
     LocalArray,
     Scalar,
     ShaderTable,
@@ -86,7 +87,7 @@ class JavaScript(Dialect):
         return f"({test} ? {yes} : {no})"
 
     def at_run_time(self, value: Value) -> bool:
-        return not isinstance(value, (Constant, StructValue))
+        return not isinstance(value, (Constant, ConstantFunction, StructValue))
 
     def element(self, table: ShaderTable, index: str) -> str:
         if table.spectral:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 #: Number of texels in a row of a flat texture, and its binary logarithm: texel i is in column
 #: i & (FLAT_WIDTH - 1) of row i >> FLAT_SHIFT.
@@ -41,6 +41,13 @@ class Constant:
     """Compile-time constant."""
 
     value: float | int | bool
+
+
+@dataclass(frozen=True)
+class ConstantFunction:
+    """Kernel or inlined function as an argument, known at emission."""
+
+    function: Callable[..., Any]
 
 
 @dataclass(frozen=True)
@@ -158,7 +165,16 @@ class TupleType:
 #: ``geometry.vectors.Vec3``, for which shading languages have a type of their own.
 VEC3: Final = TupleType((F32, F32, F32), "Vec3", ("x", "y", "z"))
 
-Value = Scalar | Constant | UniformValue | ShaderTable | LocalArray | StructValue | TupleType
+Value = (
+    Scalar
+    | Constant
+    | ConstantFunction
+    | UniformValue
+    | ShaderTable
+    | LocalArray
+    | StructValue
+    | TupleType
+)
 
 
 def run_time(value: Value) -> Scalar | LocalArray | TupleType:

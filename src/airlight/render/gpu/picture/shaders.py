@@ -19,6 +19,7 @@ from airlight.render.gpu.emit.shader_types import (
     I32,
     VEC4,
     Constant,
+    ConstantFunction,
     LocalArray,
     StructValue,
 )
@@ -26,7 +27,7 @@ from airlight.render.gpu.emit.uniform_struct import Fixed
 from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.render.pixels.ground import GROUND_VALUES
-from airlight.render.pixels.pixel import FrameTables, ViewUniforms
+from airlight.render.pixels.pixel import FrameTables, ViewUniforms, pixel_light
 from airlight.render.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
 from airlight.render.pixels.samples import light_of_centre, sampled_light
 from airlight.render.pixels.sky_view_lut import Observer, mirrored_texel, sky_view_texel
@@ -238,7 +239,8 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     kinds = {"color": LocalArray(GROUND_VALUES)}
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
-        light_of_centre if once else sampled_light, F32, F32, Constant(exact),
+        light_of_centre if once else sampled_light,
+        F32, F32, ConstantFunction(pixel_light), Constant(exact),
         StructValue(dict(zip(FrameTables._fields, (
             Constant(_NO_REACH), _whole_window(), *(
                 FRAME.struct_value(one, fixed) for one in (Observer, ViewUniforms, MarchTables)
