@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.kernel.lanes import LANES
 from airlight.kernel.shader_fields import scalars, spectra
 
 FloatArray = NDArray[np.float64]
@@ -88,7 +89,7 @@ class DropletLayer(NamedTuple):
         return self._replace(layer_phase=np.ascontiguousarray(self.layer_phase[:, block]))
 
 
-def no_layer(count: int = 1) -> DropletLayer:
+def no_layer(count: int = LANES) -> DropletLayer:
     """Layer without droplets, of some wavelengths.
 
     Parameters
@@ -96,8 +97,8 @@ def no_layer(count: int = 1) -> DropletLayer:
     count : int
         Number of wavelengths.
     """
-    empty = np.zeros((2, 2, 2))
-    return DropletLayer(0.0, 1.0, 0.0, np.zeros(2), empty, np.zeros((2, count)))
+    phase = np.zeros((2, count), np.float32)
+    return DropletLayer(0.0, 1.0, 0.0, np.zeros(2), np.zeros((2, 2, 2)), phase)
 
 
 def droplet_layer(optical_depth: float, wavelengths: FloatArray) -> DropletLayer:
@@ -119,9 +120,9 @@ def droplet_layer(optical_depth: float, wavelengths: FloatArray) -> DropletLayer
     if not 0.0 <= optical_depth <= THICKEST:
         raise ParameterError("optical_depth", optical_depth, f"0 to {THICKEST:g}")
     nm, phase = _phase_table()
-    columns = [np.interp(wavelengths, nm, row) for row in phase]
+    columns = np.array([np.interp(wavelengths, nm, row) for row in phase], np.float32)
     depth, gain, albedo, plane, multiple = _tables(optical_depth)
-    return DropletLayer(depth, gain, albedo, plane.copy(), multiple.copy(), np.array(columns))
+    return DropletLayer(depth, gain, albedo, plane.copy(), multiple.copy(), columns)
 
 
 class Reflected(NamedTuple):
@@ -204,9 +205,7 @@ def _doubled_mode(
         down = transmitted + series * direct + (series * weights) @ transmitted
         up = reflected * direct + (reflected * weights) @ down
         reflected = reflected + direct[:, None] * up + (transmitted * weights) @ up
-        transmitted = (
-            direct[:, None] * down + transmitted * direct + (transmitted * weights) @ down
-        )
+        transmitted = direct[:, None] * down + transmitted * direct + (transmitted * weights) @ down
         thin *= 2.0
     return reflected, transmitted, once * -np.expm1(-depth * (1.0 / below + 1.0 / above))
 
