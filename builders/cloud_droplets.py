@@ -1,6 +1,6 @@
 """Remake the tables of the flat cloud layer's droplets, ``physics/optics/data/cloud-droplets-*``.
 
-Run with ``python builders/cloud_droplets.py``: exact Mie theory for water of a gamma distribution of
+Run with ``python builders/cloud_droplets.py``: exact Mie theory for water, a gamma distribution of
 radii, effective radius 10 µm and variance 1/9, the stratus and fair-weather cumulus of
 ``airlight.planets.clouds``. It takes a minute.
 """

@@ -20,7 +20,7 @@ The star's way and the line of sight meet covers of their own, c_s and c_v.
 
 from __future__ import annotations
 
-from math import acos, exp, expm1, pi, sqrt
+from math import acos, exp, pi, sqrt
 from typing import Final, NamedTuple
 
 from airlight.kernel import inlined, kernel
@@ -215,7 +215,7 @@ def layer_reflectance(mu_s, mu_r, nu, layer):
         Layer.
     """
     down, up = max(mu_s, LEAST_COSINE), max(mu_r, LEAST_COSINE)
-    once = -expm1(-layer.layer_depth * (1.0 / down + 1.0 / up)) / (down + up)
+    once = (1.0 - exp(-layer.layer_depth * (1.0 / down + 1.0 / up))) / (down + up)
     return LayerReflectance(
         pi * layer.layer_gain * once,
         acos(min(max(nu, -1.0), 1.0)) / pi,

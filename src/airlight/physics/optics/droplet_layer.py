@@ -50,7 +50,7 @@ AZIMUTHS: Final = 21
 #: Smallest cosine: a lower sun or observer sees the layer of this one. [1]
 LEAST_COSINE: Final = 0.01
 #: Largest scaled optical depth of the layer that is doubled, in which light is scattered once. [1]
-_THINNEST: Final = 1e-6
+_THINNEST: Final = 1e-9
 #: Largest optical depth. [1]
 THICKEST: Final = 1000.0
 #: Layers that are kept.
@@ -195,7 +195,7 @@ def _doubled_mode(
     once = 0.25 * backward / (below + above)
     thin = depth / 2.0**count
     reflected = once * -np.expm1(-thin * (1.0 / below + 1.0 / above))
-    # (e^(-t/μ₀) - e^(-t/μ))/(μ₀ - μ) of thin layers, whose optical path is at most 1e-4
+    # of thin layers, whose optical path is at most 1e-7
     transmitted = 0.25 * forward * thin / (below * above) * np.exp(-thin / below)
     one = np.eye(mu.size)
     for _ in range(count):

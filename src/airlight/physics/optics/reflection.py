@@ -7,7 +7,7 @@ NBS Monograph 160). It has two forms: direct (bidirectional) for the star's beam
 Lommel-Seeliger under a Rayleigh sky). Each is ``diffuse · albedo + specular``: volume scattering
 below the surface, which has the ground's colour, and Fresnel reflection by the surface.
 
-Of the ground below clouds (``clouds``) lines of sight see the mean of a fraction with the layer, the
+Of ground below clouds (``clouds``) lines of sight see the mean of a fraction with the layer, the
 mean cover, and of one without; a renderer looks up the local covers. The sweeps of the moments'
 solver have the layer's plane albedo, without azimuth (``mean_direct_reflectance``).
 
