@@ -112,7 +112,9 @@ def test_thin_layers_scatter_once():
     layer = droplet_layer(depth, GREEN)
     mu = np.sqrt(0.5)
     angle = np.degrees(np.arccos(scattering_cosine(mu, mu, azimuth)))
-    phase = np.interp(angle, np.linspace(0.0, 180.0, len(layer.layer_phase)), layer.layer_phase[:, 0])
+    phase = np.interp(
+        angle, np.linspace(0.0, 180.0, len(layer.layer_phase)), layer.layer_phase[:, 0]
+    )
     found = float(reflected(depth, mu, mu, azimuth)[0])
     assert_allclose(found, np.pi * phase * depth / mu**2, rtol=1e-2)
 
@@ -164,7 +166,9 @@ def test_discrete_ordinates_agree(optical_depth):
         exact = np.interp(np.degrees(np.arccos(nu)), np.linspace(0.0, 180.0, table.size), table)
         slant = (1.0 - peak) * optical_depth * (1.0 / view + 1.0 / mu_s)
         total += np.pi * (exact / (1.0 - peak) - cut) / (view + mu_s) * -np.expm1(-slant)
-        off = (reflected(optical_depth, mu_s, view, azimuth)[..., 0] / total - 1.0)[view[:, 0] > 0.05]
+        off = (reflected(optical_depth, mu_s, view, azimuth)[..., 0] / total - 1.0)[
+            view[:, 0] > 0.05
+        ]
         assert np.sqrt(np.mean(off**2)) < (0.018 if optical_depth < 5.0 else 0.007)
         assert np.abs(off).max() < 0.08
         assert_allclose(plane_albedos(optical_depth, [mu_s]), up(0.0) / mu_s, rtol=4e-3)
