@@ -23,7 +23,7 @@ WAVELENGTHS = (380.0, 410.0, 440.0, 475.0, 510.0, 550.0, 595.0, 640.0, 690.0, 75
 HEADER = (
     "# source: exact Mie theory (miepython) for droplets of water, effective radius 10 um,"
     " effective variance 1/9; made by builders/cloud_droplets.py\n"
-    "# licence: MIT\n"
+    "# licence: CC0\n"
 )
 
 
