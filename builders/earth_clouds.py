@@ -17,8 +17,8 @@ QUALITY = 80
 #: Opacity that is noise of the clear sky. [1]
 CLEAR = 0.02
 #: Exponent of the cover over opacity. The picture is of fair weather: opacity as cover has a mean
-#: of 0.10, this one 0.20. The Earth's albedo is 0.29 with clouds and 0.15 without (Loeb et al.
-#: 2018, J. Climate 31, 895), as with a mean cover of 0.31 of the albedo 0.6.
+#: of 0.10, this one 0.20. The Earth's is two thirds (ISCCP); the preset's optical depth makes up
+#: for it.
 POWER = 0.5
 
 

@@ -57,26 +57,33 @@ def test_of_a_coloured_picture_the_brightness_counts(draws: Draws) -> None:
 
 
 def test_solvers_have_the_mean_of_clouds_and_ground(draws: Draws) -> None:
-    # c A + (1 - c) a at every wavelength, in every direction.
-    name = draws(cap(255))
-    changes = {"ground.albedo": 0.1, "ground.clouds": name, "ground.cloud_albedo": 0.7}
-    medium = Medium.from_planet(load_planet("earth-atmosphere-plus", changes), NM)
-    out = np.empty((1, 3))
-    direct_reflectances(medium.ground, np.array([0.5]), np.array([0.3]), np.array([0.1]), out)
-    assert_allclose(out, 0.25 * 0.7 + 0.75 * 0.1, rtol=1e-7)
+    # c R + (1 - c) a at every wavelength, with the ground below full cover for R.
+    line = [np.array([x]) for x in (0.5, 0.3, 0.1)]
+    found = []
+    for pixels in (cap(255), np.full((90, 180), 255)):
+        mean_cover.cache_clear()
+        changes = {"ground.albedo": 0.1, "ground.clouds": draws(pixels)}
+        medium = Medium.from_planet(load_planet("earth-atmosphere-plus", changes), NM)
+        out = np.empty((1, 3))
+        direct_reflectances(medium.ground, *line, out)
+        found.append(out)
+    assert_allclose(found[0], 0.25 * found[1] + 0.75 * 0.1, rtol=1e-7)
+    assert found[1].min() > 0.5
 
 
-def test_only_cover_and_albedo_of_clouds_identify_a_solution(draws: Draws) -> None:
-    # The solver sees c A + (1 - c) a; the altitude matters to pictures alone.
+def test_only_cover_and_depth_of_clouds_identify_a_solution(draws: Draws) -> None:
+    # The solver sees the mean of clouds and ground; the altitude matters to pictures alone.
     def fingerprint(changes: dict[str, object]) -> str:
         planet = load_planet("earth-atmosphere-plus", changes)
         return Medium.from_planet(planet, NM).fingerprint()
 
     clouds = {"ground.clouds": draws(cap(255))}
     plain = fingerprint({})
-    assert fingerprint({"ground.cloud_albedo": 0.1, "ground.cloud_altitude": "1 km"}) == plain
+    assert (
+        fingerprint({"ground.cloud_optical_depth": 1.0, "ground.cloud_altitude": "1 km"}) == plain
+    )
     covered = fingerprint(clouds)
-    assert len({plain, covered, fingerprint(clouds | {"ground.cloud_albedo": 0.1})}) == 3
+    assert len({plain, covered, fingerprint(clouds | {"ground.cloud_optical_depth": 1.0})}) == 3
     assert fingerprint(clouds | {"ground.cloud_altitude": "1 km"}) == covered
     mean_cover.cache_clear()
     draws(cap(128))
@@ -99,13 +106,13 @@ def test_a_file_that_is_no_map_is_one_line(
 
 
 def test_the_defaults_are_within_what_their_sources_say() -> None:
-    # Lacis & Hansen (1974), g = 0.85, between ISCCP's 3.6 and 23; tops at 680 to 440 hPa by the
-    # standard atmosphere, 44331 m (1 - (p/1013.25 hPa)^0.1903).
+    # ISCCP's clouds of medium thickness have 3.6 to 23; tops at 680 to 440 hPa by the standard
+    # atmosphere, 44331 m (1 - (p/1013.25 hPa)^0.1903). The spherical albedo is that of van de
+    # Hulst's asymptotic formula, 1 - 1/(0.75 (1 - g) τ + 1.07).
     ground = load_planet("earth-atmosphere-plus").ground
-    depth = np.sqrt(3.0) * (1.0 - 0.85) * np.array([3.6, 11.5, 23.0])
-    thin, medium, thick = depth / (2.0 + depth)
-    assert thin < ground.cloud_albedo < thick
-    assert_allclose(ground.cloud_albedo, medium, atol=5e-3)
+    assert 3.6 < ground.cloud_optical_depth < 23.0
+    passes = 1.0 / (0.75 * (1.0 - 0.864) * ground.cloud_optical_depth + 1.07)
+    assert_allclose(1.0 - passes, 0.6, atol=5e-3)
     low, high = 44331.0 * (1.0 - (np.array([680.0, 440.0]) / 1013.25) ** 0.1903)
     assert low < ground.cloud_altitude < high
 

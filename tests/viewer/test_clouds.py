@@ -55,13 +55,13 @@ def test_a_planet_with_clouds_has_their_controls(session: Session) -> None:
     # Offered with their defaults; an edit reaches the solver's ground, and is undone.
     assert session.value("ground.cloud_altitude") == 4.0
     before = ground_of(session).reflection
-    session.set("ground.cloud_albedo", 0.25)
+    session.set("ground.cloud_optical_depth", 30.0)
     session.set("ground.cloud_altitude", 10.0)
     ground = ground_of(session)
-    assert (ground.cloud_albedo, ground.cloud_altitude) == (0.25, 1e4)
-    assert ground.reflection == before._replace(cloud_albedo=0.25)
-    with pytest.raises(ParameterError, match=r"ground\.cloud_albedo"):
-        session.set("ground.cloud_albedo", 1.5)
+    assert (ground.cloud_optical_depth, ground.cloud_altitude) == (30.0, 1e4)
+    assert ground.reflection == before._replace(cloud_optical_depth=30.0)
+    with pytest.raises(ParameterError, match=r"ground\.cloud_optical_depth"):
+        session.set("ground.cloud_optical_depth", -1.5)
     session.undo()
     session.undo()
     assert ground_of(session).reflection == before
@@ -71,12 +71,13 @@ def test_a_planet_with_clouds_has_their_controls(session: Session) -> None:
 
 def test_a_file_with_clouds_is_read_as_it_was_written(session: Session, clouds: str) -> None:
     # Round trip: parameters, a file's text, parameters.
-    session.set("ground.cloud_albedo", 0.45)
+    session.set("ground.cloud_optical_depth", 4.5)
     session.set("ground.cloud_altitude", 6.5)
     text = session.planet.text
     assert tomllib.loads(text)["ground"]["clouds"] == clouds
     ground = read_planet(text, "again.toml").ground
-    assert (ground.clouds, ground.cloud_albedo, ground.cloud_altitude) == (clouds, 0.45, 6500.0)
+    assert (ground.clouds, ground.cloud_altitude) == (clouds, 6500.0)
+    assert ground.cloud_optical_depth == 4.5
 
 
 @pytest.mark.parametrize("ground", [{}, {"ground.law": "water", "ground.albedo": 0.02}])

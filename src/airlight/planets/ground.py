@@ -8,6 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.physics.optics.droplet_layer import THICKEST
 from airlight.physics.optics.hapke import REGOLITHS, regolith
 from airlight.physics.optics.reflection import LAWS, Reflection, largest_albedo, law_number
 from airlight.planets.cloud_cover import mean_cover
@@ -22,12 +23,9 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Wind speeds over water. [m s⁻¹]
 WINDS: Final = (0.5, 25.0)
-#: Albedo of full cover: that of a cloud of optical depth 11.5 by the two-stream formula of Lacis &
-#: Hansen (1974, J. Atmos. Sci. 31, 118), √3 (1 - g) τ / (2 + √3 (1 - g) τ) with g = 0.85, which is
-#: τ / (τ + 7.7) (Seinfeld & Pandis 2006, Atmospheric Chemistry and Physics, eqs. 24.37, 24.38).
-#: ISCCP (Rossow & Schiffer 1999, BAMS 80, 2261) calls clouds of 3.6 to 23 of medium thickness: 0.32
-#: to 0.75. [1]
-CLOUD_ALBEDO: Final = 0.6
+#: Optical depth of full cover, whose spherical albedo is 0.6: in the middle of ISCCP's clouds of
+#: medium thickness, 3.6 to 23 (Rossow & Schiffer 1999, BAMS 80, 2261). [1]
+CLOUD_OPTICAL_DEPTH: Final = 14.0
 #: Altitude of the layer: ISCCP's middle clouds have their tops at 680 to 440 hPa, which is 3.2 to
 #: 6.5 km in the standard atmosphere. [m]
 CLOUD_ALTITUDE: Final = 4000.0
@@ -80,8 +78,8 @@ class Ground(TomlModel):
         above; without effect if ``clouds`` is given.
     relief : str, optional
         Name or path of a picture of heights, which shade detailed ground.
-    cloud_albedo : float
-        Albedo of complete cloud cover, 0 to 1. [1]
+    cloud_optical_depth : float
+        Optical depth of complete cloud cover, 0 to 1000. [1]
     cloud_altitude : float
         Altitude of the layer, 0 to 100 km. [m]
     brightness : float
@@ -161,13 +159,14 @@ class Ground(TomlModel):
         synonyms=("terrain", "mountains", "elevation"),
         default=None,
     )
-    cloud_albedo: float = key(
-        label="albedo of clouds",
-        help="Albedo of complete cloud cover.",
-        note="0.6: a cloud of optical depth 11.5.",
-        range=(0.0, 1.0),
+    cloud_optical_depth: float = key(
+        label="optical depth of clouds",
+        help="Optical depth of complete cloud cover, of droplets of water.",
+        note="At 550 nm. 14: a spherical albedo of 0.6; 5, 0.37; 50, 0.84.",
+        range=(0.0, THICKEST),
+        slider=(0.0, 100.0),
         offered=_clouded,
-        default=CLOUD_ALBEDO,
+        default=CLOUD_OPTICAL_DEPTH,
     )
     cloud_altitude: float = key(
         label="altitude of clouds",
@@ -287,7 +286,7 @@ class Ground(TomlModel):
         if self.clouds is None:
             return self._clear
         cover = mean_cover(self.clouds) if self.local is None else self.local.here.cover
-        return self._clear._replace(cover=cover, cloud_albedo=self.cloud_albedo)
+        return self._clear._replace(cover=cover, cloud_optical_depth=self.cloud_optical_depth)
 
     @property
     def _clear(self) -> Reflection:

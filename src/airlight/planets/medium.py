@@ -15,6 +15,7 @@ from airlight.errors import ParameterError
 from airlight.image.upsampling import reflectance_basis
 from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.optics.density_profile import DensitySegments
+from airlight.physics.optics.droplet_layer import droplet_layer, no_layer
 from airlight.physics.optics.effective_top import effective_top
 from airlight.physics.optics.layer_edges import ThinLayer, thin_layers
 from airlight.physics.optics.reflection import WHITE, Reflection
@@ -144,8 +145,12 @@ class Medium:
 
     @property
     def ground(self) -> Reflection:
-        """Reflection by the ground, at all wavelengths."""
-        return self.reflection._replace(albedo=self.ground_albedo)
+        """Reflection by the ground, at all wavelengths, with the layer of clouds that are seen."""
+        depth = self.surface.cloud_optical_depth
+        layer = no_layer(self.wavelengths.size)
+        if self.surface.overlay[1] is not None:
+            layer = droplet_layer(depth, self.wavelengths)
+        return self.reflection._replace(albedo=self.ground_albedo, layer=layer)
 
     @classmethod
     def from_planet(
@@ -378,7 +383,7 @@ class Medium:
         """
         digest = hashlib.sha256(b"airlight medium 3\n")
         scalars = (self.bottom_radius, self.top_radius, self.star_angular_radius)
-        digest.update(repr((scalars, self.names, self.reflection)).encode())
+        digest.update(repr((scalars, self.names, self.reflection[:-1])).encode())
         for name, array in self._arrays().items():
             digest.update(f"{name} {array.shape}\n".encode())
             digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())

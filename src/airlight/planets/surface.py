@@ -21,8 +21,8 @@ class Surface:
         Factor of the map of colour. [1]
     cloud_altitude : float
         Altitude of the clouds; 0 without a map. [m]
-    cloud_albedo : float
-        Albedo of complete cover. [1]
+    cloud_optical_depth : float
+        Optical depth of complete cover. [1]
     airglow : str
         Name of the airglow, or ``none``.
     """
@@ -34,7 +34,7 @@ class Surface:
     relief: str | None = None
     brightness: float = 1.0
     cloud_altitude: float = 0.0
-    cloud_albedo: float = 0.0
+    cloud_optical_depth: float = 0.0
     airglow: str = "none"
 
     @classmethod
@@ -50,7 +50,7 @@ class Surface:
             cloud_altitude=ground.cloud_altitude
             if ground.clouds or ground.clouds_from_space
             else 0.0,
-            cloud_albedo=ground.cloud_albedo,
+            cloud_optical_depth=ground.cloud_optical_depth,
             airglow=airglow,
         )
 

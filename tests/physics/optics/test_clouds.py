@@ -8,12 +8,23 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.physics.optics.clouds import GroundFactors, layer_distance, under_clouds
+from airlight.physics.optics.clouds import (
+    LayerPassage,
+    layer_distance,
+    layer_passage,
+    layer_reflectance,
+    mean_reflected,
+    node_before,
+    plane_albedo,
+    under_sky,
+    under_star,
+)
+from airlight.physics.optics.droplet_layer import droplet_layer
 
 BOTTOM = 6.36e6
-#: Shares of a ground: white Lambert, black, and one with specular and mirrored light.
-WHITE = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0)
-SEA = GroundFactors(0.7, 4.0, 0.8, 0.02, 0.3)
+GREEN = np.array([550.0])
+#: Reflectance factors of a sea: of the star, of the sky, and of light that goes on diffusely.
+SEA = (4.0, 0.3, 0.07)
 
 
 @pytest.mark.parametrize("altitude", [1.0, 4e3, 1e5])
@@ -33,47 +44,73 @@ def test_a_steep_line_is_that_of_a_flat_layer_and_none_runs_off() -> None:
     assert layer_distance(0.0, BOTTOM, 0.0) == 0.0
 
 
-@pytest.mark.parametrize("shares", [WHITE, SEA])
-def test_without_cover_nothing_changes(shares: GroundFactors) -> None:
-    assert under_clouds(0.0, 0.0, 0.6, shares) == shares
+def passage(seen: float, shaded: float, depth: float = 10.0) -> LayerPassage:
+    """Light that passes a layer at some cosines."""
+    return layer_passage(0.5, 0.7, seen, shaded, droplet_layer(depth, GREEN))
 
 
-def test_full_cover_is_a_lambert_surface_whatever_is_below() -> None:
-    # The definition of the cover, in star and sky alike.
-    for shaded in (0.0, 0.4, 1.0):
-        assert under_clouds(1.0, shaded, 0.6, SEA) == (0.0, 0.6, 0.0, 0.6, 0.0)
+def test_without_cover_nothing_changes() -> None:
+    # The ground's own factors, exactly, whatever a cloud would reflect.
+    clear = passage(0.0, 0.0)
+    assert under_star(clear, 0.9, *SEA) == SEA[0]
+    assert under_sky(clear, *SEA[1:]) == SEA[1]
 
 
-def test_starlight_is_reflected_let_through_or_passes_beside() -> None:
-    # Conservation: what white ground below an unseen cover sends back, and what the cover keeps
-    # above it, is all light; by uniform light from above the layer nothing exceeds 1.
-    for shaded, albedo in itertools.product((0.0, 0.3, 1.0), (0.0, 0.6, 1.0)):
-        star = under_clouds(0.0, shaded, albedo, WHITE)
-        assert_allclose(star[0] + star[1] + shaded * albedo, 1.0, rtol=1e-15)
-        for seen in (0.0, 0.5, 1.0):
-            star_diffuse, star_specular, sky_diffuse, sky_specular, _ = under_clouds(
-                seen, shaded, albedo, WHITE
-            )
-            assert max(star_diffuse + star_specular, sky_diffuse + sky_specular) <= 1.0 + 1e-15
+def test_what_a_cover_does_not_reflect_it_lets_through() -> None:
+    # Conservation on both ways; the direct part is Beer's law of the scaled depth.
+    layer = droplet_layer(3.0, GREEN)
+    for seen, shaded in itertools.product((0.0, 0.3, 1.0), repeat=2):
+        found = layer_passage(0.5, 0.7, seen, shaded, layer)
+        star = found.star_direct + found.star_diffuse
+        assert_allclose(star, 1.0 - shaded * plane_albedo(0.5, layer), rtol=1e-12)
+        view = found.view_direct + found.view_diffuse
+        assert_allclose(view, 1.0 - found.seen_albedo, rtol=1e-12)
+        beam = 1.0 - shaded + shaded * np.exp(-layer.layer_depth / 0.5)
+        assert_allclose(found.star_direct, beam, rtol=1e-12)
+
+
+def test_light_goes_back_and_forth_between_cloud_and_ground() -> None:
+    # The sum over bounces, term by term: Lambert ground a, transmittances t, spherical albedo s.
+    layer, ground = droplet_layer(10.0, GREEN), 0.6
+    found = layer_passage(0.5, 0.7, 1.0, 1.0, layer)
+    star, view = (1.0 - plane_albedo(x, layer) for x in (0.5, 0.7))
+    bounces = sum(ground * (ground * layer.layer_albedo) ** k for k in range(80))
+    direct = under_star(found, 0.4, ground, ground, ground)
+    assert_allclose(direct, 0.4 + star * view * bounces, rtol=1e-12)
+    sky = under_sky(found, ground, ground)
+    through = 1.0 - layer.layer_albedo
+    assert_allclose(sky, 1.0 - view + through * view * bounces, rtol=1e-12)
 
 
 def test_light_below_full_cover_is_diffuse() -> None:
-    # The sea below full cover has no glint of the star: it mirrors what comes through, as it does
-    # a uniform sky.
-    albedo = 0.6
-    star_diffuse, star_specular, *_ = under_clouds(0.0, 1.0, albedo, SEA)
-    assert_allclose([star_diffuse, star_specular], [0.4 * 0.8, 0.4 * (0.02 + 0.3)])
+    # Below a thick cover the sea has no glint of the star: 40 of direct light change nothing.
+    dense = passage(0.0, 1.0, 30.0)
+    assert_allclose(under_star(dense, 0.0, 40.0, 0.3, 0.1), under_star(dense, 0.0, 0.0, 0.3, 0.1),
+                    rtol=1e-9)  # fmt: skip
 
 
-def test_the_mean_over_places_is_near_the_solver_s_ground() -> None:
-    # Covers of line of sight and starlight that know nothing of each other: c A + (1 - c) a, less
-    # the light c (1 - c) A a that goes back and forth.
-    mean, cloud, ground = 0.4, 0.6, 0.15
-    covers = np.random.default_rng(5).uniform(0.0, 2.0 * mean, (20_000, 2))
-    found = [under_clouds(*pair, cloud, WHITE)[:2] for pair in covers]
-    seen = np.mean([diffuse * ground + specular for diffuse, specular in found])
-    solver = mean * cloud + (1.0 - mean) * ground
-    missing = mean * (1.0 - mean) * cloud * ground
-    # standard error of the mean: 0.23 · 0.45 / √20000
-    assert_allclose(seen, solver - missing, atol=3e-3)
-    assert missing < 0.025
+def test_nodes_are_met_and_ends_are_held() -> None:
+    assert node_before(0.5, 5) == (2, 0.0)
+    assert node_before(1.5, 5) == (3, 1.0)
+    assert node_before(-1.0, 5) == (0, 0.0)
+    layer = droplet_layer(10.0, GREEN)
+    assert plane_albedo(1.0, layer) == layer.layer_plane[-1]
+
+
+def test_clouds_without_azimuth_have_the_layer_s_albedos() -> None:
+    # The definition of the solver's clouds: 2 ∫ A A'/s μ dμ is A, linear between the nodes.
+    layer = droplet_layer(10.0, GREEN)
+    nodes, weights = np.polynomial.legendre.leggauss(400)
+    nodes = 0.5 * (nodes + 1.0)
+    factors = [mean_reflected(layer_passage(0.3, x, 1.0, 1.0, layer), layer) for x in nodes]
+    assert_allclose((weights * nodes) @ factors, plane_albedo(0.3, layer), rtol=1e-3)
+
+
+def test_scattering_angle_and_azimuth_follow_from_the_cosines() -> None:
+    # ν = -1 is light that goes back to the star; light that goes on is brighter.
+    layer = droplet_layer(10.0, GREEN)
+    assert layer_reflectance(0.6, 0.6, -1.0, layer).angle == 1.0
+    assert (
+        layer_reflectance(0.6, 0.6, 0.28, layer).multiple
+        > layer_reflectance(0.6, 0.6, -1.0, layer).multiple
+    )

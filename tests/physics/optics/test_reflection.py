@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import load_planet
 from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.lanes import LANES, load, store
+from airlight.physics.optics.droplet_layer import droplet_layer
 from airlight.physics.optics.reflection import (
     LAWS,
     Reflection,
@@ -19,6 +20,8 @@ from airlight.physics.optics.reflection import (
     direct_reflectances,
     largest_albedo,
     law_number,
+    mean_albedo,
+    mean_direct_reflectance,
 )
 from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
@@ -35,7 +38,7 @@ def both(ground, mu_s, mu_r, nu, out):
 
 @compiled_loop
 def one(ground, mu_s, mu_r, nu):
-    return direct_reflectance(ground, 0, mu_s, mu_r, nu), diffuse_reflectance(ground, 0, mu_r)
+    return mean_direct_reflectance(ground, 0, mu_s, mu_r, nu), diffuse_reflectance(ground, 0, mu_r)
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
@@ -148,21 +151,36 @@ def test_arrays_of_lines_are_the_single_ones():
 
 
 @pytest.mark.parametrize("law", LAWS)
-def test_clouds_are_a_share_of_lambert_ground(law):
-    # The definition of the mean: (1 - c) of the law, c of the albedo of clouds; lanes and single
-    # wavelengths alike, and exactly the one or the other at the ends.
-    plain = Reflection(0.3, law_number(law))
-    for direction in DIRECTIONS:
-        clear = np.array(one(plain, *direction))
-        for cover in (0.0, 0.25, 1.0):
-            ground = plain._replace(cover=cover, cloud_albedo=0.8)
-            expected = (1.0 - cover) * clear + cover * 0.8
-            # factors of lanes are rounded to single precision
-            assert_allclose(one(ground, *direction), expected, rtol=0 if cover == 0.0 else 1e-7)
-            out = np.empty((2, 1, 1))
-            lines = (np.array([x]) for x in direction)
-            arrays = ground._replace(albedo=np.array([0.3]))
-            mu_s, mu_r, nu = lines
-            direct_reflectances(arrays, mu_s, mu_r, nu, out[0])
-            diffuse_reflectances(arrays, mu_r, out[1])
-            assert_allclose(out.ravel(), expected, rtol=1e-6)
+def test_clouds_are_a_fraction_of_the_ground(law):
+    # The definition of the mean: 1 - c of the law, c of the layer above it; lanes and double
+    # precision alike, and exactly the law where there are no clouds.
+    nm = np.linspace(400.0, 700.0, LANES)
+    layer = droplet_layer(12.0, nm)
+    plain = Reflection(ALBEDO.copy(), law_number(law), layer=layer)
+    lines = np.array(DIRECTIONS).T.copy()
+    found = {}
+    for cover in (0.0, 0.25, 1.0):
+        ground = plain._replace(cover=cover)
+        out = np.empty((2, len(DIRECTIONS), LANES))
+        direct_reflectances(ground, *lines, out[0])
+        diffuse_reflectances(ground, lines[1], out[1])
+        found[cover] = out
+        lanes = np.empty(2 * LANES, np.float32)
+        single = ground._replace(
+            albedo=ALBEDO.astype(np.float32),
+            layer=layer._replace(layer_phase=layer.layer_phase.astype(np.float32)),
+        )
+        for k, direction in enumerate(DIRECTIONS):
+            both(single, *direction, lanes)
+            assert_allclose(out[:, k].ravel(), lanes, rtol=1e-4, atol=1e-6)
+    assert_allclose(found[0.25], 0.75 * found[0.0] + 0.25 * found[1.0], rtol=1e-12, atol=1e-12)
+
+
+def test_the_mean_albedo_is_that_under_a_uniform_sky():
+    # The definition, 2 ∫ R' μ dμ of Lambert ground below a third of clouds; linear between nodes.
+    ground = Reflection(
+        ALBEDO.copy(), cover=1.0 / 3.0, layer=droplet_layer(12.0, 600.0 + 0 * ALBEDO)
+    )
+    out = np.empty((NODES.size, LANES))
+    diffuse_reflectances(ground, NODES.copy(), out)
+    assert_allclose(2.0 * (WEIGHTS * NODES) @ out, mean_albedo(ground), rtol=1e-3)

@@ -325,11 +325,16 @@ GROUND = [
          atol=16 * EPS),
     Case(clouds.layer_distance, (uniform(-0.2, 1.0, 46), BOTTOM, np.geomspace(1.0, 1e5, COUNT)),
          rtol=8 * EPS),
-    # Sums of products of numbers up to 1.
-    Case(clouds.under_clouds, (
-        *(uniform(0.0, 1.0, k) for k in range(47, 50)),
-        clouds.GroundFactors(*(uniform(0.0, 1.0, k) for k in range(50, 55))),
-    ), atol=8 * EPS),
+    # Sums of products of numbers up to 1, over at least 1 - 0.9 · 0.9.
+    Case(clouds.under_star, (
+        clouds.LayerPassage(*(uniform(0.0, 0.9, k) for k in range(47, 54))),
+        *(uniform(0.0, 0.9, k) for k in range(54, 58)),
+    ), atol=64 * EPS),
+    Case(clouds.under_sky, (
+        clouds.LayerPassage(*(uniform(0.0, 0.9, k) for k in range(47, 54))),
+        *(uniform(0.0, 0.9, k) for k in range(58, 60)),
+    ), atol=64 * EPS),
+    Case(clouds.node_before, (uniform(-0.1, 1.1, 60), 24), atol=24 * EPS),
     # Roots, and 1 - 2Θν + Θ², at least 0.8.
     Case(rpv.land_direct, (uniform(-0.1, 1.0, 61), uniform(0.0, 1.0, 62), uniform(-1.0, 1.0, 63)),
          rtol=16 * EPS),

@@ -85,7 +85,7 @@ def unscattered(solution: Solution, label: Labels, precision: str) -> dict[str, 
 def facts(solution: Solution, orders: str) -> dict[str, Any]:
     """Facts about planet, solver and star for the manifest."""
     medium, ground = solution.medium, solution.medium.ground
-    clouds = {"cloud_cover": ground.cover, "cloud_albedo": ground.cloud_albedo}
+    clouds = {"cloud_cover": ground.cover, "cloud_optical_depth": ground.cloud_optical_depth}
     return {
         "planet": solution.planet.name if solution.planet is not None else "unnamed",
         "fingerprint": medium.fingerprint(),

@@ -7,7 +7,9 @@ NBS Monograph 160). It has two forms: direct (bidirectional) for the star's beam
 Lommel-Seeliger under a Rayleigh sky). Each is ``diffuse · albedo + specular``: volume scattering
 below the surface, which has the ground's colour, and Fresnel reflection by the surface.
 
-Solvers use a uniform cloud cover; a renderer looks up the local one.
+Of ground below clouds (``clouds``) lines of sight see the mean of a fraction with the layer, the
+mean cover, and of one without; a renderer looks up the local covers. The sweeps of the moments'
+solver have the layer's plane albedo, without azimuth (``mean_direct_reflectance``).
 
 A law is a module with two kernels, ``brdf_direct`` and ``brdf_diffuse``, a function
 ``largest_albedo``, and an entry in ``LAWS``; its parameters other than the albedo are numeric
@@ -28,6 +30,17 @@ from airlight.kernel.choice import chosen_kernel
 from airlight.kernel.lanes import load
 from airlight.kernel.shader_fields import CHOICE, spectra
 from airlight.physics.optics import hapke, lambert, lommel_seeliger, water
+from airlight.physics.optics.clouds import (
+    DIFFUSE_COSINE,
+    layer_passage,
+    layer_reflectance,
+    mean_reflected,
+    reflected_at,
+    reflected_lanes,
+    under_sky,
+    under_star,
+)
+from airlight.physics.optics.droplet_layer import DropletLayer, no_layer
 
 FloatArray = NDArray[np.float64]
 
@@ -68,10 +81,13 @@ class Reflection(NamedTuple):
         Whether some of the ground is water, by the law or by a map.
     wind : float
         Wind speed over water. [m s⁻¹]
-    cover, cloud_albedo : float
-        Mean cloud cover, and albedo of the Lambertian clouds. [1]
+    cover, cloud_optical_depth : float
+        Mean cloud cover, and optical depth of the clouds. [1]
     regolith : Regolith
         Grains and roughness of Hapke's law.
+    layer : DropletLayer
+        Layer of that optical depth, at the wavelengths of the albedo, or of clouds that are only
+        seen.
     """
 
     albedo: Annotated[Any, spectra(0)]
@@ -79,8 +95,13 @@ class Reflection(NamedTuple):
     wet: bool = False
     wind: float = 5.0
     cover: float = 0.0
-    cloud_albedo: float = 0.0
+    cloud_optical_depth: float = 0.0
     regolith: hapke.Regolith = hapke.MOON
+    layer: DropletLayer = no_layer()
+
+    def at(self, block: slice) -> Reflection:
+        """The ground at some of its wavelengths."""
+        return self._replace(albedo=self.albedo[block], layer=self.layer.at(block))
 
 
 def largest_albedo(ground: Reflection) -> float:
@@ -94,6 +115,19 @@ def largest_albedo(ground: Reflection) -> float:
     return list(LAWS.values())[ground.law].largest_albedo(ground)  # type: ignore[no-any-return]
 
 
+def mean_albedo(ground: Reflection) -> FloatArray:
+    """Albedo under a uniform sky of a ground and its mean cover of clouds, shape (w,). [1]
+
+    Parameters
+    ----------
+    ground : Reflection
+        Ground at wavelengths.
+    """
+    albedo, back = np.asarray(ground.albedo, float), ground.layer.layer_albedo
+    cloudy = back + (1.0 - back) ** 2 * albedo / (1.0 - back * albedo)
+    return albedo + (cloudy - albedo) * ground.cover
+
+
 #: White ground by Lambert's law.
 WHITE: Final = Reflection(1.0)
 #: ``brdf_direct(law, ground, mu_s, mu_r, nu)``: diffuse (factor of the albedo) and specular parts
@@ -104,15 +138,39 @@ brdf_diffuse = chosen_kernel("brdf_diffuse", [law.brdf_diffuse for law in LAWS.v
 
 
 @inlined
-def _with_clouds(factor, ground):
-    """Reflectance factor with clouds, from that of the ground. [1]"""
-    cloud = ground.cover * ground.cloud_albedo
-    return factor * np.float32(1.0 - ground.cover) + np.float32(cloud)
+def _spread(ground, albedo):
+    """Reflectance factor for diffuse light that goes on diffusely. [1]"""
+    diffuse, specular = brdf_diffuse(ground.law, ground, DIFFUSE_COSINE)
+    return albedo * diffuse + specular
+
+
+@inlined
+def _sky_factor(ground, albedo, mu_r):
+    """Reflectance factor of clear ground under a uniform sky. [1]"""
+    diffuse, specular = brdf_diffuse(ground.law, ground, mu_r)
+    return albedo * diffuse + specular
+
+
+@inlined
+def _under_clouds(ground, albedo, clear, reflected, light, mu_r):
+    """Mean of clear ground and ground below the layer, in the star's light. [1]"""
+    cloudy = under_star(
+        light, reflected, clear, _sky_factor(ground, albedo, mu_r), _spread(ground, albedo)
+    )
+    return clear + (cloudy - clear) * ground.cover
+
+
+@inlined
+def _under_cloudy_sky(ground, albedo, clear, mu_r):
+    """Mean of clear ground and ground below the layer, under a uniform sky. [1]"""
+    light = layer_passage(1.0, mu_r, 1.0, 1.0, ground.layer)
+    cloudy = under_sky(light, clear, _spread(ground, albedo))
+    return clear + (cloudy - clear) * ground.cover
 
 
 @inlined
 def direct_reflectance(ground, at, mu_s, mu_r, nu):
-    """Bidirectional reflectance factor of the ground, π times its BRDF. [1]
+    """Bidirectional reflectance factor of the ground, π times its BRDF, as lanes. [1]
 
     Parameters
     ----------
@@ -124,15 +182,39 @@ def direct_reflectance(ground, at, mu_s, mu_r, nu):
         Cosine of the zenith angle of reflection, towards the observer. [1]
     nu : float
         Cosine between the line of sight towards the ground and the direction to the star. [1]
+    """
+    diffuse, specular = brdf_direct(ground.law, ground, mu_s, mu_r, nu)
+    albedo = load(ground.albedo, at)
+    factor = albedo * np.float32(diffuse) + np.float32(specular)
+    if ground.cover > 0.0:
+        light = layer_passage(mu_s, mu_r, 1.0, 1.0, ground.layer)
+        reflection = layer_reflectance(mu_s, mu_r, nu, ground.layer)
+        reflected = reflected_lanes(reflection, ground.layer, at)
+        factor = _under_clouds(ground, albedo, factor, reflected, light, mu_r)
+    return factor
+
+
+@inlined
+def mean_direct_reflectance(ground, at, mu_s, mu_r, nu):
+    """``direct_reflectance`` with clouds that reflect evenly in azimuth, for sweeps. [1]
+
+    Parameters
+    ----------
+    at, mu_s, mu_r, nu :
+        Arguments of ``direct_reflectance``.
 
     Returns
     -------
     lanes, or a float where ``ground`` is of one wavelength
     """
     diffuse, specular = brdf_direct(ground.law, ground, mu_s, mu_r, nu)
-    return _with_clouds(
-        load(ground.albedo, at) * np.float32(diffuse) + np.float32(specular), ground
-    )
+    albedo = load(ground.albedo, at)
+    factor = albedo * np.float32(diffuse) + np.float32(specular)
+    if ground.cover > 0.0:
+        light = layer_passage(mu_s, mu_r, 1.0, 1.0, ground.layer)
+        reflected = mean_reflected(light, ground.layer)
+        factor = _under_clouds(ground, albedo, factor, reflected, light, mu_r)
+    return factor
 
 
 @inlined
@@ -153,9 +235,11 @@ def diffuse_reflectance(ground, at, mu_r):
     lanes, or a float where ``ground`` is of one wavelength
     """
     diffuse, specular = brdf_diffuse(ground.law, ground, mu_r)
-    return _with_clouds(
-        load(ground.albedo, at) * np.float32(diffuse) + np.float32(specular), ground
-    )
+    albedo = load(ground.albedo, at)
+    factor = albedo * np.float32(diffuse) + np.float32(specular)
+    if ground.cover > 0.0:
+        factor = _under_cloudy_sky(ground, albedo, factor, mu_r)
+    return factor
 
 
 @inlined
@@ -177,16 +261,25 @@ def cos_reflected(r, mu, bottom):
 def direct_reflectance_at(ground, l, mu_s, mu_r, nu):
     """``direct_reflectance`` at wavelength l, in double precision. [1]"""
     diffuse, specular = brdf_direct(ground.law, ground, mu_s, mu_r, nu)
-    clear = diffuse * ground.albedo[l] + specular
-    return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
+    albedo = ground.albedo[l]
+    factor = diffuse * albedo + specular
+    if ground.cover > 0.0:
+        light = layer_passage(mu_s, mu_r, 1.0, 1.0, ground.layer)
+        reflection = layer_reflectance(mu_s, mu_r, nu, ground.layer)
+        reflected = reflected_at(reflection, ground.layer, l)
+        factor = _under_clouds(ground, albedo, factor, reflected, light, mu_r)
+    return factor
 
 
 @inlined
 def diffuse_reflectance_at(ground, l, mu_r):
     """``diffuse_reflectance`` at wavelength l, in double precision. [1]"""
     diffuse, specular = brdf_diffuse(ground.law, ground, mu_r)
-    clear = diffuse * ground.albedo[l] + specular
-    return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
+    albedo = ground.albedo[l]
+    factor = diffuse * albedo + specular
+    if ground.cover > 0.0:
+        factor = _under_cloudy_sky(ground, albedo, factor, mu_r)
+    return factor
 
 
 @compiled_loop

@@ -13,15 +13,20 @@ from typing import Final
 import numpy as np
 
 from airlight.geometry.shell import first_intersection
-from airlight.geometry.vectors import Vec3, components, minus, scaled
-from airlight.image.texels import CHANNELS
+from airlight.geometry.vectors import Vec3, components
 from airlight.kernel import inlined
 from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
-from airlight.physics.optics.clouds import GroundFactors, clouds_shown, layer_distance, under_clouds
+from airlight.physics.optics.clouds import GroundFactors, clouds_shown, plane_albedo
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.physics.optics.rpv import land_diffuse, land_direct, unsaturated
 from airlight.physics.optics.water import water_reflectances
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
+from airlight.render.pixels.ground_clouds import (
+    CLOUD_VALUES,
+    cloud_cover,
+    clouded_light,
+    keep_clouds,
+)
 from airlight.render.pixels.relief import relief_light
 from airlight.render.pixels.sea_sky import mirror_place
 from airlight.render.pixels.sea_surface import (
@@ -64,7 +69,7 @@ from airlight.solver.moments.march_tables import MIRRORED
 from airlight.solver.moments.source import transmittance_columns
 
 #: Length of the array that ``ground_color`` fills.
-GROUND_VALUES: Final = 12
+GROUND_VALUES: Final = 12 + CLOUD_VALUES
 #: Cosine of the star's zenith angle from which light of the night is lost in its light on the
 #: ground: skyglow of cities is 2e-4 of it, and lamps keep their mean, without a pattern. [1]
 DAYLIGHT: Final = 0.1
@@ -130,7 +135,7 @@ def ground_spot(reach, end, cosine, view, tables):
 
 @inlined
 def ground_color(ray, sine, angle, frame, color):
-    """Map values at the end of a line of sight, into ``color`` (12,). [1]
+    """Map values at the end of a line of sight, into ``color`` (GROUND_VALUES,). [1]
 
     Parameters
     ----------
@@ -140,7 +145,7 @@ def ground_color(ray, sine, angle, frame, color):
         Sine of its zenith angle [1]; angle of refraction [rad].
     frame : FrameTables
         What the pixels read.
-    color : array, shape (12,)
+    color : array, shape (GROUND_VALUES,)
         Receives linear sRGB reflectance and water fraction of the map, three colours of city
         lights, the noise factor of ground without a map (at 8), the cloud cover on the line of
         sight and on the path to the star, and the factor of direct light by slopes; values of
@@ -206,7 +211,7 @@ def ground_color(ray, sine, angle, frame, color):
         )
         if view.detailed and lamps > 0.0 and mu_s < DAYLIGHT:
             lamps *= lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
-        color[4] = lamps * (1.0 - color[9])
+        color[4] = lamps * (1.0 - color[9] * plane_albedo(cosine, tables.ground.layer))
         color[5] = color[4]
         color[6] = color[4]
 
@@ -231,7 +236,7 @@ def detailed_land(place, blur, lean, mu_s, width, noise, view, color):
         ``land`` of ``GroundNoise``. [1]
     view : ViewUniforms
         Camera with its maps.
-    color : array, shape (12,)
+    color : array, shape (GROUND_VALUES,)
         Values of the map, which are changed. [1]
     """
     share = color[3] if view.mapped else 0.0
@@ -255,45 +260,6 @@ def detailed_land(place, blur, lean, mu_s, width, noise, view, color):
             color[3] = sharp
         else:
             color[8] = 1.0 + view.grain.x * noise + tone
-
-
-@inlined
-def cloud_cover(end, ray, cosine, level, north, east, frame, color):
-    """Cloud cover on a line of sight and on the path from its end to the star. [1]
-
-    Refraction between ground and layer is neglected.
-
-    Parameters
-    ----------
-    end : Vec3
-        End of the line of sight on the ground, from the centre, in the observer's frame. [m]
-    ray, cosine : Vec3, float
-        Its direction, and cosine of the zenith angle of the way back. [1]
-    level : float
-        Level of the overlay. [1]
-    north, east : float
-        Displacement of the clouds that are seen, in latitude and longitude. [rad]
-    frame, color :
-        Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
-    """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
-    mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
-    back = layer_distance(cosine, tables.bottom, view.cloud_altitude)
-    out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
-    for towards in range(2):
-        place = minus(end, scaled(ray, back))
-        if towards == 1:
-            north, east = 0.0, 0.0
-            place = Vec3(end.x + out * observer.sun_x, end.y, end.z + out * observer.sun_z)
-        latitude, longitude = latitude_longitude(
-            components(place, view.ground_x, view.ground_y, view.ground_z)
-        )
-        color[9 + towards] = map_channel(
-            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude + north, longitude + east, level, CHANNELS - 1,
-        )  # fmt: skip
-    if observer.r <= view.cloud_radius:
-        color[9] = 0.0
 
 
 @inlined
@@ -343,10 +309,9 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
             sky_diffuse = land * sky_diffuse + share * sky
             sky_specular = land * sky_specular
             mirrored = share * mirrored
-    factors = GroundFactors(star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored)
-    if view.clouded:
-        factors = under_clouds(color[9], color[10], view.cover_albedo, factors)
-    return factors
+        if view.clouded and color[9] + color[10] > 0.0:
+            keep_clouds(mu_s, mu_r, nu, share, tables.ground, color)
+    return GroundFactors(star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored)
 
 
 @inlined
@@ -383,7 +348,7 @@ def lamp_light(color, view, tables, columns, at):
 
     Parameters
     ----------
-    color : array, shape (12,)
+    color : array, shape (GROUND_VALUES,)
         Values from ``ground_color``. [1]
     view, tables : ViewUniforms, MarchTables
         Colour of the lamps, and tables of the solution.
@@ -439,8 +404,16 @@ def ground_factor(color, view, factors, tables, work, at):
         return albedo
     received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)
     star, sky = received[0], received[1]
-    by_star = star * (albedo * np.float32(factors.star_diffuse) + np.float32(factors.star_specular))
-    by_sky = sky * (albedo * np.float32(factors.sky_diffuse) + np.float32(factors.sky_specular))
+    direct = albedo * np.float32(factors.star_diffuse) + np.float32(factors.star_specular)
+    diffuse = albedo * np.float32(factors.sky_diffuse) + np.float32(factors.sky_specular)
+    mirrored = splat(0.0)
     if tables.ground.wet:
-        by_sky = by_sky + found[MIRRORED] * np.float32(pi * factors.mirrored)
+        mirrored = found[MIRRORED] * np.float32(pi * factors.mirrored)
+    by_star, by_sky = star * direct, sky * diffuse + mirrored
+    if view.clouded and color[9] + color[10] > 0.0:
+        diffuse = diffuse + np.float32(factors.mirrored)
+        beyond = mirrored - sky * np.float32(factors.mirrored)
+        by_star, by_sky = clouded_light(
+            star, sky, direct, diffuse, albedo, beyond, color, tables.ground.layer, at
+        )
     return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

@@ -73,7 +73,6 @@ class ViewUniforms(NamedTuple):
     grain: Vec3
     grain_fall: float
     cloud_altitude: float
-    cover_albedo: float
     cloud_radius: float
     detailed: bool
     detail_cell: float

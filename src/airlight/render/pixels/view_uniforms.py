@@ -250,7 +250,6 @@ def overlay_uniforms(
             "clouds_from_space": float(medium.surface.clouds is None),
             "relieved": float(medium.surface.relief is not None),
             "cloud_altitude": altitude,
-            "cover_albedo": medium.surface.cloud_albedo,
             "cloud_radius": float(radius),
         }
     )

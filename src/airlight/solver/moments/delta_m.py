@@ -291,10 +291,14 @@ class Optics:
     def air(self, block: slice) -> ScaledOptics:
         """Packed optics of some wavelengths, in whole groups of eight lanes."""
         medium, (extinction, moments, polarised_moments, _) = self.medium, self._reduced
+        ground = medium.ground.at(block)
         return ScaledOptics(
             extinction=pack(extinction[:, block]),
             moments=pack(moments[..., block]),
-            ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
+            ground=ground._replace(
+                albedo=pack(ground.albedo),
+                layer=ground.layer._replace(layer_phase=pack(ground.layer.layer_phase)),
+            ),
             star_radius=medium.lights[0].angular_radius,
             polarised_moments=pack(polarised_moments[..., block]),
         )

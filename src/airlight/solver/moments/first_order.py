@@ -26,7 +26,7 @@ from airlight.kernel.lanes import (
     store,
 )
 from airlight.physics.optics.altitude_nodes import node_value
-from airlight.physics.optics.reflection import direct_reflectance
+from airlight.physics.optics.reflection import mean_direct_reflectance
 from airlight.solver.moments.harmonics import legendre_functions
 from airlight.solver.moments.ray_optics import (
     mu_r_at_end,
@@ -410,7 +410,7 @@ def _first_order(i, tables, rows, ratios, refraction_table, out, sky_out, narrow
 
 @inlined
 def reflected_star(surface, mu_s, mu_r, nu, star_tables):
-    """Direct irradiance of the ground times ``direct_reflectance``. [1]
+    """Direct irradiance of the ground times ``mean_direct_reflectance``. [1]
 
     Parameters
     ----------
@@ -419,7 +419,7 @@ def reflected_star(surface, mu_s, mu_r, nu, star_tables):
     """
     bottom, top, star_radius, depths, directions, refraction_table = star_tables
     light = direct_light(mu_s, bottom, top, star_radius, depths, 0, directions, refraction_table)
-    return direct_reflectance(surface, 0, mu_s, mu_r, nu) * light
+    return mean_direct_reflectance(surface, 0, mu_s, mu_r, nu) * light
 
 
 @compiled_loop

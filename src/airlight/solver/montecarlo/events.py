@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
 from airlight.physics.optics.density_profile import relative_density
-from airlight.physics.optics.reflection import direct_reflectance
+from airlight.physics.optics.reflection import direct_reflectance_at
 from airlight.solver.montecarlo.cloud_rays import FAR, cloud_collision
 from airlight.solver.montecarlo.rays import (
     place_at_depth,
@@ -259,7 +259,8 @@ def scattered_phase(turn, air, shares):
 def reflected_brdf(mu_s, mu_r, turn, returned, air):
     """BRDF factor of next-event estimation at a reflection by the ground. [sr⁻¹]"""
     lambertian = max(mu_s, 0.0) * _INVERSE_PI
-    return lambertian * (direct_reflectance(air.ground, 0, max(mu_s, 0.0), mu_r, turn) / returned)
+    reflected = direct_reflectance_at(air.ground, 0, max(mu_s, 0.0), mu_r, turn)
+    return lambertian * (reflected / returned)
 
 
 @inlined

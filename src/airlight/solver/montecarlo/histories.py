@@ -35,8 +35,8 @@ from airlight.geometry.vectors import Vec3
 from airlight.kernel import compiled_loop, inlined
 from airlight.physics.optics.reflection import (
     cos_reflected,
-    diffuse_reflectance,
-    direct_reflectance,
+    diffuse_reflectance_at,
+    direct_reflectance_at,
 )
 from airlight.solver.montecarlo.cloud_rays import FAR, cloud_depth
 from airlight.solver.montecarlo.events import (
@@ -191,7 +191,7 @@ def trace_paths(count, start, air, clouds, occulted, state, paths, workspace, su
                     reflected = clouds.albedo[cloud] * exp(-depth)
             elif to_ground:
                 mu_r = cos_reflected(r, mu, bottom)
-                returned = diffuse_reflectance(air.ground, 0, mu_r)
+                returned = diffuse_reflectance_at(air.ground, 0, mu_r)
                 reflected = returned * exp(-depth)
             if not collision_probability + reflected > 0.0:
                 break
@@ -287,7 +287,7 @@ def trace_paths(count, start, air, clouds, occulted, state, paths, workspace, su
                 a, b, c = turned(x / r, y / r, z / r, cosine, 2.0 * pi * uniform(state))
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 # Drawn by Lambert's law; any other reflection weights the direction.
-                weight *= direct_reflectance(air.ground, 0, cosine, mu_r, turn) / returned
+                weight *= direct_reflectance_at(air.ground, 0, cosine, mu_r, turn) / returned
                 u, v, w = a, b, c
                 a1, a2, a3 = start_axis(u, v, w)
             else:

@@ -143,7 +143,7 @@ def history_optics(
         coefficients=density.coefficients,
         scattering=np.ascontiguousarray(medium.scattering[:, wavelength]),
         lobes=lobes(medium, wavelength),
-        ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
+        ground=medium.ground.at(slice(wavelength, wavelength + 1)),
         star_radius=medium.lights[0].angular_radius,
         star_transmittance=star_transmittance_table(chosen),
         refraction=refraction_column(geometry, steps + 1),

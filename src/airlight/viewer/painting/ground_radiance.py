@@ -10,8 +10,24 @@ from numpy.typing import NDArray
 from airlight.geometry.vectors import Vec3
 from airlight.image.texels import CHANNELS
 from airlight.physics.optics import water
-from airlight.physics.optics.clouds import GroundFactors, clouds_shown, layer_distance, under_clouds
-from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct, cos_reflected
+from airlight.physics.optics.clouds import (
+    DIFFUSE_COSINE,
+    clouds_shown,
+    layer_distance,
+    layer_passage,
+    layer_reflectance,
+    reflected_at,
+    under_sky,
+    under_star,
+)
+from airlight.physics.optics.reflection import (
+    WATER,
+    brdf_diffuse,
+    brdf_direct,
+    cos_reflected,
+    diffuse_reflectances,
+    direct_reflectances,
+)
 from airlight.render.pixels.sea_sky import ACROSS, ALONG, mirror_facet
 from airlight.scene import Scene
 from airlight.scene.ground_overlay import ground_overlay
@@ -64,11 +80,13 @@ def ground_radiance(
         brdf_direct(ground.law, ground, mu_s, mu_r, nu),
         brdf_diffuse(ground.law, ground, mu_r),
     )
-    hidden = ground.cover * ground.cloud_albedo
-    solved = [(1.0 - ground.cover) * _factor(one, medium.ground_albedo) + hidden for one in by_law]
+    solved = np.empty((2, 1, albedo.size))
+    cosines = [np.array([x]) for x in (mu_s, mu_r, nu)]
+    direct_reflectances(ground, *cosines, solved[0])
+    diffuse_reflectances(ground, cosines[1], solved[1])
     star, sky = (
         np.divide(part[0], factor, out=np.zeros_like(albedo), where=factor > 0.0)
-        for part, factor in zip((parts.ground_star, parts.ground_sky), solved, strict=True)
+        for part, factor in zip((parts.ground_star, parts.ground_sky), solved[:, 0], strict=True)
     )
     share = 0.0
     if ground.law == WATER:
@@ -87,15 +105,21 @@ def ground_radiance(
         )
         diffuse, specular = water.brdf_diffuse(ground, mu_r)
         sky_diffuse, mirrored = sky_diffuse + share * diffuse, share * specular
-    if clouds is not None:
-        clear = GroundFactors(star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored)
-        star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = under_clouds(
-            *clouds, medium.surface.cloud_albedo, clear
-        )
+    by_star = _factor((star_diffuse, star_specular), albedo)
     by_sky = _factor((sky_diffuse, sky_specular), albedo)
-    if mirrored > 0.0:
-        by_sky += mirrored * _mirrored(solution, mu_s, mu_r, nu)
-    return star * _factor((star_diffuse, star_specular), albedo), sky * by_sky
+    sky_mirrored = mirrored * _mirrored(solution, mu_s, mu_r, nu) if mirrored > 0.0 else 0.0
+    if clouds is None:
+        return star * by_star, sky * (by_sky + sky_mirrored)
+    passage = layer_passage(mu_s, mu_r, *clouds, ground.layer)
+    once = layer_reflectance(mu_s, mu_r, nu, ground.layer)
+    reflected = np.array([reflected_at(once, ground.layer, l) for l in range(albedo.size)])
+    land = np.array(brdf_diffuse(ground.law, ground, DIFFUSE_COSINE))
+    sea = np.array(water.brdf_diffuse(ground, DIFFUSE_COSINE))
+    spread = _factor(tuple(land + share * (sea - land)), albedo)
+    by_star = under_star(passage, reflected, by_star, by_sky + mirrored, spread)
+    clouded = under_sky(passage, by_sky + mirrored, spread)
+    clouded += passage.view_direct * (1.0 - passage.back) * (sky_mirrored - mirrored)
+    return star * by_star, sky * clouded
 
 
 def _factor(shares: tuple[float, float], albedo: FloatArray) -> FloatArray:

@@ -24,6 +24,7 @@ from airlight.engines.targets.fits.vertical_profile import (
     fit_tent,
 )
 from airlight.engines.targets.target import FittedFormula
+from airlight.physics.optics.reflection import mean_albedo
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.matter.phases import PhaseFunction, Rayleigh
@@ -145,7 +146,7 @@ def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlan
             profile = _fitted_profile(medium, others, medium.absorption, ABSORBER, form, fitted)
             constituents.append(layer(ABSORBER, profile, medium, none, absorbed, None))
     ground = medium.ground
-    albedo = ground.cover * ground.cloud_albedo + (1.0 - ground.cover) * medium.ground_albedo
+    albedo = mean_albedo(ground)
     planet = Planet(
         name=name,
         bottom_radius=medium.bottom_radius,

@@ -10,7 +10,7 @@ import numpy as np
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, splat
 from airlight.physics.optics.altitude_nodes import node_value
-from airlight.physics.optics.reflection import direct_reflectance
+from airlight.physics.optics.reflection import mean_direct_reflectance
 from airlight.render.gpu.solver.ray_sums import (
     RayAndStar,
     gathered,
@@ -53,7 +53,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
     radiance = share * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
-        factor = direct_reflectance(
+        factor = mean_direct_reflectance(
             tables.ground, 0, at_ground, mu_r_at_end(tables.end, i, a, tables.mu[i, a]), nu
         )
         radiance = radiance + factor * INVERSE_PI * throughs[ray] * direct_light(

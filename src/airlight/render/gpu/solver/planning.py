@@ -60,7 +60,7 @@ def plan_for(
         "level": batch.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
         "polarised_moments": _lanes(air.polarised_moments),
-        "albedo": _lanes(air.ground.albedo),
+        "albedo": _lanes(air.ground.albedo), "layer_plane": air.ground.layer.layer_plane,
     }  # fmt: skip
     sizes: dict[str, Any] = {
         "radii": setup.gathering.radii.size,
