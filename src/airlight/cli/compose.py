@@ -14,7 +14,7 @@ from airlight.cli.console import examples, note, say, shown_progress
 from airlight.cli.display_options import DisplayOptions
 from airlight.cli.option_groups import OptionGroup, given_values, named_errors, option
 from airlight.cli.place_options import PlaceOptions
-from airlight.cli.planet_options import PlanetOptions, Set
+from airlight.cli.planet_options import FileChanges, PlanetOptions
 from airlight.cli.solve_options import Exact, SolveOptions
 from airlight.errors import ConflictError, ParameterError
 
@@ -153,6 +153,20 @@ class ComposeSolveOptions(SolveOptions):
     exact: Exact = False
 
 
+@dataclass(frozen=True, kw_only=True)
+class WorldOptions(FileChanges):
+    """Planet of a picture, and overrides of its file."""
+
+    planet: str | None = option(
+        "Planet: preset or TOML file (that of the camera file, or earth).", "PLANET"
+    )
+
+    def of(self, block: dict[str, Any]) -> PlanetOptions:
+        """Planet of the option, or of the camera's block."""
+        name = self.planet or block.get("planet", "earth")
+        return PlanetOptions(planet=name, set_=self.set_, clouds=self.clouds)
+
+
 def compose(
     passes: PassOptions,
     output: Annotated[
@@ -161,14 +175,7 @@ def compose(
     place: PlacementOptions,
     display: DisplayOptions,
     solve: ComposeSolveOptions,
-    planet: Annotated[
-        str | None,
-        typer.Option(
-            metavar="PLANET",
-            help="Planet: preset or TOML file (that of the camera file, or earth).",
-        ),
-    ] = None,
-    set_: Set = None,
+    planet: WorldOptions,
     white: Annotated[
         str,
         typer.Option(
@@ -193,7 +200,7 @@ def compose(
     picture, layers = passes.read()
     surfaces = passes.surfaces()
     pinhole, block = passes.pinhole(picture)
-    chosen = PlanetOptions(planet=planet or block.get("planet", "earth"), set_=set_)
+    chosen = planet.of(block)
     world = chosen.load()
     scene = place.scene(world) if place.timed else None
     if scene is not None:
