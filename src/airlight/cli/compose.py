@@ -192,7 +192,9 @@ def compose(
     """
     started = time.perf_counter()
     from airlight.engines.composition import compose as composed_over
+    from airlight.render.clouds.cloud_time import clouds_at
     from airlight.render.picture import picture_suffix
+    from airlight.scene import Scene
 
     suffix = picture_suffix(output)
     display.check(suffix)
@@ -206,9 +208,20 @@ def compose(
     if scene is not None:
         world = place.lit(world, scene)
     placement = place.placement(block, scene)
-    solution = _solved(world, placement, solve)
+    solution = _solved(world.without_clouds, placement, solve)
     kind, passed = layers["depth_kind"], (layers.pop("rgb"), layers.pop("depth"))
-    settings = {"white": per_white, "exact": solve.exact, "disc": disc, **layers, **surfaces}
+    clouds = clouds_at(
+        world, Scene(latitude=placement.latitude, longitude=placement.longitude),
+        quality=solve.quality, cache=not solve.no_cache,
+    )  # fmt: skip
+    settings = {
+        "clouds": clouds,
+        "white": per_white,
+        "exact": solve.exact,
+        "disc": disc,
+        **layers,
+        **surfaces,
+    }
     with shown_progress() as report:
         composed = composed_over(*passed, pinhole, solution, placement, progress=report, **settings)
     metadata = {

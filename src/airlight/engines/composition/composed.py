@@ -7,7 +7,8 @@ Both are marched along the segment, never the difference of two look-ups.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Final
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,7 +24,8 @@ from airlight.image.white_balance import White, star_white
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.physics.units import without_unit
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.planets.reading.reader import PlanetLike
+from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.render.clouds.cloud_time import clouds_at
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
@@ -31,6 +33,10 @@ from airlight.scene.frame import Frame
 from airlight.solver import Solution
 from airlight.solver.moments.solution import MomentsSolution, moments_solution
 from airlight.solver.solve import solution_of
+
+if TYPE_CHECKING:
+    from airlight.render.clouds.before_surfaces import CloudsBefore
+    from airlight.render.clouds.clouds_around import CloudsAround
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -104,6 +110,7 @@ def compose(
     white: float | None = 1.0,
     exact: bool = False,
     disc: bool = True,
+    clouds: CloudsAround | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Composed:
@@ -144,6 +151,8 @@ def compose(
         0.2 %.
     disc : bool
         Whether the star's disc is rendered in the sky.
+    clouds : CloudsAround, optional
+        Three-dimensional clouds; by default those of a planet, and none of a solution.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -164,11 +173,15 @@ def compose(
     relit = _relit(colors.shape, albedo, normals, shadow)
     if white is not None and not 0.0 < white < np.inf:
         raise ParameterError("white", white, "above 0")
+    if not isinstance(solution, Solution):
+        solution = load_planet(solution)
+        at = Scene(latitude=place.latitude, longitude=place.longitude)
+        clouds, solution = clouds or clouds_at(solution, at), solution.without_clouds
     solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
     solution = moments_solution(solution, "compose")
     view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
-        _LightRenderer(seen, lit, view, exact, disc)
+        _LightRenderer(seen, lit, view, exact, disc, clouds)
         for seen, lit, _, _ in scenes_by_light(view.scene, solution)
     ]
     surface = SurfaceLight(solution, white)
@@ -282,13 +295,22 @@ class _LightRenderer:
     """Atmosphere and sky of an image under one light."""
 
     def __init__(
-        self, scene: Scene, solution: MomentsSolution, view: PinholeView, exact: bool, disc: bool
+        self,
+        scene: Scene,
+        solution: MomentsSolution,
+        view: PinholeView,
+        exact: bool,
+        disc: bool,
+        clouds: CloudsAround | None,
     ) -> None:
         self._view, self._exact = view, exact
         self._axes = scene.camera.axes
         self.colors = solution.lights[0].colors()
         self._air = PathRadiance(solution, scene)
-        self._renderer = CpuRenderer(solution, scene, exact=exact, disc=disc)
+        self._renderer = CpuRenderer(
+            solution, scene, exact=exact, disc=disc,
+            clouds=None if clouds is None else clouds.lit(solution, scene),
+        )  # fmt: skip
         self._filled = False
         r = solution.medium.bottom_radius + scene.altitude
         self._relight = Relight(solution, r, scene.sun_direction)
@@ -298,11 +320,21 @@ class _LightRenderer:
         unit = rays / np.linalg.norm(rays, axis=-1, keepdims=True)
         return np.asarray(unit @ self._axes)
 
-    def sky(self, rows: slice, pixels: NDArray[np.bool_]) -> Float32Array:
-        """Linear sRGB of sky or ground behind pixels of a band. [W m⁻² sr⁻¹]"""
+    def _fill(self) -> None:
+        """Fill the tables of the renderer once."""
         if not self._filled:
             self._renderer.fill_sky_view()
             self._filled = True
+
+    @cached_property
+    def _clouds(self) -> CloudsBefore | None:
+        """Clouds before the surfaces."""
+        self._fill()
+        return self._renderer.clouds_before
+
+    def sky(self, rows: slice, pixels: NDArray[np.bool_]) -> Float32Array:
+        """Linear sRGB of sky or ground behind pixels of a band. [W m⁻² sr⁻¹]"""
+        self._fill()
         j, i = np.nonzero(pixels)
         px = np.asarray(self._view.left + 0.5 + i, np.float64)
         py = np.asarray(self._view.top + self._view.stretch * (j + rows.start + 0.5), np.float64)
@@ -337,8 +369,16 @@ class _LightRenderer:
         finite = np.isfinite(reached)
         if self._exact or not self._air.inside or n < CELL * CELL or not finite.any():
             radiance, transmittance, _ = self._air.before(directions, reached)
-            return radiance, transmittance, (float(n), float(n), 0.0)
-        return self._by_froxels(camera, rows, solid, directions, reached)
+            statistics = float(n), float(n), 0.0
+        else:
+            radiance, transmittance, statistics = self._by_froxels(
+                camera, rows, solid, directions, reached
+            )
+        if self._clouds is not None:
+            radiance, transmittance = self._clouds.over(
+                directions, reached, radiance, transmittance
+            )
+        return radiance, transmittance, statistics
 
     def relit(
         self,
@@ -366,7 +406,8 @@ class _LightRenderer:
         points = self._directions(camera.rays(rows)[solid])
         points *= np.where(np.isfinite(reached), reached, 0.0)[:, None]
         turned = normals @ camera.axes.T @ self._axes
-        light = self._relight.radiance(points, turned, albedo, lit)
+        shadow = (1.0, 1.0) if self._clouds is None else self._clouds.on(points)
+        light = self._relight.radiance(points, turned, albedo, lit, *shadow)
         return np.asarray((light * transmittance) @ self.colors)
 
     def _by_froxels(
