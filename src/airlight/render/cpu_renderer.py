@@ -154,13 +154,11 @@ class CpuRenderer:
     @property
     def clouds_before(self) -> CloudsBefore | None:
         """Clouds before surfaces of other pictures, after ``fill_sky_view``."""
-        if self._clouds is None:
+        if self._clouds is None or self.clouds is None:
             return None
         from airlight.render.clouds.before_surfaces import CloudsBefore
 
-        return CloudsBefore(
-            self._clouds, self._tables, self._observer, self.solution.wavelengths.size
-        )
+        return CloudsBefore(self._clouds, self._tables, self._observer, self.clouds.diffuse)
 
     def render_rows(
         self, first: int, last: int, rgb: Float32Array, element: int | None = None

@@ -18,6 +18,7 @@ from airlight.planets.light_source import LightSource
 from airlight.render.clouds.cloud_time import CloudTime, clouds_at
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.eclipse_renderer import EclipseRenderer, check_unfiltered
+from airlight.render.pixels.scenes_by_light import light_visibility
 from airlight.render.render import add_rendered
 from airlight.render.scene_lights import SceneLights
 from airlight.render.through_air import AirAround
@@ -62,6 +63,8 @@ def atmosphere_layer(
 ) -> AtmosphereLayer:
     """Render a planet under each light of a scene.
 
+    Lights that are invisible by day beside the first (``light_visibility``) light no clouds.
+
     Parameters
     ----------
     lights : SceneLights
@@ -83,7 +86,7 @@ def atmosphere_layer(
     system, solution = lights.system, lights.solutions[body.name]
     up = (system.eye - body.centre) / np.linalg.norm(system.eye - body.centre)
     layers = zeros((1, camera.rows, camera.columns, 3), np.float32)
-    brightest, black = 0.0, True
+    brightest, black, first_zenith = 0.0, True, 0.0
     before = None
     for number, light in enumerate(lights.on(body)):
         source = lights.seen_from(light, body)
@@ -95,7 +98,15 @@ def atmosphere_layer(
         local = level_axes(up, towards)
         scene = _scene_of_light(lights, camera, body, towards, local)
         moon = None if light.star is None else occulting_moon(lights, light, body, source)
-        around = clouds_at(system.planets[body.name], scene, clouds, quality=quality, cache=cache)
+        around = None
+        if number == 0 or light_visibility(
+            scene.sun_zenith, first_zenith, 0.0, float(source.irradiance.max()) / brightest,
+            scene.altitude, solution.medium.bottom_radius, solution.medium.thickness,
+        ) > 1.0:  # fmt: skip
+            around = clouds_at(
+                system.planets[body.name], scene, clouds, quality=quality, cache=cache
+            )
+        first_zenith = scene.sun_zenith if number == 0 else first_zenith
         if moon is None:
             renderer = CpuRenderer(
                 lit, scene, disc=False,

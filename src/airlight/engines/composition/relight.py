@@ -99,7 +99,7 @@ class SurroundingLight:
         normals: FloatArray,
         lit: FloatArray,
         beam: FloatArray | float = 1.0,
-        diffuse: FloatArray | float = 1.0,
+        diffuse: FloatArray | None = None,
     ) -> FloatArray:
         """Irradiance of surfaces over irradiance of the star, (n, nl). [1]
 
@@ -111,8 +111,9 @@ class SurroundingLight:
             Unit normals in the local frame of each point: x to the star's side, z up. [1]
         lit : array, shape (n,)
             Fraction of the star that the scene does not occlude. [1]
-        beam, diffuse : array, shape (n, nl)
-            Transmittance of clouds for the star's light, and factor of diffuse light by clouds. [1]
+        beam, diffuse : array, shapes (n, nl) and (2, n, nl)
+            Transmittance of clouds for the star's light, and factors of diffuse light from above
+            and from below, which are mixed by the slope of a surface. [1]
         """
         medium = self._solution.medium
         held = np.clip(r, medium.bottom_radius, medium.top_radius)
@@ -129,7 +130,11 @@ class SurroundingLight:
             for on in (0, 1):
                 weight = np.abs(1 - up - (rise - low)) * np.abs(1 - on - (turn - near))
                 self._add(low + up, near + on, share * weight[:, None], sky)
-        return np.asarray(star + np.maximum(sky, 0.0) * diffuse)
+        sky = np.maximum(sky, 0.0)
+        if diffuse is not None:
+            risen = 0.5 * (1.0 + normals[:, 2:])
+            sky *= risen * diffuse[0] + (1.0 - risen) * diffuse[1]
+        return np.asarray(star + sky)
 
     def _add(
         self, rise: NDArray[np.int_], turn: NDArray[np.int_], share: FloatArray, out: FloatArray
@@ -192,7 +197,7 @@ class Relight:
         albedo: FloatArray,
         lit: FloatArray,
         beam: FloatArray | float = 1.0,
-        diffuse: FloatArray | float = 1.0,
+        diffuse: FloatArray | None = None,
     ) -> FloatArray:
         """Reflected radiance per irradiance, without attenuation to the camera, (n, nl). [sr⁻¹]
 

@@ -7,9 +7,9 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.vectors import Vec3, plus, scaled
+from airlight.geometry.vectors import Vec3, dot, plus
 from airlight.kernel import compiled_loop
-from airlight.kernel.lanes import LANES, exponential, lane_view, load, splat, store
+from airlight.kernel.lanes import LANES, exponential, lane_view, load, store
 from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.render.clouds.cloud_march import add_clouds, beam_depth_at, line_of_air
@@ -37,14 +37,15 @@ class CloudsBefore:
     ----------
     clouds, tables, observer : CloudTables, MarchTables, Observer
         Those of a frame of the observer.
-    count : int
-        Number of wavelengths.
+    diffuse : array, shape (2, 2, nl)
+        See ``CloudLight``. [1]
     """
 
     def __init__(
-        self, clouds: CloudTables, tables: MarchTables, observer: Observer, count: int
+        self, clouds: CloudTables, tables: MarchTables, observer: Observer, diffuse: FloatArray
     ) -> None:
-        self._clouds, self._tables, self._observer, self._count = clouds, tables, observer, count
+        self._clouds, self._tables, self._observer = clouds, tables, observer
+        self._diffuse, self._count = diffuse, diffuse.shape[-1]
         self._without_shadows = clouds._replace(
             depth=np.zeros_like(clouds.depth),
             base_depth=np.zeros_like(clouds.base_depth),
@@ -87,17 +88,28 @@ class CloudsBefore:
         return light + through * np.maximum(radiance - lost, 0.0), transmittance * through
 
     def on(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Transmittance of the light's beam, and factor of diffuse light, at points, (n, nl). [1]
+        """Factors of the light that falls on points.
 
         Parameters
         ----------
         points : array, shape (n, 3)
             In the observer's frame, from the observer. [m]
+
+        Returns
+        -------
+        beam : array, shape (n, nl)
+            Transmittance of the clouds for the light's beam. [1]
+        diffuse : array, shape (2, n, nl)
+            Mean diffuse light from above and from below over that of clear sky; between base and
+            top of the clouds interpolated. [1]
         """
-        out = np.ones((len(points), 2, self._tables.lanes), np.float32)
-        _at_points(np.ascontiguousarray(points), self._clouds, self._tables, out)
-        beam, diffuse = (out[:, k, : self._count].astype(float) for k in range(2))
-        return beam, diffuse
+        beam = np.ones((len(points), self._tables.lanes), np.float32)
+        up = np.empty(len(points))
+        _at_points(np.ascontiguousarray(points), self._clouds, self._tables, beam, up)
+        below, above = self._diffuse
+        share = up[:, None]
+        diffuse = below[:, None] + (above - below)[:, None] * share
+        return beam[:, : self._count].astype(float), diffuse
 
 
 @compiled_loop
@@ -147,17 +159,13 @@ def _before(rays, distances, observer, clouds, bright, tables, work, other, out)
 
 
 @compiled_loop
-def _at_points(points, clouds, tables, out):
-    clouds, tables, out = without_refcount((clouds, tables, out))
+def _at_points(points, clouds, tables, beam, up):
+    clouds, tables, beam, up = without_refcount((clouds, tables, beam, up))
     for k in range(points.shape[0]):
         offset = Vec3(points[k, 0], points[k, 1], points[k, 2])
-        point = plus(Vec3(0.0, 0.0, clouds.eye), scaled(offset, 1.0))
+        point = plus(Vec3(0.0, 0.0, clouds.eye), offset)
         depth = beam_depth_at(point, clouds)
-        radius = sqrt(point.x * point.x + point.y * point.y + point.z * point.z)
-        up = min(max((radius - clouds.base) / (clouds.top - clouds.base), 0.0), 1.0)
+        height = (sqrt(dot(point, point)) - clouds.base) / (clouds.top - clouds.base)
+        up[k] = min(max(height, 0.0), 1.0)
         for at in range(0, tables.lanes, LANES):
-            factors = lane_view(clouds.air_light, at)
-            kept = exponential(load(clouds.scaled[0], at) * np.float32(-depth))
-            store(out[k, 0], at, kept)
-            diffuse = factors[0] + (factors[1] - factors[0]) * np.float32(up)
-            store(out[k, 1], at, diffuse + splat(0.0))
+            store(beam[k], at, exponential(load(clouds.scaled[0], at) * np.float32(-depth)))

@@ -64,7 +64,10 @@ class CloudLight:
     spectrum : array, shape (SOLVED, nl)
         Weights of the solved wavelengths. [1]
     air_light : array, shape (2, nl)
-        See ``CloudTables``. [1]
+        See ``CloudTables``: of light that is equal from above and from below. [1]
+    diffuse : array, shape (2, 2, nl)
+        Diffuse irradiance below and above the clouds, from above and from below, over that of clear
+        sky. [1]
     depth, base_depth : array
         Results of ``beam_depths``.
     clear : array
@@ -78,6 +81,7 @@ class CloudLight:
     unit: FloatArray
     spectrum: FloatArray
     air_light: FloatArray
+    diffuse: FloatArray
     depth: Float32Array
     base_depth: Float32Array
     clear: Float32Array
@@ -227,6 +231,7 @@ def solve_clouds(
         field, light.towards, solution.medium.bottom_radius, progress=progress, cancel=cancel
     )
     spectrum = box_spectrum(nm, chosen, light.beam, light.sky)
+    cloudy, clear = _hemispheres(solution, box, unit, spectrum, light)
     return CloudLight(
         field=field,
         optics=optics_at(nm),
@@ -234,7 +239,8 @@ def solve_clouds(
         towards=light.towards,
         unit=unit,
         spectrum=spectrum,
-        air_light=_air_light(solution, box, unit, spectrum, light),
+        air_light=_factors(cloudy.sum(axis=1), clear.sum(axis=1)),
+        diffuse=_factors(cloudy, clear),
         depth=depth,
         base_depth=base_depth,
         clear=clear_distances(field),
@@ -344,16 +350,20 @@ def box_spectrum(
     return weights
 
 
-def _air_light(
+def _factors(cloudy: FloatArray, clear: FloatArray) -> FloatArray:
+    return np.asarray(np.clip(cloudy / np.maximum(clear, 1e-30), 0.0, MOST_LIGHT))
+
+
+def _hemispheres(
     solution: MomentsSolution,
     box: BoxSolution,
     unit: FloatArray,
     spectrum: FloatArray,
     light: Incident,
 ) -> FloatArray:
-    """Diffuse light below and above the clouds over that of clear sky, shape (2, nl). [1]
+    """Irradiances below and above the clouds, from above and from below, shape (2, 2, 2, nl). [1]
 
-    The sum of the irradiances from above and from below, as in light that is equal from each.
+    The first axis is with clouds and without.
     """
     medium = solution.medium
     ground, mu_s = np.array([medium.bottom_radius]), np.array([light.towards[2]])
@@ -370,12 +380,9 @@ def _air_light(
         (rays.weights[1] * rays.vectors[1, :, :, 2]).ravel(),
         light.radiance(rays.vectors[1].reshape(-1, 3)),
     )
-    clear = sky + albedo * (sky + sun)
-    factors = [
-        (below + albedo * (below + direct)) / np.maximum(clear, 1e-30),
-        (light.sky + up) / np.maximum(light.sky + rising, 1e-30),
-    ]
-    return np.asarray(np.clip(factors, 0.0, MOST_LIGHT))
+    cloudy = np.array([[below, albedo * (below + direct)], [light.sky, up]])
+    clear = np.array([[sky, albedo * (sky + sun)], [light.sky, rising]])
+    return np.stack([cloudy, clear])
 
 
 def _box_air(solution: MomentsSolution, top: float, chosen: NDArray[np.int64]) -> BoxAir:
