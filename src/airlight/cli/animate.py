@@ -16,7 +16,7 @@ from airlight.cli.console import examples, note, say, shown_progress
 from airlight.cli.display_options import DisplayOptions
 from airlight.cli.option_groups import OptionGroup, given_options, given_values, option
 from airlight.cli.place_options import Zone
-from airlight.cli.planet_options import overrides_of
+from airlight.cli.planet_options import Clouds, overrides_of, with_clouds
 from airlight.cli.solve_options import AccuracyOptions, DistributionOptions, Exact
 from airlight.errors import ConflictError, FileError, ParameterError, WorkerError
 
@@ -34,6 +34,8 @@ EPILOG = examples(
     "--set view.projection=fisheye --size 4096 --bits 16 -o dome/",
     "airlight animate lunar-eclipse --frames 60 --start 2025-03-14T05:00Z --end 2025-03-14T09:00Z "
     "--size 800x600 -o eclipse/",
+    "airlight animate earth --clouds cumulus --set clouds.wind_speed='10 m/s' --frames 90 "
+    "-o drift/",
     "airlight animate my-film.toml --scheduler tcp://host:8786 -o frames/",
 )
 
@@ -57,12 +59,14 @@ class PlanOptions(OptionGroup):
     set_: list[str] | None = option(
         "Override a key: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.", "PATH=VALUE"
     )
+    clouds: Clouds = None
 
-    def changes(self) -> dict[str, Any]:
-        """Overrides of the film's keys, without key frames."""
+    def changes(self, film: str) -> dict[str, Any]:
+        """Overrides of a film's keys, without key frames."""
         given = given_values(self, "frames", "rate", "start", "end", "zone")
-        film = {f"film.{name}": value for name, value in given.items()}
-        return overrides_of(self.set_) | film
+        plan = {f"film.{name}": value for name, value in given.items()}
+        body = "" if self.clouds is None else _cloudy_body(film)
+        return overrides_of(with_clouds(self.clouds, self.set_, body)) | plan
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -143,7 +147,7 @@ def animate(
     frame.check(f".{frame.format_}")
     if movie is not None:
         frame.check_movie(movie)
-    changes = plan.changes()
+    changes = plan.changes(film)
     made = load_film(film, {**changes, **_keys(film, plan.key, changes)})
     made = made if frame.name is None else replace(made, name=frame.name)
     how = accuracy.accuracy(made, options.picture_size(frame.size, made.projection))
@@ -184,6 +188,15 @@ def animate(
     )
     if movie is not None:
         say(f"{movie}  {movie.stat().st_size / 1e3:.0f} kB")
+
+
+def _cloudy_body(film: str) -> str:
+    """Name of the planet of ``--clouds`` in a film of a scene; empty in one of a planet."""
+    from airlight.cli.scene_file import cloudy_body
+    from airlight.studies.film import load_film
+
+    found = load_film(film)
+    return cloudy_body(found.tables) if found.view is None else ""
 
 
 def _outputs(paths: list[Path]) -> tuple[Path, Path | None]:

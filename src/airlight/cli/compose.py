@@ -14,7 +14,7 @@ from airlight.cli.console import examples, note, say, shown_progress
 from airlight.cli.display_options import DisplayOptions
 from airlight.cli.option_groups import OptionGroup, given_values, named_errors, option
 from airlight.cli.place_options import PlaceOptions
-from airlight.cli.planet_options import PlanetOptions, Set
+from airlight.cli.planet_options import FileChanges, PlanetOptions
 from airlight.cli.solve_options import Exact, SolveOptions
 from airlight.errors import ConflictError, ParameterError
 
@@ -153,6 +153,20 @@ class ComposeSolveOptions(SolveOptions):
     exact: Exact = False
 
 
+@dataclass(frozen=True, kw_only=True)
+class WorldOptions(FileChanges):
+    """Planet of a picture, and overrides of its file."""
+
+    planet: str | None = option(
+        "Planet: preset or TOML file (that of the camera file, or earth).", "PLANET"
+    )
+
+    def of(self, block: dict[str, Any]) -> PlanetOptions:
+        """Planet of the option, or of the camera's block."""
+        name = self.planet or block.get("planet", "earth")
+        return PlanetOptions(planet=name, set_=self.set_, clouds=self.clouds)
+
+
 def compose(
     passes: PassOptions,
     output: Annotated[
@@ -161,14 +175,7 @@ def compose(
     place: PlacementOptions,
     display: DisplayOptions,
     solve: ComposeSolveOptions,
-    planet: Annotated[
-        str | None,
-        typer.Option(
-            metavar="PLANET",
-            help="Planet: preset or TOML file (that of the camera file, or earth).",
-        ),
-    ] = None,
-    set_: Set = None,
+    planet: WorldOptions,
     white: Annotated[
         str,
         typer.Option(
@@ -185,7 +192,9 @@ def compose(
     """
     started = time.perf_counter()
     from airlight.engines.composition import compose as composed_over
+    from airlight.render.clouds.cloud_time import clouds_at
     from airlight.render.picture import picture_suffix
+    from airlight.scene import Scene
 
     suffix = picture_suffix(output)
     display.check(suffix)
@@ -193,15 +202,26 @@ def compose(
     picture, layers = passes.read()
     surfaces = passes.surfaces()
     pinhole, block = passes.pinhole(picture)
-    chosen = PlanetOptions(planet=planet or block.get("planet", "earth"), set_=set_)
+    chosen = planet.of(block)
     world = chosen.load()
     scene = place.scene(world) if place.timed else None
     if scene is not None:
         world = place.lit(world, scene)
     placement = place.placement(block, scene)
-    solution = _solved(world, placement, solve)
+    solution = _solved(world.without_clouds, placement, solve)
     kind, passed = layers["depth_kind"], (layers.pop("rgb"), layers.pop("depth"))
-    settings = {"white": per_white, "exact": solve.exact, "disc": disc, **layers, **surfaces}
+    clouds = clouds_at(
+        world, Scene(latitude=placement.latitude, longitude=placement.longitude),
+        quality=solve.quality, cache=not solve.no_cache,
+    )  # fmt: skip
+    settings = {
+        "clouds": clouds,
+        "white": per_white,
+        "exact": solve.exact,
+        "disc": disc,
+        **layers,
+        **surfaces,
+    }
     with shown_progress() as report:
         composed = composed_over(*passed, pinhole, solution, placement, progress=report, **settings)
     metadata = {

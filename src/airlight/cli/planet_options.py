@@ -34,26 +34,38 @@ Set = Annotated[
     ),
 ]
 
+Clouds = Annotated[
+    str | None,
+    typer.Option(
+        "--clouds",
+        metavar="KIND|FILE",
+        help="Three-dimensional clouds, instead of those of the planet's file: "
+        "{planets.clouds:WORDS}, the path of a NetCDF or Zarr file, or none. "
+        "--set clouds.cover=0.4 changes them.",
+    ),
+]
+
 
 @dataclass(frozen=True, kw_only=True)
-class PlanetOptions(OptionGroup):
+class FileChanges(OptionGroup):
+    """Overrides of planet files."""
+
+    set_: Set = None
+    clouds: Clouds = None
+
+    @property
+    def overrides(self) -> list[str]:
+        """Overrides in the form of ``--set``: the clouds, then those given."""
+        return with_clouds(self.clouds, self.set_)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlanetOptions(FileChanges):
     """Planet and overrides of its file."""
 
     planet: Annotated[
         str, typer.Argument(metavar="PLANET", help="Name of a preset, or path of a TOML file.")
     ]
-    set_: Set = None
-    clouds: str | None = option(
-        "Three-dimensional clouds, instead of those of the planet's file: {planets.clouds:WORDS}, "
-        "the path of a NetCDF or Zarr file, or none. --set clouds.cover=0.4 changes them.",
-        "KIND|FILE",
-    )
-
-    @property
-    def overrides(self) -> list[str]:
-        """Overrides in the form of ``--set``: the clouds, then those given."""
-        chosen = [] if self.clouds is None else [_clouds_override(self.clouds)]
-        return [*chosen, *(self.set_ or [])]
 
     def load(self) -> Planet:
         """Planet with its overrides, see ``load``."""
@@ -123,6 +135,20 @@ class LocalGroundOptions(GroundOptions):
         numbers = given_values(self, "latitude", "longitude")
         with named_errors("latitude", "longitude", "altitude"):
             return local_ground(planet, **numbers, altitude=altitude)
+
+
+def with_clouds(clouds: str | None, changes: list[str] | None, body: str = "") -> list[str]:
+    """Overrides in the form of ``--set``: those of ``--clouds``, then those given.
+
+    Parameters
+    ----------
+    clouds, changes : optional
+        Values of ``--clouds`` and ``--set``.
+    body : str
+        Name of the planet in a scene.
+    """
+    chosen = [] if clouds is None else [_clouds_override(clouds)]
+    return [*(f"{body}.{one}" if body else one for one in chosen), *(changes or [])]
 
 
 def _clouds_override(text: str) -> str:

@@ -13,7 +13,7 @@ from airlight.cli import options
 from airlight.cli.camera_options import CameraOptions
 from airlight.cli.option_groups import given_options, given_values, named_errors
 from airlight.cli.place_options import PlaceOptions
-from airlight.cli.planet_options import overrides_of
+from airlight.cli.planet_options import overrides_of, with_clouds
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
@@ -44,13 +44,12 @@ def load_scene(
     from airlight.planets.reading.reader import nested_tables
     from airlight.scene.system.reading import changed_system, system_text
 
-    if planet.clouds is not None:
-        raise ConflictError("--clouds", "requires a planet rather than a scene")
     place, camera = place or PlaceOptions(), camera or CameraOptions()
     text, file, folder = system_text(planet.planet)
     tables = nested_tables(text, file)
+    body = "" if planet.clouds is None else cloudy_body(tables)
     with named_errors(**{FIELD: "--set"}):
-        last = overrides_of(planet.set_)
+        last = overrides_of(with_clouds(planet.clouds, planet.set_, body))
         changes = _of_place(place, tables)
         system = changed_system(tables, file, folder, {**changes, **last})
         if place.time_ is not None:
@@ -58,6 +57,23 @@ def load_scene(
             system = changed_system(tables, file, folder, {**changes, **last})
         changes |= _of_camera(camera, tables, system)
         return changed_system(tables, file, folder, {**changes, **last})
+
+
+def cloudy_body(tables: Mapping[str, Any]) -> str:
+    """Name of the planet that ``--clouds`` is about: below the observer, or the only one.
+
+    Parameters
+    ----------
+    tables : mapping
+        Tables of a scene file.
+    """
+    planets = [one["name"] for one in tables.get("bodies", []) if "planet" in one]
+    below = tables.get("observer", {}).get("body")
+    if below in planets:
+        return str(below)
+    if len(planets) != 1:
+        raise ConflictError("--clouds", "requires an observer above a planet, or a single planet")
+    return str(planets[0])
 
 
 def _of_place(given: PlaceOptions, tables: Mapping[str, Any]) -> dict[str, Any]:

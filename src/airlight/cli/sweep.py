@@ -12,7 +12,7 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import examples, note, say, shown_progress
 from airlight.cli.option_groups import REQUIRED, OptionGroup, option, option_name
-from airlight.cli.planet_options import load
+from airlight.cli.planet_options import FileChanges, load, overrides_of
 from airlight.cli.solve_options import (
     AccuracyOptions,
     DistributionOptions,
@@ -27,6 +27,8 @@ EPILOG = examples(
     "--view-zenith 0:180:10 -o two.zarr",
     "airlight sweep mars --vary dust.particles.optical_depth=0.1,0.3,1,3 --sun-zenith 0:80:20 "
     "--view-zenith 0:80:20 --wavelengths 440,550,680 -o dust.zarr",
+    "airlight sweep earth --clouds cumulus --vary clouds.cover=0.1,0.3,0.5 --sun-zenith 30:80:10 "
+    "--view-zenith 0 -o cover.zarr",
     "airlight sweep earth --sun-zenith 60,90 --view-zenith 0:85:5 --azimuth 0:180:15 --stokes "
     "-o pattern.zarr",
 )
@@ -73,6 +75,7 @@ def sweep(
         Path, options.output_option("DIR", "Output Zarr folder: new, or the sweep to continue.")
     ],
     axes: AxisOptions,
+    given: FileChanges,
     solve: GridSolveOptions,
     distribution: DistributionOptions,
 ) -> None:
@@ -90,12 +93,13 @@ def sweep(
     if solve.stokes and solve.no_polarisation:
         raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
     check_store(output, "--output")
-    first = load(planets[0])
+    first = load(planets[0], given.overrides)
     try:
         grid = Grid(
             planets=planets,
             vary=dict(_varied(text) for text in axes.vary or []),
             **{name: getattr(axes, name) for name in AXES},
+            common=overrides_of(given.overrides),
             wavelengths=solve.nm(first),
         )
     except ParameterError as error:

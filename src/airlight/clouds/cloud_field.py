@@ -37,6 +37,8 @@ class CloudField:
         Altitude of the lowest faces. [m]
     latitude, longitude : float
         The place, in the middle of the box. [deg]
+    drift : (float, float)
+        Displacement of the box to the east and to the north of the place. [m]
     beyond : "clear" or "periodic"
         Content beyond the four sides. There is nothing above and below.
     interpolated : bool
@@ -53,6 +55,7 @@ class CloudField:
     base: float
     latitude: float = 0.0
     longitude: float = 0.0
+    drift: tuple[float, float] = (0.0, 0.0)
     beyond: str = "clear"
     interpolated: bool = True
 
@@ -67,6 +70,8 @@ class CloudField:
             raise ParameterError("extinction", value, f"0 to {MOST_EXTINCTION:g} /m")
         if not all(0.0 < step < np.inf for step in self.spacing):
             raise ParameterError("spacing", self.spacing, "three numbers more than 0 m")
+        if not np.isfinite(self.drift).all():
+            raise ParameterError("drift", self.drift, "two finite numbers of m")
         if not np.isfinite(self.base):
             raise ParameterError("base", self.base, "a finite number of m")
         if self.beyond not in BEYOND:
@@ -76,12 +81,12 @@ class CloudField:
     @property
     def west(self) -> float:
         """Coordinate of the western faces. [m]"""
-        return -0.5 * float(self.extinction.shape[0]) * self.spacing[0]
+        return self.drift[0] - 0.5 * float(self.extinction.shape[0]) * self.spacing[0]
 
     @property
     def south(self) -> float:
         """Coordinate of the southern faces. [m]"""
-        return -0.5 * float(self.extinction.shape[1]) * self.spacing[1]
+        return self.drift[1] - 0.5 * float(self.extinction.shape[1]) * self.spacing[1]
 
     @property
     def top(self) -> float:

@@ -10,6 +10,7 @@ the C1 cumulus of Deirmendjian (1969), Electromagnetic Scattering on Spherical P
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import ClassVar, Final, Protocol
 
@@ -98,6 +99,27 @@ _VARIANCE: Final = Field(
     mode="advanced",
     offered=always,
 )
+_WIND_SPEED: Final = Field(
+    label="wind speed",
+    help="Speed at which the clouds drift, in films.",
+    unit="m/s",
+    range=(0.0, 200.0),
+    example="10 m/s",
+    shown="m/s",
+    slider=(0.0, 50.0),
+    offered=always,
+    synonyms=("drift",),
+)
+_WIND_DIRECTION: Final = Field(
+    label="wind direction",
+    help="Bearing from which the wind blows: 0 north, 90 east.",
+    unit="deg",
+    range=(-360.0, 360.0),
+    example="270 deg",
+    shown="deg",
+    slider=(0.0, 360.0),
+    offered=always,
+)
 _PARTICLES: Final = Field(
     label="particles",
     help="Droplets of water by Mie theory, or crystals of ice by a bulk phase function.",
@@ -120,6 +142,10 @@ class Clouds(TomlModel):
         Area-weighted mean radius of the particles, 1e-10 to 1e-3. [m]
     effective_variance : float
         Effective variance of the gamma distribution of droplets, above 0, below 1/2. [1]
+    wind_speed : float
+        Speed at which the whole field drifts in films, 0 to 200. [m/s]
+    wind_direction : float
+        Bearing from which the wind blows, 0 north and 90 east. [deg]
     """
 
     name: str | None = key(
@@ -132,11 +158,29 @@ class Clouds(TomlModel):
     particles: str = key(_PARTICLES, default=WATER)
     effective_radius: float = key(_RADIUS, default=10e-6)
     effective_variance: float = key(_VARIANCE, default=1.0 / 9.0)
+    wind_speed: float = key(_WIND_SPEED, default=0.0)
+    wind_direction: float = key(_WIND_DIRECTION, default=270.0)
 
     @property
     def title(self) -> str:
         """Name, or the word of the kind."""
         return self.name or self.keyword
+
+    def drift(self, seconds: float) -> tuple[float, float]:
+        """Displacement by the wind to the east and to the north. [m]
+
+        Parameters
+        ----------
+        seconds : float
+            Time. [s]
+
+        Examples
+        --------
+        >>> [round(one, 9) for one in Clouds(wind_speed=10.0, wind_direction=270.0).drift(3.0)]
+        [30.0, 0.0]
+        """
+        way, bearing = -self.wind_speed * seconds, math.radians(self.wind_direction)
+        return way * math.sin(bearing), way * math.cos(bearing)
 
 
 @parameters

@@ -32,6 +32,7 @@ from airlight.solver.moments.march_tables import new_workspace
 from airlight.solver.moments.solution import MomentsSolution
 
 if TYPE_CHECKING:
+    from airlight.render.clouds.before_surfaces import CloudsBefore
     from airlight.render.clouds.cloud_light import CloudLight
     from airlight.render.clouds.cloud_tables import CloudTables
 
@@ -149,6 +150,15 @@ class CpuRenderer:
             self._uniforms, self._camera, self._ground, self._overlay, layers, self._night
         )
         self._is_filled = True
+
+    @property
+    def clouds_before(self) -> CloudsBefore | None:
+        """Clouds before surfaces of other pictures, after ``fill_sky_view``."""
+        if self._clouds is None or self.clouds is None:
+            return None
+        from airlight.render.clouds.before_surfaces import CloudsBefore
+
+        return CloudsBefore(self._clouds, self._tables, self._observer, self.clouds.diffuse)
 
     def render_rows(
         self, first: int, last: int, rgb: Float32Array, element: int | None = None

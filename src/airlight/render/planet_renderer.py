@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ConflictError
 from airlight.geometry.occulted_star import OccultedStar, occulted_star
 from airlight.kernel.large_arrays import zeros
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.light_source import LightSource
+from airlight.render.clouds.cloud_time import CloudTime, clouds_at
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.eclipse_renderer import EclipseRenderer, check_unfiltered
+from airlight.render.pixels.scenes_by_light import light_visibility
 from airlight.render.render import add_rendered
 from airlight.render.scene_lights import SceneLights
 from airlight.render.through_air import AirAround
@@ -51,11 +55,15 @@ def atmosphere_layer(
     camera: Camera,
     body: Body,
     *,
+    clouds: CloudTime | None = None,
+    quality: str = "default",
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> AtmosphereLayer:
     """Render a planet under each light of a scene.
+
+    Lights that are invisible by day beside the first (``light_visibility``) light no clouds.
 
     Parameters
     ----------
@@ -65,13 +73,21 @@ def atmosphere_layer(
         Projection and size of the frame.
     body : Body
         Planet with air.
-    cache, progress, cancel :
+    clouds : CloudTime, optional
+        Time of its three-dimensional clouds; by default that of the first frame.
+    quality, cache, progress, cancel :
         See ``render_system``.
+
+    Raises
+    ------
+    ConflictError
+        If a planet with three-dimensional clouds is in a moon's shadow.
     """
     system, solution = lights.system, lights.solutions[body.name]
     up = (system.eye - body.centre) / np.linalg.norm(system.eye - body.centre)
     layers = zeros((1, camera.rows, camera.columns, 3), np.float32)
-    brightest, black = 0.0, True
+    brightest, black, first_zenith = 0.0, True, 0.0
+    before = None
     for number, light in enumerate(lights.on(body)):
         source = lights.seen_from(light, body)
         brightest = max(brightest, float(source.irradiance.max()))
@@ -82,9 +98,26 @@ def atmosphere_layer(
         local = level_axes(up, towards)
         scene = _scene_of_light(lights, camera, body, towards, local)
         moon = None if light.star is None else occulting_moon(lights, light, body, source)
+        around = None
+        if number == 0 or light_visibility(
+            scene.sun_zenith, first_zenith, 0.0, float(source.irradiance.max()) / brightest,
+            scene.altitude, solution.medium.bottom_radius, solution.medium.thickness,
+        ) > 1.0:  # fmt: skip
+            around = clouds_at(
+                system.planets[body.name], scene, clouds, quality=quality, cache=cache
+            )
+        first_zenith = scene.sun_zenith if number == 0 else first_zenith
         if moon is None:
-            renderer = CpuRenderer(lit, scene, disc=False)
+            renderer = CpuRenderer(
+                lit, scene, disc=False,
+                clouds=None if around is None
+                else around.lit(lit, scene, progress=progress, cancel=cancel),
+            )  # fmt: skip
+            if around is not None and before is None:
+                before = _in_frame(around.before_space(lit, scene), local)
         else:
+            if around is not None:
+                raise ConflictError("clouds", "cannot be rendered in a moon's shadow")
             check_unfiltered(scene)  # before the shadow is solved, which takes minutes
             eclipsed = EclipsedSolution(lit, moon, cache=cache, progress=progress, cancel=cancel)
             renderer = EclipseRenderer(eclipsed, scene, local)
@@ -96,7 +129,15 @@ def atmosphere_layer(
         altitude=system.place_above(body)[2],
         axes=level_axes(up),
         layer=layers[0],
+        clouds=before,
     )
+
+
+def _in_frame(
+    transmittance: Callable[[FloatArray], FloatArray], local: FloatArray
+) -> Callable[[FloatArray], FloatArray]:
+    """Transmittance of rays in the frame of the scene, of which the rows of ``local`` are axes."""
+    return lambda rays: transmittance(rays @ local.T)
 
 
 def _scene_of_light(

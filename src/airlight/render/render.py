@@ -118,12 +118,14 @@ def render(
     kind = LINES if exact else "picture"
     layers = zeros((len(elements), height, width, 3), np.float32)
     with timed(kind, rendered * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
-        for number, (seen, lit, air, _) in enumerate(pictures):
+        for number, (seen, lit, air, light) in enumerate(pictures):
             renderer = CpuRenderer(
                 lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
                 stokes=stokes,
                 clouds=None if clouds is None or not air
-                else clouds.lit(lit, seen, progress=progress, cancel=cancel),
+                else clouds.lit(
+                    lit, seen, light=scene.lights.index(light), progress=progress, cancel=cancel
+                ),
             )  # fmt: skip
             share = None if progress is None else _shared(progress, number, len(pictures))
             add_rendered(layers, renderer, elements, share, cancel, black=number == 0)

@@ -168,7 +168,7 @@ class Renderer:
             solution, scene, device, weights, progress=progress, cancel=cancel, **options
         )
         if self.stars:
-            add_catalogue(frame.rgb, scene, solution, planet.body)
+            add_catalogue(frame.rgb, scene, solution, planet.body, clouds)
             metadata["stars"] = "to magnitude 6.5"
         if solution.report.ground:
             metadata["solved_ground"] = solution.report.ground
@@ -182,8 +182,7 @@ class Renderer:
 
         if self.device == "gpu" and self.refused is not None:
             self.refused("the GPU does not render three-dimensional clouds")
-        quality = self.quality if self.quality == "high" else "preview"
-        return CloudsAround.of(planet, scene, quality=quality, cache=self.cache)
+        return CloudsAround.of(planet, scene, quality=self.quality, cache=self.cache)
 
     def _chosen_device(self, planet: Planet, count: int, width: int) -> Device | None:
         """GPU for a frame of so many wavelengths and columns; None for the CPU."""

@@ -12,7 +12,7 @@ behind is sampled ray by ray.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -26,6 +26,7 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.light_source import LightSource
 from airlight.planets.parameters import replace as replaced
 from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.render.clouds.cloud_time import CloudTime
 from airlight.render.corona import OUTERMOST, corona
 from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
 from airlight.render.render_scene import CPU, color_wavelengths
@@ -66,6 +67,7 @@ def render_system(
     quality: str = "default",
     samples: int | None = None,
     crop: tuple[int, int, int, int] | None = None,
+    clouds: Mapping[str, CloudTime] | None = None,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -86,6 +88,8 @@ def render_system(
         Samples per side of a pixel on the edge of a body or star, 1 to 16; 4 by default.
     crop : (int, int, int, int), optional
         Window to render, as for ``Camera``. [pixel]
+    clouds : mapping, optional
+        Times of three-dimensional clouds by the names of planets, as in films.
     cache : bool
         Whether solutions are read from and stored on disk.
 
@@ -106,7 +110,7 @@ def render_system(
         nm = tuple(found.tolist())
     solutions = {
         name: solve_planet(
-            planet,
+            planet.without_clouds,
             nm,
             quality,
             cache=cache,
@@ -127,12 +131,22 @@ def render_system(
             height=max(1, round(height * small)),
             wavelengths=nm,
             quality=quality,
+            clouds=clouds,
             cache=cache,
             cancel=cancel,
         )
     camera = system.view.camera(width, height, crop)
     items = [
-        atmosphere_layer(lights, camera, body, cache=cache, progress=progress, cancel=cancel)
+        atmosphere_layer(
+            lights,
+            camera,
+            body,
+            clouds=(clouds or {}).get(body.name),
+            quality=quality,
+            cache=cache,
+            progress=progress,
+            cancel=cancel,
+        )
         if body.name in solutions
         else body
         for body in sorted(system.bodies, key=system.power)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,9 @@ from airlight.scene.system.milky_way import Sun, milky_way_radiance
 from airlight.scene.system.stars import stars
 from airlight.solver.moments.solution import MomentsSolution
 
+if TYPE_CHECKING:
+    from airlight.render.clouds.clouds_around import CloudsAround
+
 FloatArray = NDArray[np.float64]
 
 #: Pixels of the Milky Way computed together.
@@ -31,7 +34,11 @@ _PIXELS: Final = 1 << 16
 
 
 def add_catalogue(
-    rgb: NDArray[np.float32], scene: Scene, solution: MomentsSolution, body: str | None
+    rgb: NDArray[np.float32],
+    scene: Scene,
+    solution: MomentsSolution,
+    body: str | None,
+    clouds: CloudsAround | None = None,
 ) -> None:
     """Add the star catalogue and the Milky Way to a frame.
 
@@ -46,6 +53,8 @@ def add_catalogue(
         Scene; discs of its lights occult stars.
     body : str or None
         Celestial body of the planet, from ``WORLDS``.
+    clouds : CloudsAround, optional
+        Three-dimensional clouds before the stars.
 
     Raises
     ------
@@ -71,7 +80,11 @@ def add_catalogue(
     ahead_of = true @ camera.axes.T
     x, _, _ = pixel_positions(camera, ahead_of)
     near = np.isfinite(x) | (np.abs(true[:, 2]) < math.sin(math.radians(2.0)))
-    air = AirAround(solution=solution, altitude=scene.altitude)
+    air = AirAround(
+        solution=solution,
+        altitude=scene.altitude,
+        clouds=None if clouds is None else clouds.before_space(solution, scene),
+    )
     add_shown(rgb, camera, camera.axes, air, solution.lights[0], true, free & near)
     # North and east in the scene's frame, whose x axis is at the sun's azimuth.
     turned = np.array(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Final, Protocol
 
@@ -141,11 +142,14 @@ class AirAround:
     axes : array, shape (3, 3)
         Axes of the observer's local frame, z to the zenith, in the frame of directions, as rows.
         [1]
+    clouds : callable, optional
+        Transmittance of clouds on lines of sight in the frame of directions. [1]
     """
 
     solution: MomentsSolution
     altitude: float
     axes: FloatArray = field(default_factory=lambda: np.eye(3))
+    clouds: Callable[[FloatArray], FloatArray] | None = None
 
     def raised(self, true: FloatArray) -> FloatArray:
         """See ``SeenThrough``; unchanged from outside the air."""
@@ -183,4 +187,7 @@ class AirAround:
             )
             transmittance[crossing] = np.exp(-(depth @ drawn.extinction))
         transmittance[lines.to_ground] = 0.0
+        if self.clouds is not None:
+            open_ = np.flatnonzero(transmittance.max(axis=1) > 0.0)
+            transmittance[open_] *= self.clouds(rays[open_])
         return transmittance, leaving_direction(directions, solution, self.altitude) @ self.axes

@@ -95,6 +95,15 @@ def test_even_layer_is_that_of_the_one_dimensional_solution(
     np.testing.assert_allclose(seen, look(overcast, zenith, altitude=altitude), rtol=within)
 
 
+def test_a_picture_of_three_wavelengths_has_the_light_of_clouds(air):
+    """The overcast over the clear sky is that of four wavelengths, within their difference."""
+    planet = load_planet("earth-atmosphere-plus")
+    three = solve_planet(planet, (440.0, 550.0, 680.0), "preview", polarisation=False)
+    few, more = (look(one, 0.0, layer(10.0)) / look(one, 0.0) for one in (three, air))
+    np.testing.assert_allclose(few, more, rtol=0.1)
+    assert few[0] > 3.0
+
+
 def test_overcast_zenith_is_brighter_than_the_horizon(air):
     """The CIE standard overcast sky has (1 + 2 cos θ)/3: 2.2 at 80°, above dark ground."""
     zenith, low = (look(air, angle, layer(10.0))[0] for angle in (0.0, 80.0))

@@ -7,30 +7,33 @@ Both are marched along the segment, never the difference of two look-ups.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.engines.composition.depth import distances, filled, kind_of
-from airlight.engines.composition.froxels import BAR, CELL, Froxels
-from airlight.engines.composition.path_radiance import PathRadiance
+from airlight.engines.composition.froxels import CELL
+from airlight.engines.composition.light_renderer import LightRenderer
 from airlight.engines.composition.pinhole import Pinhole
-from airlight.engines.composition.placement import PinholeView, Placement, pinhole_view
-from airlight.engines.composition.relight import Relight, SurfaceLight
+from airlight.engines.composition.placement import Placement, pinhole_view
+from airlight.engines.composition.relight import SurfaceLight
 from airlight.errors import Cancelled, ConflictError, ParameterError, warn
 from airlight.image.white_balance import White, star_white
-from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import without_unit
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.planets.reading.reader import PlanetLike
-from airlight.render.cpu_renderer import CpuRenderer
+from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.render.clouds.cloud_time import clouds_at
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solver import Solution
-from airlight.solver.moments.solution import MomentsSolution, moments_solution
+from airlight.solver.moments.solution import moments_solution
 from airlight.solver.solve import solution_of
+
+if TYPE_CHECKING:
+    from airlight.render.clouds.clouds_around import CloudsAround
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -43,8 +46,6 @@ _CELLS: Final = 8
 _REACH: Final = 8
 #: Largest cover, albedo and visible fraction: 1 and the rounding of half floats. [1]
 _MOST: Final = 1.001
-#: Pixels of the sky in one block of work.
-_BLOCK: Final = 1 << 12
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +105,7 @@ def compose(
     white: float | None = 1.0,
     exact: bool = False,
     disc: bool = True,
+    clouds: CloudsAround | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Composed:
@@ -144,6 +146,8 @@ def compose(
         0.2 %.
     disc : bool
         Whether the star's disc is rendered in the sky.
+    clouds : CloudsAround, optional
+        Three-dimensional clouds; by default those of a planet, and none of a solution.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -164,11 +168,15 @@ def compose(
     relit = _relit(colors.shape, albedo, normals, shadow)
     if white is not None and not 0.0 < white < np.inf:
         raise ParameterError("white", white, "above 0")
+    if not isinstance(solution, Solution):
+        solution = load_planet(solution)
+        at = Scene(latitude=place.latitude, longitude=place.longitude)
+        clouds, solution = clouds or clouds_at(solution, at), solution.without_clouds
     solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
     solution = moments_solution(solution, "compose")
     view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
-        _LightRenderer(seen, lit, view, exact, disc)
+        LightRenderer(seen, lit, view, exact, disc, clouds)
         for seen, lit, _, _ in scenes_by_light(view.scene, solution)
     ]
     surface = SurfaceLight(solution, white)
@@ -276,143 +284,3 @@ def _check_range(name: str, values: NDArray[Any], low: float, high: float) -> No
         count = np.count_nonzero(wrong)
         others = f"; {count} values are not" if count > 1 else ""
         raise ParameterError(name, float(values[wrong][0]), allowed + others)
-
-
-class _LightRenderer:
-    """Atmosphere and sky of an image under one light."""
-
-    def __init__(
-        self, scene: Scene, solution: MomentsSolution, view: PinholeView, exact: bool, disc: bool
-    ) -> None:
-        self._view, self._exact = view, exact
-        self._axes = scene.camera.axes
-        self.colors = solution.lights[0].colors()
-        self._air = PathRadiance(solution, scene)
-        self._renderer = CpuRenderer(solution, scene, exact=exact, disc=disc)
-        self._filled = False
-        r = solution.medium.bottom_radius + scene.altitude
-        self._relight = Relight(solution, r, scene.sun_direction)
-        self._grey = self._air.grey
-
-    def _directions(self, rays: FloatArray) -> FloatArray:
-        unit = rays / np.linalg.norm(rays, axis=-1, keepdims=True)
-        return np.asarray(unit @ self._axes)
-
-    def sky(self, rows: slice, pixels: NDArray[np.bool_]) -> Float32Array:
-        """Linear sRGB of sky or ground behind pixels of a band. [W m⁻² sr⁻¹]"""
-        if not self._filled:
-            self._renderer.fill_sky_view()
-            self._filled = True
-        j, i = np.nonzero(pixels)
-        px = np.asarray(self._view.left + 0.5 + i, np.float64)
-        py = np.asarray(self._view.top + self._view.stretch * (j + rows.start + 0.5), np.float64)
-        out = np.empty((px.size, 3), np.float32)
-
-        def run(index: int) -> None:
-            part = slice(index * _BLOCK, (index + 1) * _BLOCK)
-            self._renderer.render_pixels(px[part], py[part], out[part])
-
-        run_blocks(run, -(-px.size // _BLOCK))
-        return out
-
-    def air(
-        self, camera: Pinhole, rows: slice, away: FloatArray, solid: NDArray[np.bool_]
-    ) -> tuple[FloatArray, FloatArray, tuple[float, float, float]]:
-        """Path radiance and transmittance to the surfaces of a band.
-
-        Returns
-        -------
-        radiance, transmittance : array, shape (n, nl)
-            As from ``PathRadiance.before``.
-        statistics : (float, float, float)
-            Numbers of surfaces and of marched surfaces, and the largest froxel error.
-        """
-        rays = camera.rays(rows)
-        directions = self._directions(rays[solid])
-        reached = away[solid]
-        n = reached.size
-        if n == 0:
-            empty = np.empty((0, self.colors.shape[0]))
-            return empty, empty, (0.0, 0.0, 0.0)
-        finite = np.isfinite(reached)
-        if self._exact or not self._air.inside or n < CELL * CELL or not finite.any():
-            radiance, transmittance, _ = self._air.before(directions, reached)
-            return radiance, transmittance, (float(n), float(n), 0.0)
-        return self._by_froxels(camera, rows, solid, directions, reached)
-
-    def relit(
-        self,
-        camera: Pinhole,
-        rows: slice,
-        away: FloatArray,
-        solid: NDArray[np.bool_],
-        parts: list[NDArray[Any]],
-        transmittance: FloatArray,
-    ) -> FloatArray:
-        """Linear sRGB of relit surfaces, attenuated by the atmosphere. [W m⁻² sr⁻¹]
-
-        Parameters
-        ----------
-        camera, rows, away, solid :
-            Arguments of ``air``.
-        parts : list of array
-            Albedo, normals, and visible fraction of the star, of the surfaces.
-        transmittance : array, shape (n, nl)
-            Transmittance between camera and surfaces. [1]
-        """
-        albedo, normals, lit = (np.asarray(one, np.float64) for one in parts)
-        reached = away[solid]
-        # points without depth are placed at the camera to compute their illumination
-        points = self._directions(camera.rays(rows)[solid])
-        points *= np.where(np.isfinite(reached), reached, 0.0)[:, None]
-        turned = normals @ camera.axes.T @ self._axes
-        light = self._relight.radiance(points, turned, albedo, lit)
-        return np.asarray((light * transmittance) @ self.colors)
-
-    def _by_froxels(
-        self,
-        camera: Pinhole,
-        rows: slice,
-        solid: NDArray[np.bool_],
-        directions: FloatArray,
-        reached: FloatArray,
-    ) -> tuple[FloatArray, FloatArray, tuple[float, float, float]]:
-        finite = np.isfinite(reached)
-        height = rows.stop - rows.start
-        # nodes at the corners of cells, some beyond the picture
-        x = CELL * np.arange(-(-camera.width // CELL) + 1.0)
-        y = rows.start + CELL * np.arange(-(-height // CELL) + 1.0)
-        nodes = camera.rays_at(x, y)
-        seen = reached[finite]
-        table = Froxels.fill(
-            self._air, self._directions(nodes), float(seen.min()), float(seen.max())
-        )
-        j, i = np.nonzero(solid)
-        across, down = (i + 0.5) / CELL, (j + 0.5) / CELL
-        read = np.where(finite, reached, table.nearest)
-        radiance, transmittance, good = table.read(across, down, read)
-        good &= finite
-        # the pixel nearest to the middle of each cell
-        cell = (j // CELL) * x.size + i // CELL
-        off = np.hypot(across % 1.0 - 0.5, down % 1.0 - 0.5) + np.where(good, 0.0, 10.0)
-        order = np.lexsort((off, cell))
-        first = np.ones(order.size, bool)
-        first[1:] = cell[order][1:] != cell[order][:-1]
-        probes = order[first]
-        probes = probes[good[probes]]
-        error = 0.0
-        if probes.size:
-            light, through, _ = self._air.before(directions[probes], reached[probes])
-            wrong = np.abs(radiance[probes] - light)
-            wrong += self._grey * np.abs(transmittance[probes] - through)
-            wrong = (wrong / np.maximum(light + self._grey * through, 1e-30)).max(axis=1)
-            bad = np.zeros(int(cell.max()) + 1, bool)
-            bad[cell[probes[wrong > BAR]]] = True
-            good &= ~bad[cell]
-            error = float(wrong[wrong <= BAR].max(initial=0.0))
-        rest = ~good
-        if rest.any():
-            radiance[rest], transmittance[rest], _ = self._air.before(
-                directions[rest], reached[rest]
-            )
-        return radiance, transmittance, (float(reached.size), float(rest.sum()), error)

@@ -93,7 +93,13 @@ class SurroundingLight:
             self._nodes[node] = basis.T @ one
 
     def irradiance(
-        self, r: FloatArray, mu_s: FloatArray, normals: FloatArray, lit: FloatArray
+        self,
+        r: FloatArray,
+        mu_s: FloatArray,
+        normals: FloatArray,
+        lit: FloatArray,
+        beam: FloatArray | float = 1.0,
+        diffuse: FloatArray | None = None,
     ) -> FloatArray:
         """Irradiance of surfaces over irradiance of the star, (n, nl). [1]
 
@@ -105,12 +111,15 @@ class SurroundingLight:
             Unit normals in the local frame of each point: x to the star's side, z up. [1]
         lit : array, shape (n,)
             Fraction of the star that the scene does not occlude. [1]
+        beam, diffuse : array, shapes (n, nl) and (2, n, nl)
+            Transmittance of clouds for the star's light, and factors of diffuse light from above
+            and from below, which are mixed by the slope of a surface. [1]
         """
         medium = self._solution.medium
         held = np.clip(r, medium.bottom_radius, medium.top_radius)
         sine = np.sqrt(np.maximum(1.0 - mu_s**2, 0.0))
         facing = np.maximum(normals[:, 0] * sine + normals[:, 2] * mu_s, 0.0) * lit
-        star = self._solution.relative_normal_irradiance(held, mu_s) * facing[:, None]
+        star = self._solution.relative_normal_irradiance(held, mu_s) * facing[:, None] * beam
         share = _harmonics(normals) * _RECEIVED
         # between four nodes, whose harmonics are the same for all pictures of this solution
         rise = np.log1p((held - medium.bottom_radius) / _HIGH) / _RISE
@@ -121,7 +130,11 @@ class SurroundingLight:
             for on in (0, 1):
                 weight = np.abs(1 - up - (rise - low)) * np.abs(1 - on - (turn - near))
                 self._add(low + up, near + on, share * weight[:, None], sky)
-        return np.asarray(star + np.maximum(sky, 0.0))
+        sky = np.maximum(sky, 0.0)
+        if diffuse is not None:
+            risen = 0.5 * (1.0 + normals[:, 2:])
+            sky *= risen * diffuse[0] + (1.0 - risen) * diffuse[1]
+        return np.asarray(star + sky)
 
     def _add(
         self, rise: NDArray[np.int_], turn: NDArray[np.int_], share: FloatArray, out: FloatArray
@@ -178,7 +191,13 @@ class Relight:
         self._surrounding = SurroundingLight(solution)
 
     def radiance(
-        self, points: FloatArray, normals: FloatArray, albedo: FloatArray, lit: FloatArray
+        self,
+        points: FloatArray,
+        normals: FloatArray,
+        albedo: FloatArray,
+        lit: FloatArray,
+        beam: FloatArray | float = 1.0,
+        diffuse: FloatArray | None = None,
     ) -> FloatArray:
         """Reflected radiance per irradiance, without attenuation to the camera, (n, nl). [sr⁻¹]
 
@@ -190,6 +209,8 @@ class Relight:
             Normals in the same frame, of any length; a zero vector stands for a horizontal surface.
         albedo : array, shape (n, 3)
             Lambert albedo, linear sRGB under the star. [1]
+        lit, beam, diffuse : array
+            Arguments of ``SurroundingLight.irradiance``.
         """
         from_centre = points + np.array([0.0, 0.0, self._r])
         r = np.linalg.norm(from_centre, axis=-1)
@@ -203,7 +224,7 @@ class Relight:
         size = np.linalg.norm(normals, axis=-1, keepdims=True)
         n = np.where(size > 1e-6, normals / np.maximum(size, 1e-6), up)
         local = np.stack([np.sum(n * one, axis=-1) for one in (x, y, up)], axis=-1)
-        received = self._surrounding.irradiance(r, mu_s, local, lit)
+        received = self._surrounding.irradiance(r, mu_s, local, lit, beam, diffuse)
         return np.asarray(albedo @ self._basis.T * received / np.pi)
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,7 +64,10 @@ class CloudLight:
     spectrum : array, shape (SOLVED, nl)
         Weights of the solved wavelengths. [1]
     air_light : array, shape (2, nl)
-        See ``CloudTables``. [1]
+        See ``CloudTables``: of light that is equal from above and from below. [1]
+    diffuse : array, shape (2, 2, nl)
+        Diffuse irradiance below and above the clouds, from above and from below, over that of clear
+        sky. [1]
     depth, base_depth : array
         Results of ``beam_depths``.
     clear : array
@@ -78,6 +81,7 @@ class CloudLight:
     unit: FloatArray
     spectrum: FloatArray
     air_light: FloatArray
+    diffuse: FloatArray
     depth: Float32Array
     base_depth: Float32Array
     clear: Float32Array
@@ -105,12 +109,82 @@ def solved_wavelengths(count: int) -> NDArray[np.int64]:
     return np.round(np.linspace(_INSET, 1.0 - _INSET, SOLVED) * (count - 1)).astype(np.int64)
 
 
+class Incident(NamedTuple):
+    """Light that falls on a field from above.
+
+    Attributes
+    ----------
+    towards : tuple of three float
+        Unit vector to the light at the place of the field: east, north, up. [1]
+    beam, sky : array, shape (nl,)
+        Direct normal irradiance at the top, and diffuse irradiance, over that of the star. [1]
+    radiance : callable
+        Diffuse radiance from directions of propagation, shape (n, 3) to (n, nl). [sr⁻¹]
+    """
+
+    towards: tuple[float, float, float]
+    beam: FloatArray
+    sky: FloatArray
+    radiance: Callable[[FloatArray], FloatArray]
+
+    @property
+    def shines(self) -> bool:
+        """Whether a flat box has a beam."""
+        return self.towards[2] > LOWEST_BEAM and float(self.beam.min()) > 0.0
+
+    @property
+    def unit(self) -> FloatArray:
+        """Irradiance of the box's unit over that of the star, shape (nl,). [1]"""
+        if not self.shines:
+            return np.ones_like(self.beam)
+        return np.asarray(np.maximum(self.beam, 1e-6 * self.beam.max()))
+
+    @property
+    def irradiance(self) -> FloatArray:
+        """Irradiance of the horizontal top over that of the star, shape (nl,). [1]"""
+        direct = self.beam * self.towards[2] if self.shines else 0.0
+        return np.asarray(np.maximum(self.sky + direct, 1e-30))
+
+
+def incident(
+    solution: MomentsSolution, field: CloudField, towards: tuple[float, float, float]
+) -> Incident:
+    """Light on a field under a light in a direction: east, north, up. [1]"""
+    medium = solution.medium
+    top, mu_s = np.array([medium.bottom_radius + field.top]), np.array([towards[2]])
+
+    def radiance(along: FloatArray) -> FloatArray:
+        looking = -np.asarray(along, float)
+        count = looking.shape[0]
+        lines = enter_shell(
+            np.full(count, top[0]), looking[:, 2], np.hypot(looking[:, 0], looking[:, 1]),
+            np.full(count, towards[2]), np.clip(looking @ np.array(towards), -1.0, 1.0),
+            medium.bottom_radius, medium.top_radius,
+        )  # fmt: skip
+        return np.asarray(np.maximum(solution.relative_radiance(lines), 0.0))
+
+    return Incident(
+        towards,
+        solution.relative_normal_irradiance(top, mu_s)[0],
+        solution.relative_sky_irradiance(top, mu_s)[0],
+        radiance,
+    )
+
+
+def sun_over(field: CloudField, scene: Scene) -> tuple[float, float, float]:
+    """Direction to a scene's light at the place of a field: east, north, up. [1]"""
+    sun = np.array(sun_in_frame(scene))
+    east, north, up = (float(sun @ np.array(axis)) for axis in field_axes(field, scene))
+    return east, north, up
+
+
 def solve_clouds(
     solution: MomentsSolution,
     scene: Scene,
     field: CloudField,
     optics_at: OpticsAt,
     *,
+    solved_at: Sequence[tuple[float, Scene]] = (),
     quality: str = "default",
     cache: bool = True,
     progress: Progress | None = None,
@@ -128,64 +202,93 @@ def solve_clouds(
         Clouds.
     optics_at : callable
         Optical properties of the particles at wavelengths.
+    solved_at : sequence of (float, Scene), optional
+        Weights and scenes of the same place between which higher orders are interpolated, see
+        ``blended``; by default they are those of ``scene``.
     quality, cache : str, bool
         As for ``solve_box``.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
-    medium = solution.medium
-    east, north, up = (np.array(axis) for axis in field_axes(field, scene))
-    sun = np.array(sun_in_frame(scene))
-    towards = float(sun @ east), float(sun @ north), float(sun @ up)
-    nm = medium.wavelengths
-    chosen = solved_wavelengths(nm.size)
-    top = np.array([medium.bottom_radius + field.top])
-    mu_s = np.array([towards[2]])
-    beam = solution.relative_normal_irradiance(top, mu_s)[0]
-    sky = solution.relative_sky_irradiance(top, mu_s)[0]
-    albedo = np.broadcast_to(medium.ground_albedo, nm.shape)
-    shines = towards[2] > LOWEST_BEAM and float(beam.min()) > 0.0
-    unit = np.maximum(beam, 1e-6 * beam.max()) if shines else np.ones_like(beam)
+    nm = solution.medium.wavelengths
+    chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
+    light = incident(solution, field, sun_over(field, scene))
 
-    def light_at(along: FloatArray) -> FloatArray:
-        looking = -np.asarray(along, float)
-        count = looking.shape[0]
-        lines = enter_shell(
-            np.full(count, top[0]), looking[:, 2], np.hypot(looking[:, 0], looking[:, 1]),
-            np.full(count, towards[2]), np.clip(looking @ np.array(towards), -1.0, 1.0),
-            medium.bottom_radius, medium.top_radius,
+    def box_under(one: Incident) -> BoxSolution:
+        return solve_box(
+            coarse, optics_at(nm[chosen]), _box_light(solution, field, one, chosen),
+            quality=quality, cache=cache, progress=progress, cancel=cancel,
         )  # fmt: skip
-        return np.asarray(np.maximum(solution.relative_radiance(lines), 0.0))
 
-    def sky_at(along: FloatArray) -> FloatArray:
-        return np.asarray(light_at(along)[:, chosen] / unit[chosen])
-
-    light = BoxLight(
-        towards=towards if shines else (1.0, 0.0, 0.0),
-        albedo=albedo[chosen],
-        ground=0.0,
-        sky=sky_at,
-        air=_box_air(solution, field.top, chosen),
-    )
-    box = solve_box(
-        coarse_field(field), optics_at(nm[chosen]), light, quality=quality, cache=cache,
-        progress=progress, cancel=cancel,
-    )  # fmt: skip
+    if solved_at:
+        suns = [(weight, sun_over(field, one)) for weight, one in solved_at]
+        others = [(weight, incident(solution, field, sun)) for weight, sun in suns]
+        box = blended([(weight, one, box_under(one)) for weight, one in others], light, chosen)
+        unit = np.ones(chosen.size)
+    else:
+        box, unit = box_under(light), light.unit[chosen]
     depth, base_depth = beam_depths(
-        field, towards, medium.bottom_radius, progress=progress, cancel=cancel
+        field, light.towards, solution.medium.bottom_radius, progress=progress, cancel=cancel
     )
-    spectrum = box_spectrum(nm, chosen, beam, sky)
+    spectrum = box_spectrum(nm, chosen, light.beam, light.sky)
+    cloudy, clear = _hemispheres(solution, box, unit, spectrum, light)
     return CloudLight(
         field=field,
         optics=optics_at(nm),
         box=box,
-        towards=towards,
-        unit=unit[chosen],
+        towards=light.towards,
+        unit=unit,
         spectrum=spectrum,
-        air_light=_air_light(solution, box, unit[chosen], spectrum, towards, light_at),
+        air_light=_factors(cloudy.sum(axis=1), clear.sum(axis=1)),
+        diffuse=_factors(cloudy, clear),
         depth=depth,
         base_depth=base_depth,
         clear=clear_distances(field),
+    )
+
+
+def blended(
+    parts: Sequence[tuple[float, Incident, BoxSolution]],
+    light: Incident,
+    chosen: NDArray[np.int64],
+) -> BoxSolution:
+    r"""Box between boxes under a light at other places, per irradiance of the star.
+
+    The light over that which falls on the horizontal top is interpolated, so that the change of the
+    latter, a factor of three per degree of twilight, is exact:
+
+    .. math:: L = E \sum_k w_k L_k / E_k
+
+    Parameters
+    ----------
+    parts : sequence of (float, Incident, BoxSolution)
+        Weights [1], and light and solution of each box.
+    light : Incident
+        Light on the box.
+    chosen : array of int, shape (solved,)
+        Indices of the solved wavelengths.
+    """
+    total: dict[str, Any] = {}
+    for weight, one, box in parts:
+        factor = weight * (one.unit * light.irradiance / one.irradiance)[chosen]
+        for name in ("moments", "down", "direct", "up"):
+            part = getattr(box, name) * factor.astype(np.float32)
+            total[name] = total[name] + part if name in total else part
+    return replace(parts[0][2], **total)
+
+
+def _box_light(
+    solution: MomentsSolution, field: CloudField, light: Incident, chosen: NDArray[np.int64]
+) -> BoxLight:
+    """Light of a box at the solved wavelengths."""
+    unit = light.unit[chosen]
+    albedo = np.broadcast_to(solution.medium.ground_albedo, light.beam.shape)
+    return BoxLight(
+        towards=light.towards if light.shines else (1.0, 0.0, 0.0),
+        albedo=albedo[chosen],
+        ground=0.0,
+        sky=lambda along: np.asarray(light.radiance(along)[:, chosen] / unit),
+        air=_box_air(solution, field.top, chosen),
     )
 
 
@@ -247,20 +350,23 @@ def box_spectrum(
     return weights
 
 
-def _air_light(
+def _factors(cloudy: FloatArray, clear: FloatArray) -> FloatArray:
+    return np.asarray(np.clip(cloudy / np.maximum(clear, 1e-30), 0.0, MOST_LIGHT))
+
+
+def _hemispheres(
     solution: MomentsSolution,
     box: BoxSolution,
     unit: FloatArray,
     spectrum: FloatArray,
-    towards: tuple[float, float, float],
-    light_at: Callable[[FloatArray], FloatArray],
+    light: Incident,
 ) -> FloatArray:
-    """Diffuse light below and above the clouds over that of clear sky, shape (2, nl). [1]
+    """Irradiances below and above the clouds, from above and from below, shape (2, 2, 2, nl). [1]
 
-    The sum of the irradiances from above and from below, as in light that is equal from each.
+    The first axis is with clouds and without.
     """
     medium = solution.medium
-    ground, mu_s = np.array([medium.bottom_radius]), np.array([towards[2]])
+    ground, mu_s = np.array([medium.bottom_radius]), np.array([light.towards[2]])
     albedo = np.broadcast_to(medium.ground_albedo, medium.wavelengths.shape)
     sky = solution.relative_sky_irradiance(ground, mu_s)[0]
     sun = solution.relative_direct_irradiance(ground, mu_s)[0]
@@ -272,16 +378,11 @@ def _air_light(
     rising = np.einsum(
         "n,nw->w",
         (rays.weights[1] * rays.vectors[1, :, :, 2]).ravel(),
-        light_at(rays.vectors[1].reshape(-1, 3)),
+        light.radiance(rays.vectors[1].reshape(-1, 3)),
     )
-    top = np.array([medium.bottom_radius + box.field.top])
-    falling = solution.relative_sky_irradiance(top, mu_s)[0]
-    clear = sky + albedo * (sky + sun)
-    factors = [
-        (below + albedo * (below + direct)) / np.maximum(clear, 1e-30),
-        (falling + up) / np.maximum(falling + rising, 1e-30),
-    ]
-    return np.asarray(np.clip(factors, 0.0, MOST_LIGHT))
+    cloudy = np.array([[below, albedo * (below + direct)], [light.sky, up]])
+    clear = np.array([[sky, albedo * (sky + sun)], [light.sky, rising]])
+    return np.stack([cloudy, clear])
 
 
 def _box_air(solution: MomentsSolution, top: float, chosen: NDArray[np.int64]) -> BoxAir:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import KW_ONLY, dataclass
+import dataclasses
+from collections.abc import Callable, Sequence
+from dataclasses import KW_ONLY, dataclass, replace
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,13 +14,16 @@ from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
 from airlight.clouds.planet_clouds import Box, clouds_of
 from airlight.errors import ParameterError
+from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
-from airlight.render.clouds.cloud_light import CloudLight, OpticsAt, solve_clouds
+from airlight.render.clouds.cloud_light import CloudLight, OpticsAt, solve_clouds, sun_over
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
+#: Lights by what they depend on, with moments whose identity is a part of it.
+_Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, CloudLight]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +40,9 @@ class CloudsAround:
         Quality of ``solve_box``.
     cache : bool
         Whether solutions are read from and stored on disk.
+    solved_at : sequence of (float, Scene)
+        Weights and scenes between which the light is interpolated, see ``solve_clouds``; by default
+        it is solved for every picture.
     """
 
     field: CloudField
@@ -41,10 +50,13 @@ class CloudsAround:
     _: KW_ONLY
     quality: str = "preview"
     cache: bool = True
+    solved_at: Sequence[tuple[float, Scene]] = ()
+    #: The last light, which the next frame of a film may share.
+    _lights: _Lights = dataclasses.field(default_factory=lambda: Cache(1))
 
     @classmethod
     def of(
-        cls, planet: Planet, scene: Scene, *, quality: str = "preview", cache: bool = True
+        cls, planet: Planet, scene: Scene, *, quality: str = "default", cache: bool = True
     ) -> CloudsAround | None:
         """Clouds of a planet around a scene's place; None without clouds.
 
@@ -54,6 +66,8 @@ class CloudsAround:
             Planet.
         scene : Scene
             Scene, in whose place boxes of generated clouds have their middle.
+        quality : str
+            Quality of the picture; that of the boxes is ``"preview"`` below ``"high"``.
 
         Raises
         ------
@@ -73,18 +87,57 @@ class CloudsAround:
                 kept[key] = clouds_of(planet, nm, box)[0]
             return kept[key]
 
-        return cls(at(np.array([550.0]))[0], lambda nm: at(nm)[1], quality=quality, cache=cache)
+        return cls(
+            at(np.array([550.0]))[0],
+            lambda nm: at(nm)[1],
+            quality="high" if quality == "high" else "preview",
+            cache=cache,
+        )
 
     def lit(
         self,
         solution: MomentsSolution,
         scene: Scene,
         *,
+        light: int = 0,
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> CloudLight:
-        """Light of the clouds; parameters as those of ``solve_clouds``."""
-        return solve_clouds(
-            solution, scene, self.field, self.optics_at, quality=self.quality, cache=self.cache,
-            progress=progress, cancel=cancel,
-        )  # fmt: skip
+        """Light of the clouds; parameters as those of ``solve_clouds``.
+
+        Parameters
+        ----------
+        light : int
+            Number of the light among those of the scenes of ``solved_at``.
+        """
+        nodes = [(weight, one.with_light(one.lights[light])) for weight, one in self.solved_at]
+        suns = [(1.0, scene), *nodes]
+        key = (
+            id(solution.moments),
+            solution.lights[0].angular_radius,
+            *((weight, sun_over(self.field, one)) for weight, one in suns),
+        )
+
+        def make() -> tuple[Any, CloudLight]:
+            found = solve_clouds(
+                solution, scene, self.field, self.optics_at, solved_at=nodes,
+                quality=self.quality, cache=self.cache, progress=progress, cancel=cancel,
+            )  # fmt: skip
+            return solution.moments, found
+
+        return replace(self._lights.of(key, make)[1], field=self.field)
+
+    def before_space(
+        self, solution: MomentsSolution, scene: Scene
+    ) -> Callable[[FloatArray], FloatArray]:
+        """Transmittance of the clouds on lines of sight, see ``ThroughClouds``. [1]
+
+        Parameters
+        ----------
+        solution, scene : MomentsSolution, Scene
+            Arguments of ``ThroughClouds``.
+        """
+        from airlight.render.clouds.through_clouds import ThroughClouds
+
+        optics = self.optics_at(solution.wavelengths)
+        return ThroughClouds(self.field, optics, solution, scene).transmittance

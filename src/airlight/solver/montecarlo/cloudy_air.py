@@ -70,7 +70,8 @@ class Areas:
     @classmethod
     def box(cls, field: CloudField) -> Areas:
         """The whole of a field."""
-        return cls.at(0.0, 0.0, -2.0 * field.west, -2.0 * field.south)
+        sides = (n * step for n, step in zip(field.extinction.shape, field.spacing, strict=True))
+        return cls.at(*field.drift, *list(sides)[:2])
 
 
 class CloudyAir:

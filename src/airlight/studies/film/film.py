@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
+
+import numpy as np
 
 from airlight.errors import ParameterError
 from airlight.planets.planet import Planet
@@ -15,13 +17,18 @@ from airlight.planets.reading.overrides import FIELD
 from airlight.planets.reading.reader import read_tables
 from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.schema.toml_table import TomlTable
+from airlight.render.clouds.cloud_time import CloudTime
 from airlight.scene.system.reading import changed_system
 from airlight.scene.system.system import System
 from airlight.studies.film.frame_spec import FrameSpec, PlanetFrameSpec, Quality, SystemFrameSpec
+from airlight.studies.film.light_frames import LightFrames, light_directions
 from airlight.studies.film.plan import FilmPlan
 from airlight.studies.film.view import PlanetView
 
 Tables = Mapping[str, Any]
+
+#: Ends of paths of the wind, which displaces clouds by its speed times the time of a film.
+_WIND: Final = (".wind_speed", ".wind_direction")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,14 +78,21 @@ class Film:
         """
         changes = self.plan.changes(number)
         if self.view is not None:
-            view, planet = self._planet_at(changes)
-            time = self._time(number, view, planet)
-            scene = view.scene(planet, time, how.width, how.height)
-            planet, scene = scene.on_basin_floor(planet)
-            return PlanetFrameSpec(planet=planet, scene=scene, how=how, stars=view.stars)
+            spec = self._planet_spec(number, how)
+            if not spec.planet.clouds:
+                return spec
+            return self._cloudy_planet(number, spec)
         system = self._system_at(changes, self._time(number))
         system.check_distances()
-        return SystemFrameSpec(system=system, how=how)
+        return self._cloudy_system(number, SystemFrameSpec(system=system, how=how))
+
+    def _planet_spec(self, number: int, how: Quality) -> PlanetFrameSpec:
+        """Specification of a frame of a planet, without the time of its clouds."""
+        view, planet = self._planet_at(self.plan.changes(number))
+        time = self._time(number)
+        scene = view.scene(planet, time, how.width, how.height)
+        planet, scene = scene.on_basin_floor(planet)
+        return PlanetFrameSpec(planet=planet, scene=scene, how=how, stars=view.stars)
 
     @property
     def projection(self) -> str:
@@ -127,19 +141,69 @@ class Film:
         except ParameterError as error:
             raise _of_a_key(error) from None
 
+    # --- clouds -------------------------------------------------------------------------------
+
+    def _cloudy_planet(self, number: int, spec: PlanetFrameSpec) -> PlanetFrameSpec:
+        """Frame with the time of its clouds."""
+        first, frames = self._planet_spec(0, spec.how).scene, self._light_frames
+        around = frames.around(number)
+        return replace(
+            spec,
+            clouds=CloudTime(
+                seconds=self._seconds(number),
+                latitude=first.latitude,
+                longitude=first.longitude,
+                solved_at=()
+                if around == ((1.0, number),)
+                else tuple((w, self._planet_spec(node, spec.how).scene) for w, node in around),
+            ),
+        )
+
+    def _cloudy_system(self, number: int, spec: SystemFrameSpec) -> SystemFrameSpec:
+        """Frame with the time of the clouds of its planets."""
+        system = self._system_at(self.plan.changes(0), self._time(0))
+        clouds = {}
+        for name, planet in spec.system.planets.items():
+            if planet.clouds:
+                latitude, longitude, _ = system.place_above(system.body(name))
+                clouds[name] = CloudTime(
+                    seconds=self._seconds(number), latitude=latitude, longitude=longitude
+                )
+        return replace(spec, clouds=clouds)
+
+    def _seconds(self, number: int) -> float:
+        """Time since the first frame, by the clock, or of playback without one. [s]"""
+        for one in self.plan.keys:
+            if one.path.endswith(_WIND):
+                raise ParameterError("film.keys", one.path, "a wind that is the same at all times")
+        if self.plan.start is None:
+            return number / self.plan.rate
+        start, end = self._ends
+        return self.plan.normalised_time(number) * (end - start).total_seconds()
+
+    @cached_property
+    def _light_frames(self) -> LightFrames:
+        """Frames of a planet for which the light of its clouds is solved."""
+        specs = [self._planet_spec(number, Quality()) for number in range(self.plan.count)]
+        return LightFrames.of(
+            np.array([light_directions(one.scene) for one in specs]),
+            [(one.planet, one.solved_for, one.scene.place[:2]) for one in specs],
+        )
+
     # --- the clock ----------------------------------------------------------------------------
 
-    def _time(
-        self, number: int, view: PlanetView | None = None, planet: Planet | None = None
-    ) -> datetime | None:
-        plan = self.plan
-        if plan.start is None or plan.end is None:
+    def _time(self, number: int) -> datetime | None:
+        if self.plan.start is None:
             return None
-        if view is not None and planet is not None:
-            start, end = self._span
-        else:
-            start, end = _instant(plan.start, "start"), _instant(plan.end, "end")
-        return start + plan.normalised_time(number) * (end - start)
+        start, end = self._ends
+        return start + self.plan.normalised_time(number) * (end - start)
+
+    @property
+    def _ends(self) -> tuple[datetime, datetime]:
+        """Times of the first and the last frame of a film with a clock."""
+        if self.view is not None:
+            return self._span
+        return _instant(str(self.plan.start), "start"), _instant(str(self.plan.end), "end")
 
     @cached_property
     def _span(self) -> tuple[datetime, datetime]:

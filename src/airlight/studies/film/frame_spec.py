@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING, Final, Protocol
 from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES
 from airlight.planets.cloud_cover import cloud_file
+from airlight.planets.clouds import CloudFile
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 from airlight.render import render
+from airlight.render.clouds.cloud_time import CloudTime, clouds_at
 from airlight.render.render_system import render_system
 from airlight.render.solve_planet import solve_planet
 from airlight.render.star_points import add_catalogue
@@ -31,6 +33,8 @@ if TYPE_CHECKING:
 
 #: Cost of a sky-view LUT, in pixels times wavelengths. [1]
 _TABLE: Final = 1.5e6
+#: Width of a frame that only prepares others. [pixel]
+_SMALL: Final = 16
 #: Solution of the last rendered frame, which the next frame usually shares.
 _SOLUTIONS: Final[Cache[str, MomentsSolution]] = Cache(1)
 
@@ -111,12 +115,15 @@ class PlanetFrameSpec:
         Size and accuracy.
     stars : bool
         Whether the star catalogue is added.
+    clouds : CloudTime, optional
+        Time of three-dimensional clouds; by default that of the first frame.
     """
 
     planet: Planet
     scene: Scene
     how: Quality
     stars: bool = False
+    clouds: CloudTime | None = None
 
     def render(self, width: int | None = None) -> Frame:
         """See ``FrameSpec``."""
@@ -128,14 +135,23 @@ class PlanetFrameSpec:
             camera = scene.camera
             columns, rows = _reduced(camera.projection, camera.width, camera.height, width)
             scene = replace(scene, camera=replace(camera, width=columns, height=rows))
-        frame = render(solution, scene, exact=self.how.exact, samples=self.how.samples or 1)
+        clouds = clouds_at(self.planet, scene, self.clouds, quality=self.how.quality)
+        frame = render(
+            solution,
+            scene,
+            exact=self.how.exact,
+            samples=self.how.samples or 1,
+            clouds=clouds,
+        )
         if self.stars:
-            add_catalogue(frame.rgb, scene, solution, self.planet.body)
+            add_catalogue(frame.rgb, scene, solution, self.planet.body, clouds)
         return frame
 
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``FrameSpec``."""
         self._solution(progress)
+        if self.planet.clouds:
+            self.render(_SMALL)
 
     def cost(self) -> dict[str, float]:
         """See ``FrameSpec``."""
@@ -146,12 +162,12 @@ class PlanetFrameSpec:
         return {kind: float(rendered) + _TABLE, "solve": solve_work(how.quality, len(nm))}
 
     def _solution(self, progress: Progress | None = None) -> MomentsSolution:
-        how, place = self.how, self.scene.place
-        key = digest((self.planet, place, how), self.files)
+        how, place, planet = self.how, self.scene.place, self.planet.without_clouds
+        key = digest((planet, place, how), self.files)
         return _SOLUTIONS.of(
             key,
             lambda: solve_planet(
-                self.planet, how.wavelengths, how.quality, around=place, progress=progress
+                planet, how.wavelengths, how.quality, around=place, progress=progress
             ),
         )
 
@@ -159,17 +175,17 @@ class PlanetFrameSpec:
     def solved_for(self) -> object:
         """See ``FrameSpec``."""
         mapped = self.planet.ground.map is not None or self.planet.ground.clouds is not None
-        return self.planet, self.scene.place if mapped else None
+        return self.planet.without_clouds, self.scene.place if mapped else None
 
     @property
     def defined_by(self) -> object:
         """See ``FrameSpec``."""
-        return self.planet, self.scene, self.how, self.stars
+        return self.planet, self.scene, self.how, self.stars, self.clouds
 
     @property
     def files(self) -> tuple[Path, ...]:
         """See ``FrameSpec``."""
-        return _ground_files(self.planet)
+        return _planet_files(self.planet)
 
     def metadata(self) -> dict[str, str]:
         """See ``FrameSpec``."""
@@ -186,10 +202,14 @@ class SystemFrameSpec:
         Bodies, lights, observer and camera.
     how : Quality
         Size and accuracy.
+    clouds : mapping
+        Times of three-dimensional clouds by the names of planets; by default that of the first
+        frame.
     """
 
     system: System
     how: Quality
+    clouds: Mapping[str, CloudTime] = field(default_factory=dict)
 
     def render(self, width: int | None = None) -> Frame:
         """See ``FrameSpec``."""
@@ -207,6 +227,7 @@ class SystemFrameSpec:
             wavelengths=how.wavelengths,
             quality=how.quality,
             samples=how.samples,
+            clouds=self.clouds,
             progress=progress,
         )
 
@@ -223,8 +244,8 @@ class SystemFrameSpec:
 
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``FrameSpec``."""
-        how = self.how
-        self._render(*_reduced(self.system.view.projection, how.width, how.height, 16), progress)
+        how, projection = self.how, self.system.view.projection
+        self._render(*_reduced(projection, how.width, how.height, _SMALL), progress)
 
     @property
     def solved_for(self) -> object:
@@ -236,12 +257,12 @@ class SystemFrameSpec:
     @property
     def defined_by(self) -> object:
         """See ``FrameSpec``."""
-        return self.system, self.system.planets, self.how
+        return self.system, self.system.planets, self.how, self.clouds
 
     @property
     def files(self) -> tuple[Path, ...]:
         """See ``FrameSpec``."""
-        found = [file for one in self.system.planets.values() for file in _ground_files(one)]
+        found = [file for one in self.system.planets.values() for file in _planet_files(one)]
         maps = [body.map for body in self.system.bodies if body.map is not None]
         return (*found, *(map_file(self.system.path_of(name)) for name in maps))
 
@@ -251,7 +272,7 @@ class SystemFrameSpec:
         return {} if moment is None else {"time": moment.isoformat()}
 
 
-def _ground_files(planet: Planet) -> tuple[Path, ...]:
+def _planet_files(planet: Planet) -> tuple[Path, ...]:
     ground, found = planet.ground, []
     if ground.map is not None:
         found += [map_file(ground.map), water_file(ground.map)]
@@ -260,6 +281,10 @@ def _ground_files(planet: Planet) -> tuple[Path, ...]:
     found += [cloud_file(one) for one in (ground.clouds, ground.clouds_from_space) if one]
     if ground.relief is not None:
         found.append(relief_file(ground.relief))
+    for one in planet.clouds:
+        if isinstance(one, CloudFile):
+            path = Path(one.file)
+            found += sorted(path.rglob("*")) if path.is_dir() else [path]
     return tuple(file for file in found if file.is_file())
 
 

@@ -51,6 +51,8 @@ class Grid:
     vary : mapping
         Values of keys of the planet files by path, each of which is an axis; see ``varied``.
         Planets without a file do not vary.
+    common : mapping
+        Overrides of the files of all planets by path, before those of ``vary``.
     altitude : array
         Altitudes of the observer: numbers, text with a unit (also a range, ``"0:10:2 km"``) or
         quantities. [m]
@@ -74,6 +76,7 @@ class Grid:
     sun_zenith: Sequence[float]
     view_zenith: Sequence[float]
     azimuth: Sequence[float] = (0.0,)
+    common: Mapping[str, Any] = field(default_factory=dict)
     wavelengths: Sequence[float] | None = None
 
     def __post_init__(self) -> None:
@@ -136,11 +139,9 @@ class Grid:
         return (len(self.planets), *(len(values) for values in self.vary.values()))
 
     def changes(self, variant: tuple[int, ...]) -> dict[str, Any]:
-        """Values of the paths of one planet of the grid."""
-        return {
-            path: values[k]
-            for k, (path, values) in zip(variant[1:], self.vary.items(), strict=True)
-        }
+        """Overrides of one planet of the grid."""
+        varied = zip(variant[1:], self.vary.items(), strict=True)
+        return {**self.common, **{path: values[k] for k, (path, values) in varied}}
 
     def planet(self, variant: tuple[int, ...]) -> Planet:
         """Planet of the grid, by its indices along ``variants``."""

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.planets.reading.declared_keys import key_at, spelled_out
-from airlight.planets.reading.overrides import indexed_path
+from airlight.planets.reading.overrides import indexed_path, overridden
 from airlight.planets.reading.reader import PlanetLike, nested_tables, planet_text
 from airlight.planets.schema.field import Field
 from airlight.planets.schema.measures import DOBSON, number_in
@@ -106,7 +106,7 @@ def _coordinates(grid: Grid) -> dict[str, tuple[NDArray[Any], dict[str, Any]]]:
             raise ParameterError(
                 "vary", name, "a key without a slash: it names a folder of the store"
             )
-        numbers, unit = varied_axis(grid.planets[0], name, values)
+        numbers, unit = varied_axis(grid.planets[0], name, values, grid.common)
         found[name] = numbers, {"units": unit} if unit else {}
     for name, (_, _, unit) in AXES.items():
         found[name] = np.array(getattr(grid, name)), {"units": unit, **COORDINATES[name]}
@@ -140,7 +140,9 @@ _TEXT: Final = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([A
 _POWERS: Final = str.maketrans("⁻¹²³", "-123")
 
 
-def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[NDArray[Any], str]:
+def varied_axis(
+    planet: PlanetLike, path: str, values: Sequence[Any], common: Mapping[str, Any] | None = None
+) -> tuple[NDArray[Any], str]:
     """Values of a key as an axis.
 
     Parameters
@@ -151,6 +153,8 @@ def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[N
         Path of the key, as for overrides.
     values : sequence
         Numbers, texts with a unit, or words, as in a planet file.
+    common : mapping, optional
+        Overrides of the file, which may make the key.
 
     Returns
     -------
@@ -173,7 +177,7 @@ def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[N
     symbols = {match[2] if match else "" for match in matches}
     if len(symbols) == 1 and "" not in symbols:
         return np.array([float(match[1]) for match in matches if match]), symbols.pop()
-    key = _key(planet, path)
+    key = _key(planet, path, common or {})
     if key is None or key.kind != "number":
         words = [isinstance(one, (str, bool)) for one in values]
         return np.array([str(one) for one in values] if any(words) else values), ""
@@ -185,12 +189,12 @@ def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[N
     return np.array(numbers), replace(key, unit=unit).unit_words.translate(_POWERS) or "1"
 
 
-def _key(planet: PlanetLike, path: str) -> Field | None:
+def _key(planet: PlanetLike, path: str, common: Mapping[str, Any]) -> Field | None:
     """Declaration of the key; None if the planet has no file or not this key."""
     if not isinstance(planet, (str, Path)):
         return None
     text, file, folder = planet_text(planet)
-    tables = spelled_out(nested_tables(text, file), folder)
+    tables = spelled_out(overridden(nested_tables(text, file), common), folder)
     try:
         return key_at(tables, indexed_path(tables, path))
     except ParameterError:

@@ -134,6 +134,8 @@ def sweep(
     settings = replace(settings_for(quality), polarisation=polarisation)
     about = {"title": f"{light}, quality {quality}", "solver": "moments"}
     about["settings"] = settings.as_text()
+    if grid.common:
+        about["changes"] = "; ".join(f"{path}={value}" for path, value in grid.common.items())
     task = RadianceTask(
         planet=grid.planet((0,) * len(grid.variants)),
         wavelengths=grid.nm,

@@ -1,0 +1,171 @@
+"""``CloudsBefore``: clouds between an observer and surfaces of another picture."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.vectors import Vec3, dot, plus
+from airlight.kernel import compiled_loop
+from airlight.kernel.lanes import LANES, exponential, lane_view, load, store
+from airlight.kernel.threads import run_blocks
+from airlight.kernel.without_refcount import without_refcount
+from airlight.render.clouds.cloud_march import add_clouds, beam_depth_at, line_of_air
+from airlight.render.clouds.cloud_tables import CloudTables, new_cloud_work
+from airlight.render.clouds.sight_extent import (
+    SightExtent,
+    node_distance,
+    node_of_distance,
+    sight_extent,
+)
+from airlight.render.pixels.pixel import classify_ray, sky_view_place
+from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
+from airlight.solver.moments.march_tables import MarchTables
+
+FloatArray = NDArray[np.float64]
+
+#: Lines of sight in one block of work.
+_BLOCK = 1 << 10
+
+
+class CloudsBefore:
+    """Clouds, and their shadows in the air, before surfaces and on them.
+
+    Parameters
+    ----------
+    clouds, tables, observer : CloudTables, MarchTables, Observer
+        Those of a frame of the observer.
+    diffuse : array, shape (2, 2, nl)
+        See ``CloudLight``. [1]
+    """
+
+    def __init__(
+        self, clouds: CloudTables, tables: MarchTables, observer: Observer, diffuse: FloatArray
+    ) -> None:
+        self._clouds, self._tables, self._observer = clouds, tables, observer
+        self._diffuse, self._count = diffuse, diffuse.shape[-1]
+        self._without_shadows = clouds._replace(
+            depth=np.zeros_like(clouds.depth),
+            base_depth=np.zeros_like(clouds.base_depth),
+            mean_visibility=1.0,
+            air_light=np.ones_like(clouds.air_light),
+        )
+
+    def over(
+        self,
+        directions: FloatArray,
+        distances: FloatArray,
+        radiance: FloatArray,
+        transmittance: FloatArray,
+    ) -> tuple[FloatArray, FloatArray]:
+        """Path radiance and transmittance with clouds, of those without.
+
+        Parameters
+        ----------
+        directions : array, shape (n, 3)
+            Unit vectors in the observer's frame, with the light at azimuth 0. [1]
+        distances : array, shape (n,)
+            Distances of the surfaces; may be infinite. [m]
+        radiance, transmittance : array, shape (n, nl)
+            Results of ``PathRadiance.before``. [sr⁻¹], [1]
+        """
+        out = np.zeros((len(directions), 3, self._tables.lanes), np.float32)
+        out[:, 1] = 1.0
+        rays = np.ascontiguousarray(directions)
+
+        def run(k: int) -> None:
+            part = slice(k * _BLOCK, (k + 1) * _BLOCK)
+            works = new_cloud_work(self._clouds), new_cloud_work(self._clouds)
+            _before(
+                rays[part], distances[part], self._observer, self._clouds, self._without_shadows,
+                self._tables, works[0], works[1], out[part],
+            )  # fmt: skip
+
+        run_blocks(run, -(-len(rays) // _BLOCK))
+        light, through, lost = (out[:, k, : self._count].astype(float) for k in range(3))
+        return light + through * np.maximum(radiance - lost, 0.0), transmittance * through
+
+    def on(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Factors of the light that falls on points.
+
+        Parameters
+        ----------
+        points : array, shape (n, 3)
+            In the observer's frame, from the observer. [m]
+
+        Returns
+        -------
+        beam : array, shape (n, nl)
+            Transmittance of the clouds for the light's beam. [1]
+        diffuse : array, shape (2, n, nl)
+            Mean diffuse light from above and from below over that of clear sky; between base and
+            top of the clouds interpolated. [1]
+        """
+        beam = np.ones((len(points), self._tables.lanes), np.float32)
+        up = np.empty(len(points))
+        _at_points(np.ascontiguousarray(points), self._clouds, self._tables, beam, up)
+        below, above = self._diffuse
+        share = up[:, None]
+        diffuse = below[:, None] + (above - below)[:, None] * share
+        return beam[:, : self._count].astype(float), diffuse
+
+
+@compiled_loop
+def _before(rays, distances, observer, clouds, bright, tables, work, other, out):
+    observer, clouds, bright, tables, work, other, out = without_refcount(
+        (observer, clouds, bright, tables, work, other, out)
+    )
+    nodes = clouds.air.shape[1]
+    for k in range(rays.shape[0]):
+        ray = Vec3(rays[k, 0], rays[k, 1], rays[k, 2])
+        found = classify_ray(ray, observer, tables)
+        extent = sight_extent(
+            ray.z, found.sine, found.to_ground, clouds.eye, clouds.radius, clouds.base, clouds.top
+        )
+        limit = min(distances[k], extent.last)
+        if not found.through_air or limit <= extent.first:
+            continue
+        half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
+        place = sky_view_place(ray, found, clouds.window)
+        line_of_air(ray, half_sine, place, extent, bright, tables, other)
+        line_of_air(ray, half_sine, place, extent, clouds, tables, work)
+        short = SightExtent(extent.first, limit, extent.leaves, extent.enters)
+        at_node = node_of_distance(limit, nodes, extent)
+        node = min(int(at_node), nodes - 2)
+        e = np.float32(at_node - node)
+        h = np.float32(1.0) - e
+        for at in range(0, tables.lanes, LANES):
+            whole, left = lane_view(other.before, at), lane_view(work.before, at)
+            lost = h * (whole[node] - left[node]) + e * (whole[node + 1] - left[node + 1])
+            store(out[k, 2], at, lost)
+        # the nodes of the line that ends at the surface
+        for other_node in range(nodes):
+            distance = node_distance(other_node, nodes, short)
+            at_node = node_of_distance(distance, nodes, extent)
+            node = min(int(at_node), nodes - 2)
+            e = np.float32(at_node - node)
+            h = np.float32(1.0) - e
+            for at in range(0, tables.lanes, LANES):
+                before, through = lane_view(work.before, at), lane_view(work.through, at)
+                lane_view(other.before, at)[other_node] = h * before[node] + e * before[node + 1]
+                lane_view(other.through, at)[other_node] = h * through[node] + e * through[node + 1]
+        add_clouds(ray, half_sine, short, clouds, tables, other)
+        for at in range(0, tables.lanes, LANES):
+            light = lane_view(other.light, at)
+            store(out[k, 0], at, light[0])
+            store(out[k, 1], at, light[1])
+
+
+@compiled_loop
+def _at_points(points, clouds, tables, beam, up):
+    clouds, tables, beam, up = without_refcount((clouds, tables, beam, up))
+    for k in range(points.shape[0]):
+        offset = Vec3(points[k, 0], points[k, 1], points[k, 2])
+        point = plus(Vec3(0.0, 0.0, clouds.eye), offset)
+        depth = beam_depth_at(point, clouds)
+        height = (sqrt(dot(point, point)) - clouds.base) / (clouds.top - clouds.base)
+        up[k] = min(max(height, 0.0), 1.0)
+        for at in range(0, tables.lanes, LANES):
+            store(beam[k], at, exponential(load(clouds.scaled[0], at) * np.float32(-depth)))
