@@ -271,6 +271,18 @@ def where_positive(typing_context: Any, sign: Any, first: Any, second: Any) -> A
 
 
 @intrinsic
+def any_negative(typing_context: Any, value: Any) -> Any:
+    """Whether a lane is below 0."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        zero = ir.Constant(_VECTOR, [0.0] * LANES)
+        signs = builder.bitcast(builder.fcmp_ordered("<", arguments[0], zero), ir.IntType(LANES))
+        return builder.icmp_unsigned("!=", signs, ir.Constant(ir.IntType(LANES), 0))
+
+    return types.boolean(_LANES), build
+
+
+@intrinsic
 def load_two(typing_context: Any, array: Any, low: Any, high: Any) -> Any:
     """Four adjacent elements from ``low`` on, and four from ``high`` on (not checked)."""
 

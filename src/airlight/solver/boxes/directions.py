@@ -35,6 +35,14 @@ def degrees(degree: int) -> NDArray[np.int64]:
     return np.repeat(np.arange(degree + 1), 2 * np.arange(degree + 1) + 1)
 
 
+def parities(degree: int) -> NDArray[np.int64]:
+    """Class of each harmonic, shape (terms,): 1 if odd in x, plus 2 if odd in y."""
+    l = degrees(degree)
+    m = np.arange(l.size) - l * (l + 1)
+    odd_y = m < 0
+    return np.asarray((np.abs(m) + odd_y) % 2 + 2 * odd_y)
+
+
 def harmonics(directions: FloatArray, degree: int) -> FloatArray:
     """Real spherical harmonics of unit vectors.
 

@@ -133,7 +133,7 @@ class BoxIteration:
             self.thickness,
             grid.flat,
         )
-        terms, pairs = term_count(settings.degree), self.pairs.slopes.shape[2]
+        terms, pairs = term_count(settings.degree), self.pairs.slopes.shape[0]
 
         def zeros(*shape: int) -> Float32Array:
             return np.zeros(shape, np.float32)
@@ -148,7 +148,7 @@ class BoxIteration:
                 zeros(levels, ny + 1, nx, HALF_LANES),
                 zeros(2, levels + 1, ny, nx, HALF_LANES),
             ),
-            zeros(2, ny, nx, terms, HALF_LANES),
+            zeros(2, 4, ny, nx, pairs, LANES),
         )
         self.down = np.zeros_like(self.direct)
         self.relaxation = np.float32(1.0)

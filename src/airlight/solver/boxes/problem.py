@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import BeamCells, beam_row
-from airlight.solver.boxes.directions import BoxDirections, harmonics
+from airlight.solver.boxes.directions import BoxDirections, harmonics, parities
 from airlight.solver.boxes.grid import BoxGrid
 from airlight.solver.boxes.scaled_optics import BoxOptics
 from airlight.solver.boxes.sweep import SweepDirections
@@ -93,9 +93,9 @@ def four_wide(values: FloatArray) -> Float32Array:
 
 
 def _pairs(values: FloatArray) -> Float32Array:
-    """Values (2, 4, n, ...) by direction as registers (2, 4, n / 2, ..., 8)."""
-    shape = values.shape
-    split = np.moveaxis(values.reshape(*shape[:2], shape[2] // 2, 2, *shape[3:]), 3, -1)
+    """Values (..., n, m) by direction as registers (..., n / 2, m, 8)."""
+    *shape, count, kept = values.shape
+    split = values.reshape(*shape, count // 2, 2, kept).swapaxes(-1, -2)
     return np.ascontiguousarray(np.repeat(split, HALF_LANES, axis=-1), np.float32)
 
 
@@ -117,12 +117,17 @@ def sweep_directions(
         if flat:
             slopes[..., axis] = 0.0
     sun = harmonics(-np.array(towards), degree)
+    kinds = parities(degree)
+    order = np.argsort(kinds, kind="stable")
+    first = functions[:, 0, :, order].transpose(1, 2, 0)  # (2, n, terms)
     return SweepDirections(
-        _pairs(slopes),
-        _pairs(functions),
-        _pairs(functions * weights[..., None]),
+        _pairs(slopes[0, 0]),
+        _pairs(first),
+        np.ascontiguousarray(_pairs(first * weights[:, 0, :, None]).swapaxes(1, 2)),
         _pairs(vectors * weights[..., None]),
         np.asarray(sun, np.float32),
+        order,
+        np.searchsorted(kinds[order], np.arange(5)),
     )
 
 

@@ -22,11 +22,13 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import (
     HALF_LANES,
+    any_negative,
     folded,
     lane_array,
     lane_view,
     load_half,
     maximum,
+    minimum,
     splat,
     store_half,
     where_positive,
@@ -76,14 +78,18 @@ class SweepDirections(NamedTuple):
 
     Attributes
     ----------
-    slopes : array, shape (2, 4, pairs, 3, 8)
+    slopes : array, shape (pairs, 3, 8)
         Twice the magnitudes of μ_x and μ_y over the cell's widths, and of μ_z. [m⁻¹], [1]
-    functions, weighted : array, shape (2, 4, pairs, terms, 8)
-        Harmonics, and harmonics times solid angle. [1], [sr]
+    functions, weighted : array, shapes (2, pairs, terms, 8), (2, terms, pairs, 8)
+        Harmonics, and harmonics times solid angle, of the first octant, in ``order``. [1], [sr]
     crossing : array, shape (2, 4, pairs, 3, 8)
         Signed direction cosines times solid angle. [sr]
     sun : array, shape (terms,)
         Harmonics of the direction of the beam. [1]
+    order : array of int, shape (terms,)
+        Harmonics by class: even in x and y, odd in x, odd in y, odd in both.
+    classes : array of int, shape (5,)
+        First places of the classes in that order, and the number of terms.
     """
 
     slopes: Float32Array
@@ -91,6 +97,8 @@ class SweepDirections(NamedTuple):
     weighted: Float32Array
     crossing: Float32Array
     sun: Float32Array
+    order: NDArray[np.int64]
+    classes: NDArray[np.int64]
 
 
 class SweepLight(NamedTuple):
@@ -109,8 +117,8 @@ class SweepLight(NamedTuple):
         Net irradiance through faces towards x, y and z but for light that enters the box, shapes
         (levels, ny, nx + 1, 4), (levels, ny + 1, nx, 4) and, by hemisphere,
         (2, levels + 1, ny, nx, 4). [1]
-    sources : array, shape (2, ny, nx, terms, 4)
-        Workspace: moments of the source of a level, by hemisphere. [m⁻¹]
+    work : array, shape (2, 4, ny, nx, pairs, 8)
+        Workspace: source of a level, then its mean light, by hemisphere and octant. [m⁻¹ sr⁻¹]
     """
 
     moments: tuple[Float32Array, Float32Array]
@@ -118,7 +126,7 @@ class SweepLight(NamedTuple):
     sides: Float32Array
     fronts: Float32Array
     currents: tuple[Float32Array, Float32Array, Float32Array]
-    sources: Float32Array
+    work: Float32Array
 
 
 @inlined
@@ -128,26 +136,154 @@ def _through_cell(source, extinction, slopes, entering):
     x, y, z = entering
     ax, by, cz = a * x, b * y, c * z
     mean = (source + ax + by + cz) / (extinction + a + b + c)
-    # Twice: without one face's light another may become negative.
-    zero = splat(0.0)
-    one = splat(1.0)
-    for _ in range(2):
-        open_x = where_positive(mean + mean - x, one, zero)
-        open_y = where_positive(mean + mean - y, one, zero)
-        open_z = where_positive(mean + mean - z, one, zero)
-        arriving = source + 0.5 * (ax * (open_x + 1.0) + by * (open_y + 1.0) + cz * (open_z + 1.0))
-        mean = arriving / (extinction + a * open_x + b * open_y + c * open_z + 1e-30)
-    return (
-        mean,
-        maximum(mean + mean - x, 0.0) * open_x,
-        maximum(mean + mean - y, 0.0) * open_y,
-        maximum(mean + mean - z, 0.0) * open_z,
-    )
+    twice = mean + mean
+    out_x, out_y, out_z = twice - x, twice - y, twice - z
+    if any_negative(minimum(minimum(out_x, out_y), out_z)):
+        # Twice: without one face's light another may become negative.
+        zero = splat(0.0)
+        one = splat(1.0)
+        open_x, open_y, open_z = one, one, one
+        for _ in range(2):
+            open_x = where_positive(mean + mean - x, one, zero)
+            open_y = where_positive(mean + mean - y, one, zero)
+            open_z = where_positive(mean + mean - z, one, zero)
+            arriving = source + 0.5 * (
+                ax * (open_x + 1.0) + by * (open_y + 1.0) + cz * (open_z + 1.0)
+            )
+            mean = arriving / (extinction + a * open_x + b * open_y + c * open_z + 1e-30)
+        twice = mean + mean
+        out_x = maximum(twice - x, 0.0) * open_x
+        out_y = maximum(twice - y, 0.0) * open_y
+        out_z = maximum(twice - z, 0.0) * open_z
+    return mean, out_x, out_y, out_z
+
+
+@inlined
+def _fill_sources(y, level, hemisphere, cells, ways, light):
+    """Fill a row of ``light.work`` with the sources in all directions of a hemisphere."""
+    extinctions, beam, lit, _, cloud_source, _, air_source, degrees, _, _ = cells
+    sun, order, classes = ways.sun, ways.order, ways.classes
+    ny, nx = extinctions.shape[1], extinctions.shape[2]
+    terms, highest = order.size, cloud_source.shape[0]
+    before, after = light.moments[0].reshape(-1), light.moments[1].reshape(-1)
+    flat_beam, flat_lit, flat_source = beam.reshape(-1), lit.reshape(-1), cloud_source.reshape(-1)
+    flat_air_source = air_source.reshape(-1)
+    function, work = lane_view(ways.functions), lane_view(light.work)
+    scattering, once = lane_view(lane_array(highest)), lane_view(lane_array(highest))
+    source = lane_view(lane_array(terms))
+    parts = lane_view(lane_array(4))
+    for x in range(nx):
+        cell = (level * ny + y) * nx + x
+        amount = extinctions[level, y, x]
+        direct = load_half(flat_beam, cell * HALF_LANES)
+        given = load_half(flat_lit, cell * HALF_LANES)
+        for l in range(highest):
+            share = load_half(flat_source, l * HALF_LANES)
+            clear = load_half(flat_air_source, (level * highest + l) * HALF_LANES)
+            scattering[l] = share * amount + clear
+            once[l] = share * given + clear * direct
+        for n in range(terms):
+            t = order[n]
+            at = (cell * terms + t) * HALF_LANES
+            l = degrees[t]
+            total = load_half(before, at) + load_half(after, at)
+            source[n] = scattering[l] * total + once[l] * sun[t]
+        for p in range(function.shape[1]):
+            for c in range(4):
+                total = splat(0.0)
+                for n in range(classes[c], classes[c + 1]):
+                    total += function[hemisphere, p, n] * source[n]
+                parts[c] = total
+            low, high = parts[0] + parts[2], parts[1] + parts[3]
+            work[hemisphere, 0, y, x, p] = maximum(low + high, 0.0)
+            work[hemisphere, 1, y, x, p] = maximum(low - high, 0.0)
+            low, high = parts[0] - parts[2], parts[1] - parts[3]
+            work[hemisphere, 2, y, x, p] = maximum(low + high, 0.0)
+            work[hemisphere, 3, y, x, p] = maximum(low - high, 0.0)
+
+
+@inlined
+def _sweep_row(y, level, hemisphere, octant, cells, ways, light, row):
+    """Replace the sources of a row by its mean light in the directions of an octant."""
+    extinctions, _, _, cloud, _, air, _, _, thickness, flat = cells
+    flat_x, flat_y = flat
+    ny, nx = extinctions.shape[1], extinctions.shape[2]
+    slope, cross = lane_view(ways.slopes), lane_view(ways.crossing)
+    head, front, work = lane_view(light.heads), lane_view(light.fronts), lane_view(light.work)
+    x_currents, y_currents = light.currents[0].reshape(-1), light.currents[1].reshape(-1)
+    z_currents = light.currents[2].reshape(-1)
+    step_x, step_y = SIGNS[octant]
+    inverse = np.float32(1.0) / thickness[level]
+    own_air = load_half(air.reshape(-1), level * HALF_LANES)
+    own_cloud = load_half(cloud, 0)
+    for column in range(nx):
+        x = column if step_x > 0 else nx - 1 - column
+        extinction = own_cloud * extinctions[level, y, x] + own_air
+        through_x, through_y, through_z = splat(0.0), splat(0.0), splat(0.0)
+        for p in range(slope.shape[0]):
+            mean, out_x, out_y, out_z = _through_cell(
+                work[hemisphere, octant, y, x, p],
+                extinction,
+                (slope[p, 0], slope[p, 1], slope[p, 2] * inverse),
+                (
+                    row[p],
+                    front[hemisphere, octant, level, x, p],
+                    head[hemisphere, octant, y, x, p],
+                ),
+            )
+            if flat_x:
+                out_x = mean
+            if flat_y:
+                out_y = mean
+            row[p] = out_x
+            front[hemisphere, octant, level, x, p] = out_y
+            head[hemisphere, octant, y, x, p] = out_z
+            work[hemisphere, octant, y, x, p] = mean
+            through_x += cross[hemisphere, octant, p, 0] * out_x
+            through_y += cross[hemisphere, octant, p, 1] * out_y
+            through_z += cross[hemisphere, octant, p, 2] * out_z
+        at = ((level * ny + y) * (nx + 1) + x + (step_x > 0)) * HALF_LANES
+        _add(x_currents, at, through_x)
+        at = ((level * (ny + 1) + y + (step_y > 0)) * nx + x) * HALF_LANES
+        _add(y_currents, at, through_y)
+        face = hemisphere * (extinctions.shape[0] + 1) + level + hemisphere
+        at = ((face * ny + y) * nx + x) * HALF_LANES
+        _add(z_currents, at, through_z)
+
+
+@inlined
+def _sum_moments(y, level, hemisphere, ways, light):
+    """Replace the moments of a row by those of its mean light in all directions."""
+    order, classes = ways.order, ways.classes
+    moments = light.moments[0] if hemisphere == 0 else light.moments[1]
+    _, ny, nx, terms, _ = moments.shape
+    own = moments.reshape(-1)
+    weight, work = lane_view(ways.weighted), lane_view(light.work)
+    pairs = weight.shape[2]
+    parts = lane_view(lane_array(4 * pairs))
+    for x in range(nx):
+        cell = (level * ny + y) * nx + x
+        for p in range(pairs):
+            first, second = work[hemisphere, 0, y, x, p], work[hemisphere, 1, y, x, p]
+            third, fourth = work[hemisphere, 2, y, x, p], work[hemisphere, 3, y, x, p]
+            low, high = first + second, third + fourth
+            parts[p], parts[2 * pairs + p] = low + high, low - high
+            low, high = first - second, third - fourth
+            parts[pairs + p], parts[3 * pairs + p] = low + high, low - high
+        for c in range(4):
+            for n in range(classes[c], classes[c + 1]):
+                total = splat(0.0)
+                for p in range(pairs):
+                    total += weight[hemisphere, n, p] * parts[c * pairs + p]
+                store_half(own, (cell * terms + order[n]) * HALF_LANES, folded(total))
 
 
 @compiled_loop
 def sweep_level(level, hemisphere, periodic, cells, ways, light):
     """Light of one level in one hemisphere of directions.
+
+    Rows of cells are passed northwards, then southwards. Sources and moments are those of a
+    quarter of the directions: from octant to octant harmonics at most change their sign.
 
     Parameters
     ----------
@@ -162,144 +298,29 @@ def sweep_level(level, hemisphere, periodic, cells, ways, light):
     light : SweepLight
         Its moments and currents of this hemisphere are replaced.
     """
-    extinctions, beam, lit, cloud, cloud_source, air, air_source, degrees, thickness, flat = cells
-    flat_x, flat_y = flat
-    slopes, functions, weighted, crossing, sun = ways
-    moments, heads, sides, fronts, currents, works = light
-    current_x, current_y, current_z = currents
-    ny, nx = extinctions.shape[1], extinctions.shape[2]
-    terms, pairs = functions.shape[3], functions.shape[2]
-    highest = cloud_source.shape[0]
-    before, after = moments[0].reshape(-1), moments[1].reshape(-1)
-    own = before if hemisphere == 0 else after
-    flat_beam, flat_lit, flat_source = beam.reshape(-1), lit.reshape(-1), cloud_source.reshape(-1)
-    flat_extinction = extinctions.reshape(-1)
-    flat_air, flat_air_source = air.reshape(-1), air_source.reshape(-1)
-    flat_x_current, flat_y_current = current_x.reshape(-1), current_y.reshape(-1)
-    flat_z_current = current_z.reshape(-1)
-    slope, function, weight = lane_view(slopes), lane_view(functions), lane_view(weighted)
-    cross = lane_view(crossing)
-    head, side, front = lane_view(heads), lane_view(sides), lane_view(fronts)
-    work = works.reshape(-1)
-    start = hemisphere * ny * nx * terms * HALF_LANES
-    sums = lane_view(lane_array(terms))
+    ny = cells.extinction.shape[1]
+    side = lane_view(light.sides)
+    pairs = side.shape[4]
     row = lane_view(lane_array(pairs))
-    scattering, once = lane_view(lane_array(highest)), lane_view(lane_array(highest))
-    inverse = np.float32(1.0) / thickness[level]
-    own_air = load_half(flat_air, level * HALF_LANES)
-    for place in range(ny * nx):
-        cell = level * ny * nx + place
-        amount = flat_extinction[cell]
-        direct = load_half(flat_beam, cell * HALF_LANES)
-        given = load_half(flat_lit, cell * HALF_LANES)
-        for l in range(highest):
-            share = load_half(flat_source, l * HALF_LANES)
-            clear = load_half(flat_air_source, (level * highest + l) * HALF_LANES)
-            scattering[l] = share * amount + clear
-            once[l] = share * given + clear * direct
-        for t in range(terms):
-            at = (cell * terms + t) * HALF_LANES
-            total = load_half(before, at) + load_half(after, at)
-            at = start + (place * terms + t) * HALF_LANES
-            l = degrees[t]
-            store_half(work, at, scattering[l] * total + once[l] * sun[t])
-    for octant in range(4):
-        step_x, step_y = SIGNS[octant]
-        for line in range(ny):
-            y = line if step_y > 0 else ny - 1 - line
+    for line in range(ny):
+        _fill_sources(line, level, hemisphere, cells, ways, light)
+        for octant in range(2):
+            for p in range(pairs):
+                row[p] = side[hemisphere, octant, level, line, p]
+            _sweep_row(line, level, hemisphere, octant, cells, ways, light, row)
+            if periodic:
+                for p in range(pairs):
+                    side[hemisphere, octant, level, line, p] = row[p]
+    for line in range(ny):
+        y = ny - 1 - line
+        for octant in range(2, 4):
             for p in range(pairs):
                 row[p] = side[hemisphere, octant, level, y, p]
-            for column in range(nx):
-                x = column if step_x > 0 else nx - 1 - column
-                cell = (level * ny + y) * nx + x
-                amount = extinctions[level, y, x]
-                extinction = load_half(cloud, 0) * amount + own_air
-                base = start + (y * nx + x) * terms * HALF_LANES
-                for t in range(terms):
-                    sums[t] = splat(0.0)
-                through_x, through_y, through_z = splat(0.0), splat(0.0), splat(0.0)
-                for p in range(0, pairs, 2):
-                    first, second = splat(0.0), splat(0.0)
-                    other_first, other_second = splat(0.0), splat(0.0)
-                    for t in range(0, terms - 1, 2):
-                        source = load_half(work, base + t * HALF_LANES)
-                        following = load_half(work, base + (t + 1) * HALF_LANES)
-                        first += function[hemisphere, octant, p, t] * source
-                        second += function[hemisphere, octant, p + 1, t] * source
-                        other_first += function[hemisphere, octant, p, t + 1] * following
-                        other_second += function[hemisphere, octant, p + 1, t + 1] * following
-                    if terms % 2:
-                        last = terms - 1
-                        source = load_half(work, base + last * HALF_LANES)
-                        first += function[hemisphere, octant, p, last] * source
-                        second += function[hemisphere, octant, p + 1, last] * source
-                    first = maximum(first + other_first, 0.0)
-                    second = maximum(second + other_second, 0.0)
-                    mean, out_x, out_y, out_z = _through_cell(
-                        first,
-                        extinction,
-                        (
-                            slope[hemisphere, octant, p, 0],
-                            slope[hemisphere, octant, p, 1],
-                            slope[hemisphere, octant, p, 2] * inverse,
-                        ),
-                        (
-                            row[p],
-                            front[hemisphere, octant, level, x, p],
-                            head[hemisphere, octant, y, x, p],
-                        ),
-                    )
-                    other, other_x, other_y, other_z = _through_cell(
-                        second,
-                        extinction,
-                        (
-                            slope[hemisphere, octant, p + 1, 0],
-                            slope[hemisphere, octant, p + 1, 1],
-                            slope[hemisphere, octant, p + 1, 2] * inverse,
-                        ),
-                        (
-                            row[p + 1],
-                            front[hemisphere, octant, level, x, p + 1],
-                            head[hemisphere, octant, y, x, p + 1],
-                        ),
-                    )
-                    if flat_x:
-                        out_x, other_x = mean, other
-                    if flat_y:
-                        out_y, other_y = mean, other
-                    row[p], row[p + 1] = out_x, other_x
-                    front[hemisphere, octant, level, x, p] = out_y
-                    front[hemisphere, octant, level, x, p + 1] = other_y
-                    head[hemisphere, octant, y, x, p] = out_z
-                    head[hemisphere, octant, y, x, p + 1] = other_z
-                    through_x += cross[hemisphere, octant, p, 0] * out_x
-                    through_x += cross[hemisphere, octant, p + 1, 0] * other_x
-                    through_y += cross[hemisphere, octant, p, 1] * out_y
-                    through_y += cross[hemisphere, octant, p + 1, 1] * other_y
-                    through_z += cross[hemisphere, octant, p, 2] * out_z
-                    through_z += cross[hemisphere, octant, p + 1, 2] * other_z
-                    for t in range(terms):
-                        sums[t] = (
-                            sums[t]
-                            + weight[hemisphere, octant, p, t] * mean
-                            + weight[hemisphere, octant, p + 1, t] * other
-                        )
-                for t in range(terms):
-                    total = folded(sums[t])
-                    at = (cell * terms + t) * HALF_LANES
-                    if octant > 0:
-                        total = total + load_half(own, at)
-                    store_half(own, at, total)
-                at = ((level * ny + y) * (nx + 1) + x + (step_x > 0)) * HALF_LANES
-                _add(flat_x_current, at, through_x)
-                at = ((level * (ny + 1) + y + (step_y > 0)) * nx + x) * HALF_LANES
-                _add(flat_y_current, at, through_y)
-                face = hemisphere * (extinctions.shape[0] + 1) + level + hemisphere
-                at = ((face * ny + y) * nx + x) * HALF_LANES
-                _add(flat_z_current, at, through_z)
+            _sweep_row(y, level, hemisphere, octant, cells, ways, light, row)
             if periodic:
                 for p in range(pairs):
                     side[hemisphere, octant, level, y, p] = row[p]
+        _sum_moments(y, level, hemisphere, ways, light)
 
 
 @inlined
