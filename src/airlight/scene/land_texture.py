@@ -14,7 +14,8 @@ from typing import Final, NamedTuple
 from airlight.geometry.gradient_noise import DEVIATION, PERIOD, smooth_noise
 from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import kernel
-from airlight.scene.ground_detail import STEP
+from airlight.scene.ground_detail import DISPLACED, STEP
+from airlight.scene.ground_detail import OCTAVES as DETAIL_OCTAVES
 
 #: Number of octaves, and sizes of the cells of the coarsest and of the finest over the finest of
 #: ``ground_detail``: 460 m to 3 cm on Earth.
@@ -22,21 +23,27 @@ OCTAVES: Final = 8
 COARSEST: Final = 4096.0
 #: Octave of ``ground_detail``, from the finest, below which the land has this texture instead.
 FINEST_OF_MAP: Final = 6
+#: Height of noise above which stones and tufts stand out of even ground, how much steeper they are
+#: than it; mean and standard deviation of the noise with them, of 2 million places. [1]
+STONES: Final = 0.45
+STEEPER: Final = 2.5
+STONY_MEAN: Final = 0.0649
+STONY_DEVIATION: Final = 0.542
 #: Standard deviation of the reflectance over its mean in one octave of dark land. [1]
 CONTRAST: Final = 0.1
 #: Standard deviation of red over green, and of green over blue, in one octave. [1]
-HUE: Final = 0.03
+HUE: Final = 0.012
 #: Distance of the two heights of a slope. [cell]
 STRIDE: Final = 0.5
 #: Standard deviation of the slope of one octave. [1]
 SLOPE: Final = 0.08
 #: Standard deviation of the heights of one octave that displace finer ones: less than slopes
 #: state, so that no far side is seen through a near one. [cell]
-HEIGHT: Final = 0.014
+HEIGHT: Final = 0.03
 #: Largest cells with slopes over the finest of ``ground_detail``: 7 m on Earth.
 HIGHEST: Final = 64.0
-#: Standard deviation of the difference of the noise over a stride, over that of the noise. [1]
-RISE: Final = 0.83
+#: Standard deviation of the difference of that over a stride, over its own. [1]
+RISE: Final = 0.886
 #: Steepest slopes, about two and a half standard deviations of all octaves. [1]
 STEEPEST: Final = 0.45
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
@@ -45,7 +52,7 @@ LOWEST: Final = 0.06
 GRAZING: Final = 0.12
 #: Least blur of a pixel seen at a grazing angle over its longer axis: relief shows more than the
 #: level ground would. [1]
-FORESHORTENED: Final = 0.35
+FORESHORTENED: Final = 0.2
 
 
 class LandTexture(NamedTuple):
@@ -57,16 +64,19 @@ class LandTexture(NamedTuple):
         Relative changes of the reflectance, and of its ratio of red to green. [1]
     ascent : float
         Tangent of the ascent towards the star's azimuth. [1]
+    shore : float
+        Displacement of a coast, by an eighth of a cell in each octave. [texel of ``ground_detail``]
     """
 
     tone: float
     hue: float
     ascent: float
+    shore: float
 
 
 @kernel
 def texture_footprint(footprint, cosine):
-    """Footprint that blurs the texture: mean of a pixel's axes, at least a third of the longer. [m]
+    """Footprint that blurs the texture: mean of a pixel's axes, at least a fifth of the longer. [m]
 
     Parameters
     ----------
@@ -78,7 +88,7 @@ def texture_footprint(footprint, cosine):
     Examples
     --------
     >>> texture_footprint(2.0, 1.0), texture_footprint(2.0, 0.01)
-    (2.0, 0.7)
+    (2.0, 0.4)
     """
     return footprint * max(sqrt(min(max(cosine, 0.0), 1.0)), FORESHORTENED)
 
@@ -101,6 +111,23 @@ def along_lattice(whole, beyond, inverse):
 
 
 @kernel
+def stony(noise):
+    """Noise with stones and tufts: an even ground of which the highest eighth stands out. [1]
+
+    Parameters
+    ----------
+    noise : float
+        Result of ``smooth_noise``. [1]
+
+    Examples
+    --------
+    >>> stony(0.25), round(stony(0.65), 9)
+    (0.25, 1.15)
+    """
+    return noise + STEEPER * max(noise - STONES, 0.0)
+
+
+@kernel
 def land_texture(place, footprint, cell, whole, part, way, lean):
     """Result of ``LandTexture`` at a place.
 
@@ -116,7 +143,7 @@ def land_texture(place, footprint, cell, whole, part, way, lean):
     lean : Vec3
         Horizontal way back towards the observer per height, in the planet's frame. [1]
     """
-    tone, hue, ascent, scale = 0.0, 0.0, 0.0, COARSEST
+    tone, hue, ascent, shore, scale = 0.0, 0.0, 0.0, 0.0, COARSEST
     finest = Vec3(part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell)
     for _octave in range(OCTAVES):
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
@@ -126,16 +153,23 @@ def land_texture(place, footprint, cell, whole, part, way, lean):
             y = along_lattice(whole.y, finest.y, inverse)
             z = along_lattice(whole.z, finest.z, inverse)
             here = smooth_noise(x, y, z)
-            tone += shown * here
-            hue = shown * here - hue  # signs alternate: no colour of its own for bright or dark
+            shore += shown * here * scale
+            here = stony(here)
+            tone += shown * (here - STONY_MEAN)
+            hue = shown * (here - STONY_MEAN) - hue  # signs alternate: no colour of its own for bright or dark
             if scale <= HIGHEST:
-                ahead = smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
+                ahead = stony(
+                    smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
+                )
                 ascent += shown * (ahead - here)
-                height = shown * here * HEIGHT * scale / DEVIATION
+                height = shown * here * HEIGHT * scale / STONY_DEVIATION
                 finest = plus(finest, scaled(lean, height))
         scale /= STEP
     return LandTexture(
-        CONTRAST * tone / DEVIATION, HUE * hue / DEVIATION, SLOPE * ascent / (RISE * DEVIATION)
+        CONTRAST * tone / STONY_DEVIATION,
+        HUE * hue / STONY_DEVIATION,
+        SLOPE * ascent / (RISE * STONY_DEVIATION),
+        DISPLACED * shore / (float(STEP ** (DETAIL_OCTAVES - 1)) * DEVIATION),
     )
 
 
