@@ -54,7 +54,7 @@ _LIT_POWER: Final = 0.5
 #: Largest reduction of the key of a picture that consists of dark things in full light, such as
 #: blue sky, grass and the sea from above, and how much darker than white they are then: a camera
 #: exposes them nearer to "sunny 16". [EV]
-_FULL_LIGHT: Final = 1.0
+_FULL_LIGHT: Final = 0.8
 _DARKER: Final = 2.4
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768
@@ -154,10 +154,11 @@ def metered_light(red, green, blue):
 def full_light_factor(stops):
     r"""Factor of the key of a picture whose things are darker than white in the star's light. [1]
 
-    .. math:: \log_2 f = -\frac{x}{2.4} e^{(1 - (x / 2.4)^2) / 2}
+    .. math:: \log_2 f = -0.8\,u^3 e^{1.5 (1 - u^2)}, \quad u = x / 2.4
 
     Where the key alone would show white as 2^x, x about 2.4, things are dark and not their light,
-    and are shown darker than the key. At dusk, x above 6, the light is less, and white as well.
+    and are shown darker than the key. Near a low sun x is about 1, at dusk above 5: there light is
+    what is bright, or less.
 
     Parameters
     ----------
@@ -166,11 +167,11 @@ def full_light_factor(stops):
 
     Examples
     --------
-    >>> full_light_factor(-1.0), full_light_factor(2.4), round(full_light_factor(8.0), 2)
-    (1.0, 0.5, 0.99)
+    >>> full_light_factor(-1.0), round(full_light_factor(2.4), 2), round(full_light_factor(6.0), 2)
+    (1.0, 0.57, 1.0)
     """
     x = max(stops, 0.0) / _DARKER
-    return 2.0 ** (-_FULL_LIGHT * x * exp(0.5 * (1.0 - x * x)))
+    return 2.0 ** (-_FULL_LIGHT * x * x * x * exp(1.5 * (1.0 - x * x)))
 
 
 @kernel

@@ -39,7 +39,11 @@ STRIDE: Final = 0.5
 SLOPE: Final = 0.08
 #: Standard deviation of the heights of one octave that displace finer ones: less than slopes
 #: state, so that no far side is seen through a near one. [cell]
-HEIGHT: Final = 0.03
+HEIGHT: Final = 0.014
+#: Height of stones and tufts of the finest octave that is shown, and number of heights at which a
+#: line of sight is compared with theirs: they hide what is behind them. [cell]
+TALL: Final = 0.3
+LEVELS: Final = 5
 #: Largest cells with slopes over the finest of ``ground_detail``: 7 m on Earth.
 HIGHEST: Final = 64.0
 #: Standard deviation of the difference of that over a stride, over its own. [1]
@@ -49,10 +53,10 @@ STEEPEST: Final = 0.45
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
 LOWEST: Final = 0.06
 #: Cosine of the zenith angle of a line of sight below which heights are displaced as at it. [1]
-GRAZING: Final = 0.12
+GRAZING: Final = 0.15
 #: Least blur of a pixel seen at a grazing angle over its longer axis: relief shows more than the
 #: level ground would. [1]
-FORESHORTENED: Final = 0.2
+FORESHORTENED: Final = 0.12
 
 
 class LandTexture(NamedTuple):
@@ -76,7 +80,7 @@ class LandTexture(NamedTuple):
 
 @kernel
 def texture_footprint(footprint, cosine):
-    """Footprint that blurs the texture: mean of a pixel's axes, at least a fifth of the longer. [m]
+    """Footprint that blurs the texture: mean of a pixel's axes, at least an eighth of the longer. [m]
 
     Parameters
     ----------
@@ -88,7 +92,7 @@ def texture_footprint(footprint, cosine):
     Examples
     --------
     >>> texture_footprint(2.0, 1.0), texture_footprint(2.0, 0.01)
-    (2.0, 0.4)
+    (2.0, 0.24)
     """
     return footprint * max(sqrt(min(max(cosine, 0.0), 1.0)), FORESHORTENED)
 
@@ -128,6 +132,32 @@ def stony(noise):
 
 
 @kernel
+def met_height(x, y, z, lean, tallest):
+    """Height at which a line of sight meets the stones and tufts of an octave. [cell]
+
+    Parameters
+    ----------
+    x, y, z : float
+        End of the line on level ground. [cell]
+    lean : Vec3
+        Argument of ``land_texture``. [1]
+    tallest : float
+        Largest height. [cell]
+    """
+    step = tallest / LEVELS
+    level, above, found = tallest, 1.0, 0.0
+    while level > 0.5 * step:
+        place = plus(Vec3(x, y, z), scaled(lean, level))
+        height = tallest * max(smooth_noise(place.x, place.y, place.z), 0.0)
+        if height >= level:
+            found = level + step * (height - level) / (height - level + above)
+            level = 0.0
+        above = max(level - height, 1e-6)
+        level -= step
+    return found
+
+
+@kernel
 def land_texture(place, footprint, cell, whole, part, way, lean):
     """Result of ``LandTexture`` at a place.
 
@@ -145,13 +175,24 @@ def land_texture(place, footprint, cell, whole, part, way, lean):
     """
     tone, hue, ascent, shore, scale = 0.0, 0.0, 0.0, 0.0, COARSEST
     finest = Vec3(part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell)
-    for _octave in range(OCTAVES):
+    for octave in range(OCTAVES):
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             inverse = 1.0 / scale
             x = along_lattice(whole.x, finest.x, inverse)
             y = along_lattice(whole.y, finest.y, inverse)
             z = along_lattice(whole.z, finest.z, inverse)
+            if scale <= HIGHEST:
+                finer = 0.0
+                if octave < OCTAVES - 1:
+                    finer = min(max(0.5 * cell * scale / (STEP * footprint) - 1.0, 0.0), 1.0)
+                tallest = TALL * shown * (1.0 - finer)
+                if tallest > 0.0:
+                    met = met_height(x, y, z, lean, tallest)
+                    x += lean.x * met
+                    y += lean.y * met
+                    z += lean.z * met
+                    finest = plus(finest, scaled(lean, met * scale))
             here = smooth_noise(x, y, z)
             shore += shown * here * scale
             here = stony(here)
