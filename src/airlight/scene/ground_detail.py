@@ -254,6 +254,8 @@ def grained_cover(cover, width, noise, variance):
 def unmixed(color, water, share):
     """Reflectance of the land in a texel that is partly water, in one channel. [1]
 
+    Of texels with more than three fifths of water, whose errors would grow, it is darker.
+
     Parameters
     ----------
     color, water : float
@@ -266,4 +268,4 @@ def unmixed(color, water, share):
     >>> round(unmixed(0.25, 0.02, 0.5), 6), unmixed(0.3, 0.02, 0.0)
     (0.48, 0.3)
     """
-    return min(max((color - share * water) / max(1.0 - share, 0.05), 0.0), 1.0)
+    return min(max((color - share * water) / max(1.0 - share, 0.4), 0.0), 1.0)
