@@ -43,10 +43,10 @@ _MOST_SUN: Final = 6500.0
 #: the sky and is bluer, and by night, of moonlight and lamps, back. [EV]
 _DAY, _DUSK, _DARK, _NIGHT = -2.5, 0.5, 5.0, 7.0
 #: Exposures between which ``auto`` passes to the white of a night without a moon, and its
-#: chromaticity: that of airglow and starlight 30° to 50° high, yellow by 3500 K and green by the
-#: lines of oxygen, which photographers take away by temperature and tint. [EV], [1]
+#: chromaticity: between a black body of 3700 K, by which such exposures are balanced, and airglow
+#: with starlight, x = 0.41, y = 0.42, whose green photographers take away by tint. [EV], [1]
 _MOONLESS, _LONGEST = 13.0, 14.5
-_NIGHT_X, _NIGHT_Y = 0.415, 0.428
+NIGHT_X, NIGHT_Y = 0.404, 0.408
 #: Displayed light at which a pixel has half its weight in the mean of ``scene``. [1]
 _HALF: Final = 0.18
 #: Smallest cone response of a white relative to its luminance, which limits the gain of blue under
@@ -156,8 +156,8 @@ def white_gains(which, temperature, star_x, star_y, scene_x, scene_y, factor):
             dusk, warm = dusk_share(factor), warm_share(factor)
             x = black_body_x(DAYLIGHT) + dusk * (_X - black_body_x(DAYLIGHT))
             y = black_body_y(DAYLIGHT) + dusk * (_Y - black_body_y(DAYLIGHT))
-            x += warm * (_NIGHT_X - x)
-            y += warm * (_NIGHT_Y - y)
+            x += warm * (NIGHT_X - x)
+            y += warm * (NIGHT_Y - y)
     if which == 1:
         x, y = black_body_x(DAYLIGHT), black_body_y(DAYLIGHT)
     if which == 3:
