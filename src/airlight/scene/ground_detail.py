@@ -8,9 +8,9 @@ single precision.
 
 The noise also displaces the places at which maps are read between texels, which breaks the straight
 lines of their interpolation: by an eighth of the cells of each octave, so that the map is bent, not
-folded, and coasts keep their shape. Water is where its interpolated share exceeds a half. Variance of
-clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its small scales k^-3.6 (Davis et
-al. 1997, J. Atmos. Sci. 54, 241).
+folded, and coasts keep their shape. Water is where its interpolated share exceeds a half. Variance
+of clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its small scales k^-3.6 (Davis
+et al. 1997, J. Atmos. Sci. 54, 241).
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 
 Tufts, stones, ripples, fields: octaves of equal contrast, since natural scenes have no scale of
 their own (Ruderman & Bialek 1994, Phys. Rev. Lett. 73, 814: power as the inverse square of the
-frequency). The same noise is the height of small relief, whose slopes sunlight shades. Means of
-reflectance and of sunlight remain.
+frequency). The same noise is the height of small relief, whose slopes sunlight shades and whose
+stones and tufts hide what is behind them. Means of reflectance and of sunlight remain.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ class LandTexture(NamedTuple):
 
 @kernel
 def texture_footprint(footprint, cosine):
-    """Footprint that blurs the texture: mean of a pixel's axes, at least an eighth of the longer. [m]
+    """Footprint that blurs the texture: mean of a pixel's axes, or an eighth of the longer. [m]
 
     Parameters
     ----------
@@ -196,8 +196,9 @@ def land_texture(place, footprint, cell, whole, part, way, lean):
             here = smooth_noise(x, y, z)
             shore += shown * here * scale
             here = stony(here)
-            tone += shown * (here - STONY_MEAN)
-            hue = shown * (here - STONY_MEAN) - hue  # signs alternate: no colour of its own for bright or dark
+            change = shown * (here - STONY_MEAN)
+            tone += change
+            hue = change - hue  # signs alternate: no colour of its own for bright or dark
             if scale <= HIGHEST:
                 ahead = stony(
                     smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
