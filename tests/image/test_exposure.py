@@ -87,8 +87,21 @@ def test_white_is_shown_as_white_and_soil_is_not():
         return float(60.0 * reflectance * exposure_factor(automatic_exposure(picture, white=60.0)))
 
     assert_allclose([shown_as(0.9), shown_as(0.7)], [0.9, 0.7], rtol=1e-9)
-    # by day the eye's adaptation takes less than half a per cent of the key
-    assert_allclose([shown_as(0.3), shown_as(0.1)], 0.42, rtol=5e-3)
+    # soil, sea and sky are between what "sunny 16" shows, their reflectance, and the key
+    for reflectance in (0.3, 0.18, 0.1, 0.05):
+        assert reflectance <= shown_as(reflectance) < 0.42
+    assert shown_as(0.08) < 0.25
+    # where white is 250 times as bright as the picture, light is less: it is shown as dusk is
+    assert_allclose(shown_as(0.004), shown(0.004 * 60.0 * LUMINOUS_EFFICACY), rtol=1e-2)
+
+
+def test_the_exposure_rises_as_the_light_falls_without_a_leap():
+    # a law: half the light may not be shown by less exposure, nor by more than one and a half stops
+    light = 60.0 * 2.0 ** np.linspace(0.0, -14.0, 281)
+    found = [automatic_exposure(np.full((4, 4, 3), one), white=60.0) for one in light]
+    steps = np.diff(found) / 0.05
+    assert np.all(steps > -1e-9)
+    assert np.all(steps < 1.5)
 
 
 def test_a_saturated_red_counts_more_than_its_luminance():

@@ -16,6 +16,8 @@ from airlight.image.display import exposed_light, to_display
 from airlight.image.display_settings import DisplaySettings
 from airlight.image.spectral import default_wavelengths, rgb_weights
 from airlight.image.white_balance import (
+    NIGHT_X,
+    NIGHT_Y,
     WHITE_BALANCES,
     adapt,
     black_body_x,
@@ -91,7 +93,11 @@ def test_auto_is_daylight_under_a_sun_and_the_star_under_others() -> None:
     assert_allclose(gains("auto", SUN, exposure=2.0), 1.0, atol=1e-3)
     assert_allclose(gains("auto", SUN, exposure=12.0), gains("daylight", SUN), rtol=1e-12)
     # and airglow and lamps are shown in a warm white's balance, under a moon not
-    assert_allclose(gains("auto", SUN, exposure=15.0), gains("kelvin", SUN, 3700.0), rtol=1e-12)
+    white = (NIGHT_X, NIGHT_Y)
+    assert_allclose(gains("auto", SUN, exposure=15.0), gains("star", white), rtol=1e-12)
+    # which is a black body of 3600 K within 100 K, greener by 0.01 at most
+    assert abs(mccamy_temperature(*white) - 3600.0) < 100.0
+    assert 0.0 < NIGHT_Y - black_body_y(3600.0) < 0.02
     fading = [gains("auto", SUN, exposure=one)[2] for one in np.linspace(-4.0, 2.0, 25)]
     assert np.all(np.diff(fading) <= 0.0)
     assert gains("auto", (0.0, 0.0)) == gains("d65", SUN) == (1.0, 1.0, 1.0)

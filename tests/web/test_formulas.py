@@ -139,6 +139,7 @@ CASES: dict[str, tuple[Any, ...]] = {
         numbers(0.0, 60.0) * RNG.integers(0, 2, COUNT),
     ),
     "metered_light": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
+    "full_light_factor": (numbers(-2.0, 9.0),),
     "lit_share": (POSITIVE, numbers(-1.0, 9.0)),
     "lit_end": (
         np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500),

@@ -61,7 +61,7 @@ class DisplaySettings:
     white_balance : str or float
         Light that is shown white, one of ``WHITE_BALANCES`` or its temperature, 5200 or
         ``"5200 K"``; ``auto`` is daylight of 5500 K under a star like the sun, the display's white
-        in its dusk, 3700 K in a night without moon, and the star's own light under others.
+        in its dusk, a warm white in a night without moon, and the star's own light under others.
     white_temperature : float
         Temperature for the white balance ``"kelvin"``; a number as ``white_balance`` sets both. [K]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from math import log2
+from math import exp, log2
 from typing import Final
 
 import numpy as np
@@ -51,6 +51,11 @@ _UNSEEN: Final = 5e-4
 #: not: as photographers expose a planet, a mostly dark picture with bright parts. [1]
 _LOW_KEY: Final = 0.5
 _LIT_POWER: Final = 0.5
+#: Largest reduction of the key of a picture that consists of dark things in full light, such as
+#: blue sky, grass and the sea from above, and how much darker than white they are then: a camera
+#: exposes them nearer to "sunny 16". [EV]
+_FULL_LIGHT: Final = 0.8
+_DARKER: Final = 2.4
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768
 #: Rows that are sampled before the memory of a large picture is released.
@@ -143,6 +148,30 @@ def metered_light(red, green, blue):
         Linear sRGB. [W m⁻² sr⁻¹]
     """
     return max(luminance_of(red, green, blue), _RED * red)
+
+
+@kernel
+def full_light_factor(stops):
+    r"""Factor of the key of a picture whose things are darker than white in the star's light. [1]
+
+    .. math:: \log_2 f = -0.8\,u^3 e^{1.5 (1 - u^2)}, \quad u = x / 2.4
+
+    Where the key alone would show white as 2^x, x about 2.4, things are dark and not their light,
+    and are shown darker than the key. Near a low sun x is about 1, at dusk above 5: there light is
+    what is bright, or less.
+
+    Parameters
+    ----------
+    stops : float
+        Exposure by the key above that which shows white as white. [EV]
+
+    Examples
+    --------
+    >>> full_light_factor(-1.0), round(full_light_factor(2.4), 2), round(full_light_factor(6.0), 2)
+    (1.0, 0.57, 1.0)
+    """
+    x = max(stops, 0.0) / _DARKER
+    return 2.0 ** (-_FULL_LIGHT * x * x * x * exp(1.5 * (1.0 - x * x)))
 
 
 @kernel
@@ -270,7 +299,10 @@ def exposure_of(bright, weight, black, white):
     # lamps may be as bright in a long exposure as they are above the rest of it
     longer = shown / adapted_key(LUMINOUS_EFFICACY * key)
     dimmed = max((lit / max(whole, 1e-300)) ** _LIT_POWER, _LOW_KEY)
-    exposure = log2(dimmed * shown / max(key, NIGHT / LUMINOUS_EFFICACY))
+    exposure = log2(shown / max(key, NIGHT / LUMINOUS_EFFICACY))
+    if white > 0.0:
+        dimmed = min(dimmed, full_light_factor(exposure + log2(white)))
+    exposure += log2(dimmed)
     limited = min(exposure, log2(longer * shown / KEY * _BRIGHT / quarter))
     if white > 0.0:
         exposure = max(exposure, -log2(white))
@@ -351,7 +383,8 @@ def automatic_exposure(
     :math:`d` is the square root of the lit fraction of the picture, at least 0.5. By day a is 1,
     independent of the light level; in the dark the picture darkens with the cube root of
     luminance. A white surface is thus shown as white, and clouds and snow brighter than soil,
-    whatever a picture consists of.
+    whatever a picture consists of. With the star known, d is at most ``full_light_factor``: blue
+    sky and dark ground in sunlight are not exposed as if they were grey.
 
     Parameters
     ----------

@@ -42,11 +42,11 @@ _MOST_SUN: Final = 6500.0
 #: Exposures between which ``auto`` passes from the sun's light to that of dusk, which comes from
 #: the sky and is bluer, and by night, of moonlight and lamps, back. [EV]
 _DAY, _DUSK, _DARK, _NIGHT = -2.5, 0.5, 5.0, 7.0
-#: Exposures between which ``auto`` passes to a warm white, and its temperature: light of lamps and
-#: airglow, without moonlight, is yellow, and long exposures of it are balanced for 3500 to 4000 K.
-#: [EV], [K]
+#: Exposures between which ``auto`` passes to the white of a night without a moon, and its
+#: chromaticity: between a black body of 3700 K, by which such exposures are balanced, and airglow
+#: with starlight, x = 0.41, y = 0.42, whose green photographers take away by tint. [EV], [1]
 _MOONLESS, _LONGEST = 13.0, 14.5
-_WARM: Final = 3700.0
+NIGHT_X, NIGHT_Y = 0.404, 0.408
 #: Displayed light at which a pixel has half its weight in the mean of ``scene``. [1]
 _HALF: Final = 0.18
 #: Smallest cone response of a white relative to its luminance, which limits the gain of blue under
@@ -123,7 +123,7 @@ def dusk_share(factor):
 
 @kernel
 def warm_share(factor):
-    """Share of the warm white of a dark night in that of ``auto``, by the exposure's factor. [1]"""
+    """Share of the white of a dark night in that of ``auto``, by the exposure's factor. [1]"""
     return max(min((log2(factor) - _MOONLESS) / (_LONGEST - _MOONLESS), 1.0), 0.0)
 
 
@@ -156,8 +156,8 @@ def white_gains(which, temperature, star_x, star_y, scene_x, scene_y, factor):
             dusk, warm = dusk_share(factor), warm_share(factor)
             x = black_body_x(DAYLIGHT) + dusk * (_X - black_body_x(DAYLIGHT))
             y = black_body_y(DAYLIGHT) + dusk * (_Y - black_body_y(DAYLIGHT))
-            x += warm * (black_body_x(_WARM) - x)
-            y += warm * (black_body_y(_WARM) - y)
+            x += warm * (NIGHT_X - x)
+            y += warm * (NIGHT_Y - y)
     if which == 1:
         x, y = black_body_x(DAYLIGHT), black_body_y(DAYLIGHT)
     if which == 3:

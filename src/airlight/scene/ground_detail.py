@@ -7,10 +7,10 @@ with a fade between two and four. Coordinates are relative to the point below th
 single precision.
 
 The noise also displaces the places at which maps are read between texels, which breaks the straight
-lines of their interpolation: by less from one octave to the next than the ratio of their sizes, so
-that the map is bent, not folded. Water is where its interpolated share exceeds a half. Variance of
-clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its small scales k^-3.6 (Davis et
-al. 1997, J. Atmos. Sci. 54, 241).
+lines of their interpolation: by an eighth of the cells of each octave, so that the map is bent, not
+folded, and coasts keep their shape. Water is where its interpolated share exceeds a half. Variance
+of clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its small scales k^-3.6 (Davis
+et al. 1997, J. Atmos. Sci. 54, 241).
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
 PLAIN_CONTRAST: Final = 0.04
 PLAIN_FALL: Final = 1.0
 #: Standard deviation of the displacement by the coarsest octave. [texel]
-DISPLACED: Final = 0.3
+DISPLACED: Final = 0.12
 #: Ratio of the displacements of an octave and the next coarser one. [1]
-DISPLACED_FALL: Final = 0.16
+DISPLACED_FALL: Final = 1.0 / STEP
 #: Reciprocal of the width of the edges of clouds, in standard deviations of that octave. [1]
 CLOUD_EDGE: Final = 1.2
 #: Ratio of the normal quantile to the logit, within 1 % of probability. [1]
 _LOGISTIC: Final = 1.702
 #: Ratio of the contrast of clouds in an octave to that in the next coarser one. [1]
 CLOUD_FALL: Final = 0.5
-#: Width of the coast where it is seen from near, 115 m on Earth. [texel]
-SHARPEST: Final = 1.0 / 64.0
+#: Width of the coast where it is seen from near, 29 m on Earth. [texel]
+SHARPEST: Final = 1.0 / 256.0
 #: Rows of the map that defines the cells where the planet has none.
 NOMINAL_ROWS: Final = 1024
 #: Options: the map alone, or with its detail.
@@ -164,7 +164,7 @@ def pixel_width(level):
     Examples
     --------
     >>> pixel_width(1.0), pixel_width(-2.0), pixel_width(-9.0)
-    (1.0, 0.25, 0.015625)
+    (1.0, 0.25, 0.00390625)
     """
     return max(2.0 ** min(level, 0.0), SHARPEST)
 
@@ -183,6 +183,28 @@ def displacement(width, noise, rows):
         Number of rows of the map.
     """
     return DISPLACED * (1.0 - width) * min(max(noise, -3.0), 3.0) * pi / rows
+
+
+@kernel
+def moved_coast(share, moved):
+    """Share of water between texels of land and of water, of a coast that is displaced. [1]
+
+    The interpolated share rises by 1 in a texel at a straight coast; where it is 0 or 1 there is
+    none.
+
+    Parameters
+    ----------
+    share : float
+        Interpolated share of water. [1]
+    moved : float
+        Displacement. [texel]
+
+    Examples
+    --------
+    >>> moved_coast(0.5, 0.01), moved_coast(1.0, 0.01)
+    (0.51, 1.0)
+    """
+    return share + 4.0 * share * (1.0 - share) * moved
 
 
 @kernel
@@ -232,6 +254,8 @@ def grained_cover(cover, width, noise, variance):
 def unmixed(color, water, share):
     """Reflectance of the land in a texel that is partly water, in one channel. [1]
 
+    Of texels with more than three fifths of water, whose errors would grow, it is darker.
+
     Parameters
     ----------
     color, water : float
@@ -244,4 +268,4 @@ def unmixed(color, water, share):
     >>> round(unmixed(0.25, 0.02, 0.5), 6), unmixed(0.3, 0.02, 0.0)
     (0.48, 0.3)
     """
-    return min(max((color - share * water) / max(1.0 - share, 0.05), 0.0), 1.0)
+    return min(max((color - share * water) / max(1.0 - share, 0.4), 0.0), 1.0)

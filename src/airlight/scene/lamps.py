@@ -1,15 +1,15 @@
 r"""Procedural lamps below the resolution of the map of city lights; they are not data.
 
-Three octaves of noise, each a quarter of the previous scale, from a map texel down, divide the
-light of a texel between districts and, by the lines along which finer noise vanishes, streets; the
-finest cells, 30 m on Earth, have a lamp each. Every factor has the mean 1, and they are
+Octaves of noise, each a quarter of the previous scale, from a map texel down, divide the light of a
+texel between districts, towns and quarters, and, by the lines along which noise vanishes, streets;
+the finest cells, 115 m on Earth, have a lamp each. Every factor has the mean 1, and they are
 independent, so that the map keeps its mean. Factors finer than two pixels are 1, with a fade
 between two and four.
 """
 
 from __future__ import annotations
 
-from math import floor, pi
+from math import exp, floor, pi
 from typing import Final
 
 from airlight.geometry.gradient_noise import (
@@ -28,6 +28,11 @@ _DISTRICTS: Final = 3
 #: Radius of a lamp over its cell, and mean of (1 - d²/R²)² over the cell, 4π R³ 8/105. [1]
 _LAMP: Final = 0.4
 _LAMP_MEAN: Final = 32.0 * pi * _LAMP**3 / 105.0
+#: Octave of streets. Before it light is the exponential of noise, of this factor, as that of places
+#: is: few are bright; and its mean, of 2 million places. [1]
+_STREETS: Final = 2
+_UNEVEN: Final = 6.0
+_UNEVEN_MEAN: Final = 1.3753
 #: Noise w at the edges of streets, whose middle is where noise vanishes; and mean of their light,
 #: (1 - |n|/w)³ over the noise n, of 2 million places. [1]
 _STREET: Final = 2.5 * GRADIENT_DEVIATION
@@ -84,7 +89,9 @@ def lamp_pattern(place, footprint, cell, whole, part):
             else:
                 noise = gradient_noise(x, y, z)
                 own = 1.0 + 2.0 * noise  # above 0: noise is below 0.5
-                if octave > 0:
+                if 0 < octave < _STREETS:
+                    own = exp(_UNEVEN * noise) / _UNEVEN_MEAN
+                elif octave == _STREETS:
                     near = 1.0 - min(abs(noise) / _STREET, 1.0)
                     own = near * near * near / _STREET_MEAN
             factor *= 1.0 + shown * (own - 1.0)

@@ -455,7 +455,7 @@ WHOLE = {
     ),
     "test_glare.py::test_beyond_the_circle_of_a_dome_a_device_shows_no_glare": ("beyond_circle",),
     "test_ground_detail.py::test_the_ground_before_a_low_observer_is_that_of_the_cpu": (
-        "ground_cosine", "land_texture", "along_lattice", "texture_light",
+        "ground_cosine", "land_texture", "along_lattice", "met_height", "stony", "texture_light",
     ),
     "test_ground_detail.py::test_detail_near_the_observer_is_that_of_the_cpu": (
         "ground_detail", "gradient_noise", "corner_slope", "smooth_noise", "lattice_value",
@@ -476,8 +476,8 @@ WHOLE = {
     "test_clouds.py::test_clouds_of_a_device_are_those_of_the_cpu": ("cloud_cover",),
     "test_ground_detail.py::test_decorated_ground_from_orbit_is_that_of_the_cpu": (
         "clouds_shown", "detailed_land", "displacement", "grained_cover", "height_at",
-        "level_ground", "map_channel", "map_value", "pixel_width", "relief_light", "sharper_share",
-        "slope_light", "texture_footprint", "textured", "unmixed", "unshaded",
+        "level_ground", "map_channel", "map_value", "moved_coast", "pixel_width", "relief_light",
+        "sharper_share", "slope_light", "texture_footprint", "textured", "unmixed", "unshaded",
     ),
     "test_clouds.py::test_a_device_solves_for_the_mean_ground": ("_with_clouds",),
     "test_lights.py::test_lights_by_night_are_those_of_the_cpu": (

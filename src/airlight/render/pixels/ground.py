@@ -43,6 +43,7 @@ from airlight.scene.ground_detail import (
     displacement,
     grained_cover,
     ground_detail,
+    moved_coast,
     pixel_width,
     sharper_share,
     unmixed,
@@ -247,7 +248,7 @@ def detailed_land(place, blur, lean, mu_s, width, noise, view, color):
         color[11] = texture_light(mu_s, texture.ascent)
         tone, hue = texture.tone, texture.hue
         if view.mapped:
-            sharp = sharper_share(share, width)
+            sharp = sharper_share(moved_coast(share, texture.shore), width)
             red = unmixed(color[0], view.water.x, share)
             green = unmixed(color[1], view.water.y, share)
             blue = unmixed(color[2], view.water.z, share)
