@@ -92,7 +92,7 @@ def cloud_tables(
         base_depth=light.base_depth,
         source=_in_pairs(source),
         down=_twice(box.down.transpose(1, 0, 2) * (factor * light.unit).astype(np.float32)),
-        solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None]),
+        solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], 1.0),
         spectrum=pack(light.spectrum),
         scaled=pack(scaled[None]),
         whole=pack(np.asarray(optics.extinction)[None]),
@@ -119,9 +119,9 @@ def _scaled(light: CloudLight) -> FloatArray:
     return np.asarray(optics.extinction * (1.0 - optics.albedo * truncated))
 
 
-def _twice(values: Float32Array) -> Float32Array:
-    """Solved wavelengths in both halves of eight lanes, those that are missing as zeros."""
-    half = np.zeros((*values.shape[:-1], SOLVED), np.float32)
+def _twice(values: Float32Array, missing: float = 0.0) -> Float32Array:
+    """Solved wavelengths in both halves of eight lanes, with a value for those that are missing."""
+    half = np.full((*values.shape[:-1], SOLVED), missing, np.float32)
     half[..., : values.shape[-1]] = values
     return np.ascontiguousarray(np.concatenate([half, half], axis=-1))
 
