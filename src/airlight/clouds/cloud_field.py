@@ -41,6 +41,9 @@ class CloudField:
         Content beyond the four sides. There is nothing above and below.
     interpolated : bool
         Whether extinction is linear between the centres of cells, rather than constant in a cell.
+    trail : float
+        Trails of falling crystals: their displacement to the west over the square of the depth
+        below the top; detail of pictures below the cells follows them. [m⁻¹]
 
     Raises
     ------
@@ -55,6 +58,7 @@ class CloudField:
     longitude: float = 0.0
     beyond: str = "clear"
     interpolated: bool = True
+    trail: float = 0.0
 
     def __post_init__(self) -> None:
         cells = np.ascontiguousarray(self.extinction, np.float32)
@@ -69,6 +73,8 @@ class CloudField:
             raise ParameterError("spacing", self.spacing, "three numbers more than 0 m")
         if not np.isfinite(self.base):
             raise ParameterError("base", self.base, "a finite number of m")
+        if not np.isfinite(self.trail):
+            raise ParameterError("trail", self.trail, "a finite number /m")
         if self.beyond not in BEYOND:
             raise ParameterError("beyond", self.beyond, ", ".join(BEYOND))
         object.__setattr__(self, "extinction", cells)

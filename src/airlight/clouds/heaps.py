@@ -34,7 +34,7 @@ ASCENT: Final = 5.0
 NOWHERE: Final = -1e9
 #: Greatest height of a plume at the side of others over its radius. [1]
 SLENDER: Final = 3.5
-#: Narrowing of a plume from its base to its top, and sideways steps of its thermals over its radius.
+#: Narrowing of a plume from base to top, and sideways steps of its thermals over its radius. [1]
 NARROWING: Final = 0.5
 WANDERING: Final = 0.12
 #: Projected area of a cloud over that of a circle of its width.

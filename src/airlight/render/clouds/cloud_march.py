@@ -43,6 +43,8 @@ STEP_DEPTH = 0.3
 STEP_CELL = 0.5
 STEP_PIXEL = 2.0
 STEP_LEVEL = 1.0
+#: Change of detail along trails of crystals over that across them. [1]
+ALONG_TRAIL = 0.1
 #: Largest number of steps.
 MOST_STEPS = 6000
 #: Share of the distance after which light is attenuated by the air together. [1]
@@ -328,13 +330,16 @@ def detailed_extinction(x, y, z, width, clouds):
         factor = 1.0
         cell = min(clouds.step_x, clouds.step_y)
         if clouds.detailed and width < 0.5 * cell:
-            detail = cloud_detail(
-                x * clouds.step_x, y * clouds.step_y, z * clouds.step_z, width, cell
-            )
+            fallen = (nz - 0.5 - z) * clouds.step_z
+            east, along = x * clouds.step_x, 1.0
+            if clouds.trail != 0.0:
+                along = ALONG_TRAIL
+                east = along * (east + clouds.trail * fallen * fallen)
+            detail = cloud_detail(east, y * clouds.step_y, z * clouds.step_z * along, width, cell)
             factor = detail.factor
             x += detail.east / clouds.step_x
             y += detail.north / clouds.step_y
-            z += detail.up / clouds.step_z
+            z += along * detail.up / clouds.step_z
         if -0.5 <= z < nz - 0.5:
             found = factor * cell_value(clouds.extinction, x, y, z, clouds.periodic)
     return found

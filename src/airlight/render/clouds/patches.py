@@ -1,5 +1,4 @@
-"""Patches in which a periodic field continues beyond its box, displaced, so that it is not seen to
-repeat itself.
+"""Patches in which a periodic field continues beyond its box, so that it does not seem to repeat.
 
 The plane is divided into squares a quarter wider than the box, with edges of fractal noise. The one
 in the middle holds the box; each other one is the periodic field displaced at random, with its own
