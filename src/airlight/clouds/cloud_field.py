@@ -43,6 +43,9 @@ class CloudField:
         Content beyond the four sides. There is nothing above and below.
     interpolated : bool
         Whether extinction is linear between the centres of cells, rather than constant in a cell.
+    trail : float
+        Trails of falling crystals: their displacement to the west over the square of the depth
+        below the top; detail of pictures below the cells follows them. [m⁻¹]
 
     Raises
     ------
@@ -58,6 +61,7 @@ class CloudField:
     drift: tuple[float, float] = (0.0, 0.0)
     beyond: str = "clear"
     interpolated: bool = True
+    trail: float = 0.0
 
     def __post_init__(self) -> None:
         cells = np.ascontiguousarray(self.extinction, np.float32)
@@ -74,6 +78,8 @@ class CloudField:
             raise ParameterError("drift", self.drift, "two finite numbers of m")
         if not np.isfinite(self.base):
             raise ParameterError("base", self.base, "a finite number of m")
+        if not np.isfinite(self.trail):
+            raise ParameterError("trail", self.trail, "a finite number /m")
         if self.beyond not in BEYOND:
             raise ParameterError("beyond", self.beyond, ", ".join(BEYOND))
         object.__setattr__(self, "extinction", cells)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_grid import CloudGrid
-from airlight.clouds.fibres import fibre_extinction
+from airlight.clouds.fibres import fibre_extinction, trail
 from airlight.clouds.heaps import heap_extinction
 from airlight.clouds.layers import ALTOCUMULUS, STRATOCUMULUS, STRATUS, layer_extinction
 from airlight.planets.clouds import (
@@ -81,6 +81,7 @@ def cloud_field(
         latitude=latitude,
         longitude=longitude,
         beyond="periodic",
+        trail=trail(clouds.shear) if isinstance(clouds, Cirrus) else 0.0,
     )
 
 

@@ -21,6 +21,11 @@ FloatArray = NDArray[np.float64]
 FALL: Final = 0.8
 
 
+def trail(shear: float) -> float:
+    """Displacement of crystals by a shear [s⁻¹] over the square of the depth fallen. [m⁻¹]"""
+    return shear / (2.0 * FALL)
+
+
 def fibre_extinction(
     grid: CloudGrid, random: np.random.Generator, *, cell: float, cover: float, shear: float
 ) -> FloatArray:
@@ -40,9 +45,7 @@ def fibre_extinction(
     below = grid.depth - grid.heights
     layers = np.empty(grid.shape)
     for level, fallen in enumerate(below):
-        ends = [
-            shear * max(fallen + side * grid.level, 0.0) ** 2 / (2.0 * FALL) for side in (-0.5, 0.5)
-        ]
+        ends = [trail(shear) * max(fallen + side * grid.level, 0.0) ** 2 for side in (-0.5, 0.5)]
         middle, length = 0.5 * (ends[0] + ends[1]), ends[1] - ends[0]
         spread = 30.0 + 0.06 * fallen
         response = (

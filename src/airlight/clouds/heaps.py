@@ -32,6 +32,11 @@ WIDTHS: Final = 1.7
 ASCENT: Final = 5.0
 #: Level set where there is no thermal. [m]
 NOWHERE: Final = -1e9
+#: Greatest height of a plume at the side of others over its radius. [1]
+SLENDER: Final = 3.5
+#: Narrowing of a plume from base to top, and sideways steps of its thermals over its radius. [1]
+NARROWING: Final = 0.5
+WANDERING: Final = 0.12
 #: Projected area of a cloud over that of a circle of its width.
 _FILLED: Final = 0.75
 #: Cover above which there are large clouds only.
@@ -225,7 +230,8 @@ def _cloud(random: np.random.Generator, width: float, top: float, least: float) 
         x, y = x + apart * np.cos(angle), y + apart * narrow * np.sin(angle)
         outwards = min(sqrt(x * x + y * y) / (0.5 * width), 1.0)
         peak = top * random.uniform(0.35, 1.0) * (1.0 - 0.75 * outwards**1.5)
-        plumes.append((x, y, random.uniform(0.1, 0.2) * width, peak))
+        radius = random.uniform(0.1, 0.2) * width
+        plumes.append((x, y, radius, min(peak, SLENDER * radius)))
     rows: list[tuple[float, ...]] = []
     for x, y, radius, peak in plumes:
         x, y = x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
@@ -244,16 +250,16 @@ def _plume(
     low = max(min(radius, peak), 0.1 * peak)  # flattened in flat clouds, stretched in slender ones
     h = 0.0
     while True:
-        size = 1.0 - 0.3 * h / peak
+        size = 1.0 - NARROWING * h / peak
         up = min(low * size, peak)
         h = min(h, peak - up)
-        swollen = size * random.uniform(0.9, 1.1)
+        swollen = size * random.uniform(0.85, 1.15)
         yield x, y, h, radius * swollen, up, 0.0
         if h >= peak - up - 1e-6 * peak:
             return
         h += 0.6 * up
-        x += 0.15 * radius * random.normal()
-        y += 0.15 * radius * random.normal()
+        x += WANDERING * radius * random.normal()
+        y += WANDERING * radius * random.normal()
 
 
 def _bulges(

@@ -42,8 +42,14 @@ def layer(depth):
     )
 
 
-def look(air, zenith, clouds=None, altitude=2.0, azimuth=90.0):
-    camera = Camera(width=4, height=3, field_of_view=0.3, look_zenith=zenith, look_azimuth=azimuth)
+def look(air, zenith, clouds=None, altitude=2.0, azimuth=90.0, field_of_view=0.3):
+    camera = Camera(
+        width=4,
+        height=3,
+        field_of_view=field_of_view,
+        look_zenith=zenith,
+        look_azimuth=azimuth,
+    )
     scene = Scene(altitude=altitude, sun_zenith=40.0, camera=camera)
     return render(air, scene, clouds=clouds).rgb.mean((0, 1))
 
@@ -108,3 +114,19 @@ def test_overcast_zenith_is_brighter_than_the_horizon(air):
     """The CIE standard overcast sky has (1 + 2 cos θ)/3: 2.2 at 80°, above dark ground."""
     zenith, low = (look(air, angle, layer(10.0))[0] for angle in (0.0, 80.0))
     assert 1.6 < zenith / low < 2.4
+
+
+def test_clouds_of_three_wavelengths_shine():
+    three = solve_planet(
+        load_planet("earth-atmosphere-plus"), NM[:3], "preview", polarisation=False
+    )
+    seen = look(three, 180.0, layer(10.0), altitude=1e4)
+    assert np.all(seen > 3.0 * look(three, 180.0, altitude=1e4))
+
+
+@pytest.mark.parametrize("zenith", [180.0, 130.0])
+def test_steps_of_wide_pixels_are_not_higher_than_a_level(air, zenith):
+    wide, narrow = (
+        look(air, zenith, layer(10.0), altitude=1e5, field_of_view=angle) for angle in (2.0, 0.002)
+    )
+    np.testing.assert_allclose(wide, narrow, rtol=3e-3)

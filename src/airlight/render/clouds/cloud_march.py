@@ -30,6 +30,7 @@ from airlight.kernel.lanes import (
 )
 from airlight.render.clouds.beam_depth import cell_after, cell_before, cell_value
 from airlight.render.clouds.directions import fill_harmonics
+from airlight.render.clouds.patches import displaced_patch
 from airlight.render.clouds.sight_extent import node_distance, node_of_distance
 from airlight.render.pixels.sky_lookup import phase_of
 
@@ -37,9 +38,13 @@ from airlight.render.pixels.sky_lookup import phase_of
 OPAQUE = 0.005
 #: Optical depth of a step inside clouds. [1]
 STEP_DEPTH = 0.3
-#: Length of a step over the smallest width of a cell, and over the width of a pixel. [1]
+#: Length of a step over the smallest width of a cell, and over the width of a pixel; its height
+#: over that of a cell. [1]
 STEP_CELL = 0.5
 STEP_PIXEL = 2.0
+STEP_LEVEL = 1.0
+#: Change of detail along trails of crystals over that across them. [1]
+ALONG_TRAIL = 0.1
 #: Largest number of steps.
 MOST_STEPS = 6000
 #: Share of the distance after which light is attenuated by the air together. [1]
@@ -50,7 +55,7 @@ SHADOWS = 8
 
 @inlined
 def box_place(point, clouds):
-    """Place of a point: columns, rows and levels from the middle of the first cell, and altitude.
+    """Place of a point in the field, which is periodic or ends at the sides. [cells]
 
     Parameters
     ----------
@@ -62,22 +67,48 @@ def box_place(point, clouds):
     Returns
     -------
     x, y, z : float
-        Place; [cells].
+        Columns, rows and levels from the middle of the first cell.
     """
-    up = dot(point, clouds.up)
-    scale = clouds.radius / max(up, 1e-3 * clouds.radius)
-    east, north = scale * dot(point, clouds.east), scale * dot(point, clouds.north)
-    height = sqrt(dot(point, point)) - clouds.base
+    x, y, z, _, _ = patch_place(point, clouds)
+    return x, y, z
+
+
+@inlined
+def patch_place(point, clouds):
+    """``box_place`` and how far the same patch of the field goes; parameters as there.
+
+    Returns
+    -------
+    x, y, z : float
+        Result of ``box_place``. [cells]
+    free, scale : float
+        Distance from the point within which the patch is the same [m]; least length over that in
+        the plane of the box [1].
+    """
+    height = dot(point, clouds.up)
+    radius = sqrt(dot(point, point))
+    factor = clouds.radius / max(height, 1e-3 * clouds.radius)
+    east, north = factor * dot(point, clouds.east), factor * dot(point, clouds.north)
+    ny, nx = clouds.base_depth.shape
+    scale = min(max(height / radius, 1e-3), 1.0)
+    scale *= scale
+    free = 1e9
+    if clouds.periodic:
+        right, up, free = displaced_patch(east, north, nx * clouds.step_x, ny * clouds.step_y)
+        east += right
+        north += up
     return (
         (east - clouds.corner_x) / clouds.step_x - 0.5,
         (north - clouds.corner_y) / clouds.step_y - 0.5,
-        height / clouds.step_z - 0.5,
+        (radius - clouds.base) / clouds.step_z - 0.5,
+        free * scale,
+        scale,
     )
 
 
 @inlined
 def clear_distance(x, y, z, clouds):
-    """Distance from a place in which there are no clouds; 0 where there may be some. [m]"""
+    """Distance in the box from a place in which there are no clouds; 0 if unknown. [m]"""
     nz, ny, nx = clouds.clear.shape
     if not clouds.periodic:
         beyond_x = max(-0.5 - x, x - nx + 0.5) * clouds.step_x
@@ -237,20 +268,29 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
         if s >= extent.last or previous < OPAQUE:
             break
         point = plus(eye, scaled(ray, s))
-        x, y, z = box_place(point, clouds)
-        clear = clear_distance(x, y, z, clouds)
-        coarse = max(least, STEP_PIXEL * s * clouds.pixel_angle)
+        x, y, z, free, scale = patch_place(point, clouds)
+        clear = min(scale * clear_distance(x, y, z, clouds), free)
+        # a step is as wide as the footprint, but not higher than a level
+        climb = max(abs(dot(ray, point)) / sqrt(dot(point, point)), 1e-3)
+        coarse = min(STEP_PIXEL * s * clouds.pixel_angle, STEP_LEVEL * clouds.step_z / climb)
+        coarse = max(least, coarse)
         if clear > coarse:
             s += clear
             found = 0.0
             continue
-        step = min(coarse, max(STEP_DEPTH / max(found * steepest, 1e-9), 0.02 * least))
-        step = min(step, extent.last - s)
+        most = min(coarse, extent.last - s)
         if s < extent.leaves:
-            step = min(step, extent.leaves - s + 1e-3)
-        point = plus(eye, scaled(ray, s + 0.5 * step))
-        x, y, z = box_place(point, clouds)
-        found = detailed_extinction(x, y, z, max(s, 1.0) * clouds.pixel_angle, clouds)
+            most = min(most, extent.leaves - s + 1e-3)
+        step = min(most, max(STEP_DEPTH / max(found * steepest, 1e-9), 0.02 * least))
+        for _again in range(2):
+            point = plus(eye, scaled(ray, s + 0.5 * step))
+            x, y, z = box_place(point, clouds)
+            found = detailed_extinction(x, y, z, max(s, 1.0) * clouds.pixel_angle, clouds)
+            # the first step inside a cloud is as short as those that follow
+            shorter = max(STEP_DEPTH / max(found * steepest, 1e-9), 0.02 * least)
+            if shorter >= 0.5 * step:
+                break
+            step = shorter
         s += step
         if found <= 0.0:
             continue
@@ -290,13 +330,16 @@ def detailed_extinction(x, y, z, width, clouds):
         factor = 1.0
         cell = min(clouds.step_x, clouds.step_y)
         if clouds.detailed and width < 0.5 * cell:
-            detail = cloud_detail(
-                x * clouds.step_x, y * clouds.step_y, z * clouds.step_z, width, cell
-            )
+            fallen = (nz - 0.5 - z) * clouds.step_z
+            east, along = x * clouds.step_x, 1.0
+            if clouds.trail != 0.0:
+                along = ALONG_TRAIL
+                east = along * (east + clouds.trail * fallen * fallen)
+            detail = cloud_detail(east, y * clouds.step_y, z * clouds.step_z * along, width, cell)
             factor = detail.factor
             x += detail.east / clouds.step_x
             y += detail.north / clouds.step_y
-            z += detail.up / clouds.step_z
+            z += along * detail.up / clouds.step_z
         if -0.5 <= z < nz - 0.5:
             found = factor * cell_value(clouds.extinction, x, y, z, clouds.periodic)
     return found

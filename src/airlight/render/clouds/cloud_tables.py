@@ -34,6 +34,8 @@ class CloudTables(NamedTuple):
         Whether the box repeats itself sideways.
     detailed : bool
         Whether extinction has detail below the cells.
+    trail : float
+        Displacement of trails to the west over the square of the depth below the top. [m⁻¹]
     east, north, up : Vec3
         Axes of the box's place in the observer's frame. [1]
     sun : Vec3
@@ -90,6 +92,7 @@ class CloudTables(NamedTuple):
     step_z: float
     periodic: bool
     detailed: bool
+    trail: float
     east: Vec3
     north: Vec3
     up: Vec3

@@ -80,6 +80,7 @@ def cloud_tables(
         step_z=float(field.spacing[2]),
         periodic=field.beyond == "periodic",
         detailed=field.interpolated and scene.ground == "detailed",
+        trail=field.trail,
         east=east,
         north=north,
         up=up,
