@@ -20,7 +20,7 @@ from airlight.render.clouds.sight_extent import (
     node_of_distance,
     sight_extent,
 )
-from airlight.render.pixels.pixel import classify_ray, sky_view_place
+from airlight.render.pixels.sky_lookup import classify_ray, sky_view_place
 from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
 from airlight.solver.moments.march_tables import MarchTables
 

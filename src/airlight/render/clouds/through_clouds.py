@@ -99,6 +99,7 @@ def _dark_tables(
         step_z=float(field.spacing[2]),
         periodic=field.beyond == "periodic",
         detailed=field.interpolated and scene.ground == "detailed",
+        trail=field.trail,
         east=east,
         north=north,
         up=up,
