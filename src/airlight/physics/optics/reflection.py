@@ -125,7 +125,7 @@ def mean_albedo(ground: Reflection) -> FloatArray:
     """
     albedo, back = np.asarray(ground.albedo, float), ground.layer.layer_albedo
     cloudy = back + (1.0 - back) ** 2 * albedo / (1.0 - back * albedo)
-    return albedo + (cloudy - albedo) * ground.cover
+    return np.asarray(albedo + (cloudy - albedo) * ground.cover)
 
 
 #: White ground by Lambert's law.
