@@ -544,7 +544,7 @@ def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int
 
 
 #: Fields of ``Reflection`` that are not numeric.
-UNBOUND = ("albedo", "regolith")
+UNBOUND = ("albedo", "regolith", "layer")
 
 
 @pytest.mark.parametrize("which", range(len(LAWS)), ids=list(LAWS))
