@@ -174,6 +174,21 @@ def test_a_sweep_and_a_spectrum_have_clouds(cloudy: str, tmp_path: Path) -> None
     assert albedos[0] > 1.3 * albedos[1]
 
 
+@pytest.mark.slow
+def test_clouds_of_an_option_are_those_of_a_file_in_a_sweep(cloudy: str, tmp_path: Path) -> None:
+    axes = ["--sun-zenith", "40", "--view-zenith", "0", "--wavelengths", "550", "--workers", "1"]
+    varied = ["--vary", "clouds.optical_depth=1,20", "--quality", "preview"]
+    option = ["earth-atmosphere-plus", "--clouds", "stratocumulus", "--set", "clouds.cover=0.5"]
+    found = []
+    for name, words in (("file", [cloudy]), ("option", option)):
+        store = tmp_path / f"{name}.zarr"
+        assert main(["sweep", *words, *varied, *axes, "-o", str(store)]) == 0
+        with xarray.open_zarr(store) as data:
+            found.append(data["radiance"].values)
+            assert data["clouds.optical_depth"].attrs["units"] == "1"
+    np.testing.assert_array_equal(*found)
+
+
 def test_show_lists_clouds_beside_the_numbers_of_clear_air(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
