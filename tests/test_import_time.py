@@ -11,7 +11,7 @@ import pytest
 HEAVY = ["numba", "scipy", "xarray", "pint", "PIL", "OpenEXR", "pandas", "matplotlib"]
 #: What a picture of a preset does without: half a second and more.
 NEEDLESS = [
-    "pint", "xarray", "pandas", "matplotlib", "OpenEXR", "miepython", "wgpu",
+    "pint", "xarray", "pandas", "matplotlib", "OpenEXR", "wgpu",
     "scipy.interpolate", "scipy.optimize", "scipy.sparse", "scipy.special",
 ]  # fmt: skip
 

@@ -54,15 +54,17 @@ COMMANDS: Final = {
 }
 
 
-#: Words of a registry in a help text or a metavar: ``{module:NAME}``.
+#: Words of a registry, or help of a declared field, in a help text or a metavar:
+#: ``{module:NAME}``.
 _REGISTRY: Final = re.compile(r"\{([\w.]+):(\w+)\}")
 
 
 def with_words(text: str, between: str = ", ") -> str:
-    """Help text with the names from registries, imported on demand."""
+    """Help text with the names from registries and the help of fields, imported on demand."""
 
     def words(match: re.Match[str]) -> str:
-        return between.join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
+        named = getattr(import_module(f"airlight.{match[1]}"), match[2])
+        return getattr(named, "help", "").rstrip(".") or between.join(named)
 
     return _REGISTRY.sub(words, text)
 

@@ -57,10 +57,10 @@ class DirectionOptions(OptionGroup):
         "with an elevation 315/20.",
         "horizon|nadir|zenith|sun|moon|BEARING",
     )
-    roll: float | None = option("Camera roll, clockwise (0deg).", "ANGLE")
+    roll: float | None = option("{scene.scene_fields:ROLL} (0deg).", "ANGLE")
     fov: str | None = option(
-        "Field of view: horizontal (60deg); of a fisheye across the circle (180deg); of "
-        "orthographic a width, e.g. 14000km (the whole disc).",
+        "{scene.scene_fields:FIELD_OF_VIEW} (60deg; 180deg); of orthographic a width, e.g. 14000km "
+        "(the whole disc).",
         "ANGLE",
         read=options.unread,
     )
@@ -84,8 +84,7 @@ class CameraOptions(DirectionOptions):
     """Options of the camera, its filter and its frame."""
 
     polariser: float | None = option(
-        "Axis of an ideal polarising filter in front of the camera, counterclockwise from the "
-        "camera's up.",
+        "{scene.scene_fields:POLARISER}.",
         "ANGLE",
     )
     crop: str | None = option(

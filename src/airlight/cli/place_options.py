@@ -29,10 +29,10 @@ if TYPE_CHECKING:
 
 #: Coordinates of the observer.
 latitude_option: Final = partial(
-    option, "Observer latitude, for the planet's map, e.g. 25deg.", "ANGLE"
+    option, "{scene.scene_fields:LATITUDE}, for the planet's map, e.g. 25deg.", "ANGLE"
 )
 longitude_option: Final = partial(
-    option, "Observer longitude, east positive, for the planet's map, e.g. 30deg.", "ANGLE"
+    option, "{scene.scene_fields:LONGITUDE}, for the planet's map, e.g. 30deg.", "ANGLE"
 )
 Zone = Annotated[
     str | None,
@@ -49,11 +49,13 @@ _MIDDLE = 550.0
 class AngleOptions(OptionGroup):
     """Options of the observer and the sun by angles."""
 
-    altitude: float | None = option("Observer altitude above ground, e.g. 400km (2m).", "LENGTH")
+    altitude: float | None = option("{scene.scene_fields:ALTITUDE}, e.g. 400km (2m).", "LENGTH")
     sun_zenith: float | None = option(
-        "Sun zenith angle at the observer, e.g. 72deg (60deg).", "ANGLE"
+        "{scene.scene_fields:SUN_ZENITH}, e.g. 72deg (60deg).", "ANGLE"
     )
-    sun_azimuth: float | None = option("Compass bearing of the sun: 105deg, ESE (S).", "BEARING")
+    sun_azimuth: float | None = option(
+        "{scene.scene_fields:SUN_AZIMUTH}, e.g. 105deg or ESE (S).", "BEARING"
+    )
     latitude: float | None = latitude_option()
     longitude: float | None = longitude_option()
 

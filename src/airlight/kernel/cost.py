@@ -37,7 +37,7 @@ SUBSTANTIAL: Final = 0.5
 #: angles, wavelengths of pixels; and pixels per second of a device.
 RATES: Final = {
     "solve": 1.5e9,
-    "particles": 2.0e9,
+    "particles": 6.0e9,
     "picture": 1.2e7,
     LINES: 5.0e5,
     DEVICE: 2.0e7,

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,14 +12,29 @@ from numpy.typing import NDArray
 from airlight.errors import ConflictError, ParameterError
 from airlight.physics.units import Measured, measured, values_in
 from airlight.scene.directions import camera_axes, camera_frame, rolled
-from airlight.scene.limits import HIGHEST_ALTITUDE, within
+from airlight.scene.limits import HIGHEST_ALTITUDE
 from airlight.scene.projections import PROJECTIONS, Projection
 from airlight.scene.projections.projected import projected_rays
+from airlight.scene.scene_fields import (
+    EXTENT,
+    FIELD_OF_VIEW,
+    LOOK_AZIMUTH,
+    LOOK_ZENITH,
+    POLARISER,
+    ROLL,
+    within_range,
+)
 
 #: Longest side of a picture: a strip of six 8192² faces fits. [pixel]
 LONGEST_SIDE = 65536
 #: Largest number of pixels of a picture: that strip.
 MOST_PIXELS = 6 * 8192 * 8192
+_ANGLES: Final = {
+    "look_zenith": LOOK_ZENITH,
+    "look_azimuth": LOOK_AZIMUTH,
+    "roll": ROLL,
+    "polariser": POLARISER,
+}
 
 
 def _is_whole(value: object) -> bool:
@@ -104,20 +120,14 @@ class Camera:
             raise ParameterError("camera.size", size, f"{form.shape} for {form.name}")
         self._check_parallel()
         defaults = {"field_of_view": form.field_of_view, "look_zenith": form.look_zenith}
-        limits = {
-            "field_of_view": form.field_of_view_limits,
-            "look_zenith": (0.0, 180.0),
-            "look_azimuth": (-360.0, 360.0),
-            "roll": (-360.0, 360.0),
-            "polariser": (-360.0, 360.0),
-        }
-        for name, (low, high) in limits.items():
+        field_of_view = replace(FIELD_OF_VIEW, range=form.field_of_view_limits)
+        for name, declared in {**_ANGLES, "field_of_view": field_of_view}.items():
             value = getattr(self, name)
-            if value is None and name in defaults:
-                value = defaults[name]
-            if value is None and name == "polariser":
-                continue
-            object.__setattr__(self, name, within(f"camera.{name}", value, low, high, "deg"))
+            if value is None:
+                value = defaults.get(name)
+            if value is not None or name != "polariser":
+                value = within_range(f"camera.{name}", value, declared)
+            object.__setattr__(self, name, value)
 
     def _checked_crop(self, size: str) -> tuple[int, int, int, int]:
         allowed = f"left, top, width and height of a window inside {size} pixels"
@@ -140,7 +150,7 @@ class Camera:
         form = f"a length from left to right, such as '14000 km', for {name}"
         if self.extent is None:
             raise ParameterError("camera.extent", None, form)
-        extent = within("camera.extent", self.extent, 1.0, HIGHEST_ALTITUDE, "m")
+        extent = within_range("camera.extent", self.extent, EXTENT)
         angle = math.degrees(2.0 * math.asin(0.5 * extent / HIGHEST_ALTITUDE))
         if given is not None and values_in(given, "deg", "camera.field_of_view") != angle:
             raise ConflictError("camera.field_of_view", f"does not apply to {name}: use extent")

@@ -17,9 +17,16 @@ from airlight.scene.camera import Camera
 from airlight.scene.compass import bearing
 from airlight.scene.ground_detail import GROUNDS
 from airlight.scene.light_position import LightPosition
-from airlight.scene.limits import DEEPEST_ALTITUDE, HIGHEST_ALTITUDE, within
+from airlight.scene.limits import HIGHEST_ALTITUDE
 from airlight.scene.observer import look_at as angles_of
 from airlight.scene.observer import planet_frame
+from airlight.scene.scene_fields import (
+    ALTITUDE,
+    LATITUDE,
+    LONGITUDE,
+    SUN_ZENITH,
+    within_range,
+)
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -27,6 +34,12 @@ if TYPE_CHECKING:
 
 #: Altitude of an observer on the ground, the default of scenes and commands. [m]
 STANDING: Final = 2.0
+_NUMBERS: Final = {
+    "altitude": ALTITUDE,
+    "sun_zenith": SUN_ZENITH,
+    "latitude": LATITUDE,
+    "longitude": LONGITUDE,
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,13 +107,8 @@ class Scene:
                 "scene.secondary_lights", secondary_lights, "lights such as MoonLight"
             )
         object.__setattr__(self, "secondary_lights", secondary_lights)
-        for name, low, high, unit in (
-            ("altitude", DEEPEST_ALTITUDE, HIGHEST_ALTITUDE, "m"),
-            ("sun_zenith", 0.0, 180.0, "deg"),
-            ("latitude", -90.0, 90.0, "deg"),
-            ("longitude", -360.0, 360.0, "deg"),
-        ):
-            value = within(f"scene.{name}", getattr(self, name), low, high, unit)
+        for name, declared in _NUMBERS.items():
+            value = within_range(f"scene.{name}", getattr(self, name), declared)
             object.__setattr__(self, name, value)
         azimuth = bearing(self.sun_azimuth, "scene.sun_azimuth")
         object.__setattr__(self, "sun_azimuth", azimuth)

@@ -16,7 +16,7 @@ from airlight.studies.reports.html import page_html, part_html, table_html
 from airlight.validation.suite import Suite, Threshold
 
 #: Packages whose versions can change a number.
-_PACKAGES = ("numpy", "numba", "scipy", "matplotlib", "miepython")
+_PACKAGES = ("numpy", "numba", "scipy", "matplotlib")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -66,6 +66,31 @@ def test_few_radii_give_the_mean_of_many():
     assert_allclose(found.extinction / area, expected, rtol=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("x", "index", "n", "a", "b"),
+    [
+        (1e-3, 1.33, 1, 1.8498134920682636e-20 - 1.3600784874661695e-10j, None),
+        (np.pi, 1.33, 1, 0.598530588875581 - 0.49019559673239743j,
+         0.7463159477728687 - 0.4351188962487764j),
+        (30.0, 0.5 + 3j, 31, 0.6618941844735341 + 0.2522503408085374j,
+         0.037872399187262554 + 0.17485754653423802j),
+        (412.0, 1.5 + 0.01j, 300, 0.5329611005080965 + 0.02347788185825457j,
+         0.37238945845185234 - 0.0910363940257878j),
+        (1245.25, 2.5, 1262, 0.012965921598703684 - 0.11312739047551637j,
+         0.0002384042562906206 + 0.015438504451571827j),
+        (2627.0, 1.33 + 1e-9j, 2640, 4.552570337692783e-05 - 0.006719075992097901j,
+         0.000257969467283094 + 0.016049107299201254j),
+    ],
+)  # fmt: skip
+def test_coefficients_of_spheres_are_exact(x, index, n, a, b):
+    # Second method: upward recurrences of Riccati-Bessel functions with 600 digits (mpmath 1.3).
+    # Beside larger and smaller spheres, whose recurrences are the same.
+    found = mie._coefficients(np.array([1.0, x, 3000.0]), np.full(3, complex(index)))
+    assert_allclose(found[0][1, n - 1], a, rtol=1e-11)
+    if b is not None:  # 3e-34 there, of which 6e-9 is lost
+        assert_allclose(found[1][1, n - 1], b, rtol=1e-11)
+
+
 @pytest.mark.parametrize("x", [0.01, 0.7, 5.0, 60.0])
 def test_efficiencies_and_intensities_are_those_of_miepython(x):
     # Second method: miepython's own sums, one sphere and one angle at a time.

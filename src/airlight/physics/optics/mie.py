@@ -1,7 +1,7 @@
 """Mie scattering by spheres, averaged over a size distribution.
 
-The coefficients a_n, b_n come from ``miepython``; sums over them, over angles and over radii are
-matrix products, a few hundred times faster than loops over spheres and angles.
+The coefficients a_n, b_n of all spheres follow from one recurrence; sums over them, over angles and
+over radii are matrix products, a few hundred times faster than loops over spheres and angles.
 """
 
 from __future__ import annotations
@@ -213,9 +213,9 @@ def work(radii: int, size_parameter: float, angles: int) -> float:
     size_parameter : float
         Largest size parameter. [1]
     angles : int
-        Number of scattering angles; the coefficients of a radius take as long as 3000 of them.
+        Number of scattering angles; the coefficients of a radius take as long as 400 of them.
     """
-    return float(radii) * _terms(size_parameter) * (angles + 3000.0)
+    return float(radii) * _terms(size_parameter) * (angles + 400.0)
 
 
 def memory(size_parameter: float, angles: int) -> float:
@@ -271,25 +271,63 @@ def _blocks(count: int) -> Iterator[slice]:
 
 
 def _terms(size_parameter: float) -> int:
-    """Number of terms of miepython's series, by Wiscombe's criterion. [1]"""
+    """Number of terms of a sphere's series, by Wiscombe's (1980) criterion. [1]"""
     return int(size_parameter + 4.05 * size_parameter**0.33333 + 2.0)
 
 
 def _coefficients(
     size_parameters: FloatArray, indices: ComplexArray
 ) -> tuple[ComplexArray, ComplexArray]:
-    """Coefficients a_n and b_n of spheres, zero beyond their series, shape (nr, nn)."""
-    import miepython
+    """Coefficients a_n and b_n of spheres, zero beyond their series, shape (nr, nn).
 
-    pairs = [
-        miepython.an_bn(complex(index).conjugate(), float(x))
-        for index, x in zip(indices, size_parameters, strict=True)
-    ]
-    longest = max(len(a) for a, _ in pairs)
-    both = np.zeros((2, len(pairs), longest), dtype=np.complex128)
-    for row, (a, b) in enumerate(pairs):
-        both[0, row, : len(a)], both[1, row, : len(b)] = a, b
+    Bohren & Huffman (1983), eqs. 4.88 and 4.89, for all spheres at once: logarithmic derivatives
+    D_n and ratios ψ_n/ψ_{n-1} by downward, ψ_n below n = x and χ_n by upward recurrence.
+    """
+    x, m = np.asarray(size_parameters), np.asarray(indices)
+    terms = np.array([_terms(one) for one in x])
+    longest = int(terms.max())
+    derivatives, ratios = _derivatives(m * x, longest), _ratios(x, longest)
+    both = np.zeros((2, x.size, longest), dtype=np.complex128)
+    psi_before, psi, chi_before, chi = np.cos(x), np.sin(x), -np.sin(x), np.cos(x)
+    for n in range(1, longest + 1):
+        here = n <= terms  # beyond, χ_n would overflow
+        factor = (2.0 * n - 1.0) / x
+        psi_before, psi = psi, np.where(n < x, factor * psi - psi_before, psi * ratios[n])
+        chi_before, chi = chi, np.where(here, factor * chi - chi_before, chi)
+        xi_before, xi = psi_before - 1j * chi_before, psi - 1j * chi
+        for k, inner in enumerate((derivatives[n] / m, derivatives[n] * m)):
+            outer = inner + n / x
+            found = (outer * psi - psi_before) / (outer * xi - xi_before)
+            both[k, here, n - 1] = found[here]
     return both[0], both[1]
+
+
+def _derivatives(arguments: ComplexArray, terms: int) -> ComplexArray:
+    """Logarithmic derivatives D_n of ψ_n for n from 0, shape (terms + 1, nr)."""
+    found = np.zeros((terms + 1, arguments.size), dtype=np.complex128)
+    start = _start(max(terms, float(np.abs(arguments).max())))
+    value = np.zeros(arguments.size, dtype=np.complex128)
+    for n in range(start, 0, -1):
+        value = n / arguments - 1.0 / (value + n / arguments)
+        if n <= terms + 1:
+            found[n - 1] = value
+    return found
+
+
+def _start(largest: float) -> int:
+    """Order from which a downward recurrence is exact to rounding for an argument or order."""
+    return int(largest + 10.0 * largest ** (1.0 / 3.0)) + 16
+
+
+def _ratios(arguments: FloatArray, terms: int) -> FloatArray:
+    """Ratios ψ_n/ψ_{n-1} for n from 1, shape (terms + 1, nr); the first row is zero."""
+    found = np.zeros((terms + 1, arguments.size))
+    ratio = np.zeros(arguments.size)
+    for n in range(_start(terms), 0, -1):
+        ratio = 1.0 / ((2.0 * n + 1.0) / arguments - ratio)
+        if n <= terms:
+            found[n] = ratio
+    return found
 
 
 def _sums(a: ComplexArray, b: ComplexArray, index: complex) -> FloatArray:

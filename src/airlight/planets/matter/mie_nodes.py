@@ -13,7 +13,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
-from importlib import metadata
 from pathlib import Path
 from typing import Final
 
@@ -234,8 +233,8 @@ def _computed(
 
 @cache
 def _maker() -> str:
-    """Hash of the code that determines results: miepython, and this module's formulas."""
-    digest = hashlib.sha256(metadata.version("miepython").encode())
+    """Hash of the formulas that determine results."""
+    digest = hashlib.sha256()
     formulas = mie.__file__, ripples.__file__, size_distribution.__file__, phase_table.__file__
     for module in (*formulas, __file__):
         digest.update(Path(module).read_bytes())

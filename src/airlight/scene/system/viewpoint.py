@@ -2,52 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.field import Field, key
+from airlight.planets.schema.field import key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.scene.camera import Camera
-from airlight.scene.compass import read_bearing
-from airlight.scene.projections import PROJECTIONS
+from airlight.scene.limits import HIGHEST_ALTITUDE
+from airlight.scene.scene_fields import (
+    ALTITUDE,
+    FIELD_OF_VIEW,
+    LATITUDE,
+    LONGITUDE,
+    LOOK_BEARING,
+    LOOK_ZENITH,
+    NEAR_PROJECTION,
+    POLARISER,
+    ROLL,
+)
 from airlight.scene.system.vectors import POSITION, unit
-
-#: Keys of a camera, in the views of films too.
-LOOK_ZENITH: Final = Field(
-    label="zenith angle",
-    help="Zenith angle of the line of sight.",
-    unit="deg",
-    range=(0.0, 180.0),
-    example="80 deg",
-)
-ROLL: Final = Field(
-    label="roll",
-    help="Clockwise rotation of the camera.",
-    unit="deg",
-    range=(-360.0, 360.0),
-    example="0 deg",
-)
-POLARISER: Final = Field(
-    label="polariser",
-    help="Axis of a polarising filter, counterclockwise from the camera's up; default: no filter.",
-    unit="deg",
-    range=(-360.0, 360.0),
-    example="90 deg",
-)
-PROJECTION: Final = Field(
-    label="projection",
-    help="Projection of the picture.",
-    kind="choice",
-    choices=lambda: tuple(name for name, form in PROJECTIONS.items() if not form.parallel),
-)
-FIELD_OF_VIEW: Final = Field(
-    label="field of view",
-    help="Angle from left to right, or across a fisheye.",
-    unit="deg",
-    range=(1e-4, 360.0),
-    example="40 deg",
-)
 
 
 @parameters
@@ -74,30 +46,9 @@ class SceneObserver(TomlModel):
         example="earth",
         default=None,
     )
-    latitude: float = key(
-        label="latitude",
-        help="Planetocentric latitude, north positive.",
-        unit="deg",
-        range=(-90.0, 90.0),
-        example="37 deg",
-        default=0.0,
-    )
-    longitude: float = key(
-        label="longitude",
-        help="Planetocentric longitude, east positive.",
-        unit="deg",
-        range=(-360.0, 360.0),
-        example="-87.7 deg",
-        default=0.0,
-    )
-    altitude: float = key(
-        label="altitude",
-        help="Altitude above the ground.",
-        unit="m",
-        range=(0.0, 1e12),
-        example="400 km",
-        default=2.0,
-    )
+    latitude: float = key(LATITUDE, help="Planetocentric latitude, north positive.", default=0.0)
+    longitude: float = key(LONGITUDE, help="Planetocentric longitude, east positive.", default=0.0)
+    altitude: float = key(ALTITUDE, range=(0.0, HIGHEST_ALTITUDE), default=2.0)
     position: tuple[float, ...] | None = key(POSITION, default=None)
 
     def __post_init__(self) -> None:
@@ -140,15 +91,7 @@ class View(TomlModel):
         default=None,
     )
     look_zenith: float | None = key(LOOK_ZENITH, default=None)
-    look_bearing: float | None = key(
-        label="bearing",
-        help="Compass bearing of the line of sight, 90 east.",
-        unit="deg",
-        range=(-360.0, 360.0),
-        example="225 deg or SW",
-        read=read_bearing,
-        default=None,
-    )
+    look_bearing: float | None = key(LOOK_BEARING, default=None)
     direction: tuple[float, ...] | None = key(
         label="direction",
         help="Direction of the line of sight.",
@@ -167,7 +110,7 @@ class View(TomlModel):
     )
     roll: float = key(ROLL, default=0.0)
     polariser: float | None = key(POLARISER, default=None)
-    projection: str = key(PROJECTION, default="perspective")
+    projection: str = key(NEAR_PROJECTION, default="perspective")
     field_of_view: float | None = key(FIELD_OF_VIEW, default=None)
 
     def __post_init__(self) -> None:

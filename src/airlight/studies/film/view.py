@@ -12,12 +12,23 @@ from airlight.planets.schema.field import key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.render.star_points import check_stars
 from airlight.scene import Camera, Scene
-from airlight.scene.compass import read_bearing
-from airlight.scene.ground_detail import GROUNDS
-from airlight.scene.limits import DEEPEST_ALTITUDE, HIGHEST_ALTITUDE
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.orthographic import disc_extent
-from airlight.scene.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, POLARISER, PROJECTION, ROLL
+from airlight.scene.scene_fields import (
+    ALTITUDE,
+    EXTENT,
+    FIELD_OF_VIEW,
+    GROUND,
+    LATITUDE,
+    LONGITUDE,
+    LOOK_AZIMUTH,
+    LOOK_ZENITH,
+    POLARISER,
+    PROJECTION,
+    ROLL,
+    SUN_AZIMUTH,
+    SUN_ZENITH,
+)
 
 
 @parameters
@@ -50,48 +61,18 @@ class PlanetView(TomlModel):
         Whether the star catalogue is rendered.
     """
 
-    latitude: float = key(
-        label="latitude",
-        help="Latitude of the observer, north positive.",
-        unit="deg",
-        range=(-90.0, 90.0),
-        example="59.3 deg",
-        default=25.0,
-    )
-    longitude: float = key(
-        label="longitude",
-        help="Longitude of the observer, east positive.",
-        unit="deg",
-        range=(-360.0, 360.0),
-        example="18.1 deg",
-        default=30.0,
-    )
+    latitude: float = key(LATITUDE, default=25.0)
+    longitude: float = key(LONGITUDE, default=30.0)
     altitude: float = key(
-        label="altitude",
-        help="Altitude of the observer; below 0, down to the planet's"
-        " deepest basin, on the floor of a basin. Not for `orthographic`.",
-        unit="m",
-        range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE),
-        example="2 m",
+        ALTITUDE,
+        note="Below 0, down to the planet's deepest basin, on the floor of a basin. Not for"
+        " `orthographic`.",
         default=2.0,
     )
     sun_zenith: float | None = key(
-        label="sun zenith",
-        help="Zenith angle of the sun; 72 deg without a time.",
-        unit="deg",
-        range=(0.0, 180.0),
-        example="85 deg",
-        default=None,
+        SUN_ZENITH, note="Beyond 90 deg it has set; 72 deg without a time.", default=None
     )
-    sun_azimuth: float | None = key(
-        label="sun azimuth",
-        help="Bearing of the sun; 105 deg without a time.",
-        unit="deg",
-        range=(-360.0, 360.0),
-        example="270 deg or W",
-        read=read_bearing,
-        default=None,
-    )
+    sun_azimuth: float | None = key(SUN_AZIMUTH, note="105 deg without a time.", default=None)
     look_at: str | None = key(
         label="look at",
         help="`horizon`, `zenith`, `nadir`, `sun`, `moon` by time, or"
@@ -102,37 +83,13 @@ class PlanetView(TomlModel):
         default=None,
     )
     look_zenith: float | None = key(LOOK_ZENITH, default=None)
-    look_azimuth: float | None = key(
-        label="azimuth",
-        help="Azimuth of the line of sight from the sun's side, 90 to its right.",
-        unit="deg",
-        range=(-360.0, 360.0),
-        example="30 deg",
-        default=None,
-    )
+    look_azimuth: float | None = key(LOOK_AZIMUTH, default=None)
     roll: float = key(ROLL, default=0.0)
     polariser: float | None = key(POLARISER, default=None)
-    projection: str = key(
-        PROJECTION,
-        choices=lambda: tuple(PROJECTIONS),
-        default="perspective",
-    )
+    projection: str = key(PROJECTION, default="perspective")
     field_of_view: float | None = key(FIELD_OF_VIEW, default=None)
-    extent: float | None = key(
-        label="extent",
-        help="Length from left to right for `orthographic`, by default the whole disc.",
-        unit="m",
-        range=(1.0, HIGHEST_ALTITUDE),
-        example="14000 km",
-        default=None,
-    )
-    ground: str = key(
-        label="ground",
-        help="Ground below the map's resolution.",
-        kind="choice",
-        choices=lambda: tuple(GROUNDS),
-        default="detailed",
-    )
+    extent: float | None = key(EXTENT, default=None)
+    ground: str = key(GROUND, default="detailed")
     stars: bool = key(
         label="stars",
         help="Stars to magnitude 6.5, by time or by the position of the sun.",

@@ -15,14 +15,26 @@ from airlight.image.glare import MOST as MOST_GLARE
 from airlight.image.natural import STYLES
 from airlight.image.tone_maps import TONE_MAPS
 from airlight.image.white_balance import COLDEST, DAYLIGHT, HOTTEST, WHITE_BALANCES
+from airlight.planets.schema.field import Field
 from airlight.scene.camera import Camera
-from airlight.scene.flight import LOWEST_ALTITUDE
-from airlight.scene.ground_detail import GROUNDS
-from airlight.scene.limits import HIGHEST_ALTITUDE
 from airlight.scene.moon_light import MEAN_RADIUS
 from airlight.scene.picture_size import fitting
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import Scene
+from airlight.scene.scene_fields import (
+    ALTITUDE,
+    FIELD_OF_VIEW,
+    GROUND,
+    LATITUDE,
+    LONGITUDE,
+    LOOK_BEARING,
+    LOOK_ZENITH,
+    NEAR_PROJECTION,
+    POLARISER,
+    ROLL,
+    SUN_AZIMUTH,
+    SUN_ZENITH,
+)
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.second_light import KINDS, second_lights
 
@@ -57,15 +69,29 @@ class ViewValue(Parameter):
     uniform: str = ""
 
 
-def _turning(path: str, label: str, group: str, text: str, **more: Any) -> ViewValue:
-    """Declare a periodic angle."""
+def _of(
+    path: str, group: str, declared: Field, default: Value, label: str = "", **more: Any
+) -> ViewValue:
+    """View value of a declared parameter of scenes."""
+    (low, high), (least, most) = declared.ends, declared.limits
+    if declared.kind == "choice":
+        more |= {"options": declared.choices()}
+    elif more.get("wraps"):
+        more |= {"low": low, "high": high, "least": low, "most": high}
+    else:
+        more = {"low": low, "high": high, "least": least, "most": most} | more
     return ViewValue(
-        path=path, label=label, group=group, help=text, unit="deg", step=1.0, wraps=True, **more
+        path=path,
+        label=label or declared.label,
+        group=group,
+        help=f"{declared.help} {declared.note}".strip(),
+        kind=declared.kind,
+        unit=declared.shown_unit,
+        scale=declared.scale,
+        synonyms=declared.synonyms,
+        default=default,
+        **more,
     )
-
-
-_ROUND: Final = {"low": 0.0, "high": 360.0, "least": 0.0, "most": 360.0}
-_HALF_ROUND: Final = {"low": -180.0, "high": 180.0, "least": -180.0, "most": 180.0}
 
 
 def _choice(
@@ -79,56 +105,23 @@ def _choice(
 #: Values of the view, in display order. A new slider takes one entry here; if it has a uniform, its
 #: value reaches the shaders under that name.
 VIEW_VALUES: Final = (
-    ViewValue(path="view.altitude", label="altitude", group="camera", unit="m",
-              low=LOWEST_ALTITUDE, high=1e9, least=0.0, most=HIGHEST_ALTITUDE, scale="log",
-              step=1.1, help="Altitude of the observer above the ground.", default=2.0,
-              synonyms=("height", "elevation", "how high", "space", "orbit", "up")),
-    ViewValue(path="view.latitude", label="latitude", group="camera", unit="deg", low=-90.0,
-              high=90.0, least=-90.0, most=90.0, step=1.0,
-              help="Latitude of the observer, positive north.", default=27.5,
-              synonyms=("place", "position", "location", "where")),
-    _turning("view.longitude", "longitude", "camera",
-             "Longitude of the point below, positive east.", **_HALF_ROUND, default=35.5,
-             synonyms=("place", "position", "location", "where")),
-    ViewValue(path="view.look_zenith", label="look zenith", group="camera", unit="deg", low=0.0,
-              high=180.0, least=0.0, most=180.0, step=1.0,
-              help="Zenith angle of the line of sight; 90 is horizontal.", default=88.0,
-              synonyms=("pitch", "tilt", "look up", "look down", "camera")),
-    _turning("view.heading", "heading", "camera",
-             "Compass bearing of the line of sight: 0 north, 90 east.", **_ROUND,
-             default=180.0, synonyms=("direction", "azimuth", "yaw", "compass", "look around")),
-    _turning("view.roll", "roll", "camera",
-             "Turns the camera clockwise about its line of sight.", **_HALF_ROUND, default=0.0,
-             synonyms=("bank", "horizon", "tilt", "rotate")),
+    _of("view.altitude", "camera", ALTITUDE, 2.0, least=0.0, step=1.1),
+    _of("view.latitude", "camera", LATITUDE, 27.5, step=1.0),
+    _of("view.longitude", "camera", LONGITUDE, 35.5, step=1.0, wraps=True),
+    _of("view.look_zenith", "camera", LOOK_ZENITH, 88.0, "look zenith", step=1.0),
+    _of("view.heading", "camera", LOOK_BEARING, 180.0, step=1.0, wraps=True),
+    _of("view.roll", "camera", ROLL, 0.0, step=1.0, wraps=True),
     ViewValue(path="view.filter", label="polarising filter", group="camera", kind="switch",
               default=False,
               help="Ideal polarising filter in front of the camera; it halves unpolarised light.",
               synonyms=("polariser", "polarizer", "polarisation", "polarization", "degree",
                         "sunglasses")),
-    _turning("view.polariser", "filter angle", "camera",
-             "Turns the filter's axis counterclockwise from the camera's up.", **_HALF_ROUND,
-             default=0.0,
-             synonyms=("polariser", "polarizer", "polarisation", "polarization", "rotate")),
-    ViewValue(path="view.field_of_view", label="field of view", group="camera", unit="deg",
-              low=1.0, high=170.0, least=1e-3, most=360.0, step=1.0, default=60.0,
-              help="Horizontal field of view, up to 170; the full circle of a fisheye.",
-              synonyms=("zoom", "fov", "lens", "focal length", "telephoto", "wide angle")),
-    _choice("view.projection", "projection", "camera",
-            tuple(name for name, form in PROJECTIONS.items() if not form.parallel),
-            "Projection of the picture.", default="perspective",
-            synonyms=("fisheye", "panorama", "lens", "cube map", "360")),
-    _choice("view.ground", "ground", "camera", GROUNDS,
-            "The map of the ground alone, or with noise below its resolution, as decoration.",
-            default="detailed",
-            synonyms=("detail", "noise", "texture", "terrain")),
-    ViewValue(path="view.sun_zenith", label="sun zenith", group="sun", unit="deg", low=0.0,
-              high=180.0, least=0.0, most=180.0, step=0.5, default=60.0,
-              help="Zenith angle of the sun at the observer; beyond 90 it has set.",
-              synonyms=("sun height", "sun elevation", "time of day", "hour", "sunset", "sunrise",
-                        "twilight", "night", "noon", "evening", "morning")),
-    _turning("view.sun_azimuth", "sun bearing", "sun", "Compass bearing of the sun: 180 south.",
-             **_ROUND, default=180.0,
-             synonyms=("sun direction", "sun azimuth", "time of day", "hour")),
+    _of("view.polariser", "camera", POLARISER, 0.0, "filter angle", step=1.0, wraps=True),
+    _of("view.field_of_view", "camera", FIELD_OF_VIEW, 60.0, least=1e-3, step=1.0),
+    _of("view.projection", "camera", NEAR_PROJECTION, "perspective"),
+    _of("view.ground", "camera", GROUND, "detailed"),
+    _of("view.sun_zenith", "sun", SUN_ZENITH, 60.0, step=0.5),
+    _of("view.sun_azimuth", "sun", SUN_AZIMUTH, 180.0, step=1.0, wraps=True),
     ViewValue(path="view.clock", label="sun by date and time", group="sun", kind="switch",
               default=False,
               help="Sun by place and time, on Earth, Mars and Titan.",
@@ -157,9 +150,10 @@ VIEW_VALUES: Final = (
               help="Zenith angle of the Moon or second sun; beyond 90 it has set.",
               synonyms=("moonlight", "moon height", "moon elevation", "moonrise", "moonset",
                         "second sun", "binary")),
-    _turning("view.second_azimuth", "moon bearing", "moon",
-             "Compass bearing of the Moon or second sun: 180 south.", **_ROUND, default=120.0,
-             synonyms=("moonlight", "moon direction", "moon azimuth", "second sun", "binary")),
+    ViewValue(path="view.second_azimuth", label="moon bearing", group="moon", unit="deg", low=0.0,
+              high=360.0, least=0.0, most=360.0, step=1.0, wraps=True, default=120.0,
+              help="Compass bearing of the Moon or second sun: 180 south.",
+              synonyms=("moonlight", "moon direction", "moon azimuth", "second sun", "binary")),
     ViewValue(path="view.moon_phase", label="moon phase", group="moon", unit="deg", low=0.0,
               high=180.0, least=0.0, most=180.0, step=1.0, default=0.0,
               help="Phase angle of the Moon: 0 full, 90 half, 180 new.",
