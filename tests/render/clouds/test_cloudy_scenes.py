@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 import numpy as np
 import pytest
 import xarray
@@ -40,7 +39,7 @@ def clouds(tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, object]]:
         {"extinction": (("x", "y", "z"), values, {"units": "m-1"})},
         {name: ((name,), one, {"units": "m"}) for name, one in axes.items()},
     ).to_netcdf(path, engine="scipy")
-    return [{"file": str(path), "beyond": "periodic", "effective_radius": 6e-6}]
+    return [{"file": str(path), "beyond": "periodic", "effective_radius": "6 um"}]
 
 
 def test_a_planet_alone_in_a_scene_has_the_clouds_of_its_picture(
@@ -72,7 +71,7 @@ def test_a_planet_alone_in_a_scene_has_the_clouds_of_its_picture(
 
 
 def test_transmittance_to_space_is_that_of_the_slant_path() -> None:
-    """Beer's law with the unscaled extinction, of an even layer."""
+    """Beer's law with the unscaled extinction, of an even layer; the shell curves by 0.4 %."""
     depth, zenith = 2.0, np.radians([0.0, 40.0, 65.0])
     field = CloudField(
         extinction=np.full((4, 4, 8), depth / 500.0, np.float32),
@@ -82,12 +81,12 @@ def test_transmittance_to_space_is_that_of_the_slant_path() -> None:
     )
     drops = droplets(10e-6, 0.1)
     around = CloudsAround(field, lambda nm: CloudOptics.of_particles(drops, nm))
-    solution = solve_planet(PLANET, NM, "preview", polarisation=False)
+    solution = solve_planet(airlight.load_planet(PLANET), NM, "preview", polarisation=False)
     through = around.before_space(solution, Scene(ground="plain"))
     rays = np.stack([np.sin(zenith), 0.0 * zenith, np.cos(zenith)], axis=-1)
     ratio = around.optics_at(solution.wavelengths).extinction
     expected = np.exp(-depth * ratio / np.cos(zenith)[:, None])
-    assert_allclose(through(rays), expected, rtol=0.06)
+    assert_allclose(through(rays), expected, rtol=0.01)
     assert_allclose(through(-rays[:1]), 1.0)
 
 
