@@ -12,6 +12,7 @@ import xarray
 
 from airlight.cli import main
 from airlight.errors import ConflictError
+from airlight.image.exr import read_exr
 from airlight.planets import load_planet
 from airlight.render.solve_planet import solve_planet
 from airlight.solver.independent_columns import IndependentColumns
@@ -32,6 +33,50 @@ def cloudy(tmp_path: Path) -> str:
     return str(file)
 
 
+@pytest.fixture
+def small_clouds(tmp_path: Path) -> str:
+    """File of a small box with heaps."""
+    at = (np.arange(16) - 7.5) * 200.0
+    values = 0.02 * (1.0 + np.sin(at / 500.0))[:, None, None] * np.ones((16, 4))
+    axes = {"x": at, "y": at, "z": 1000.0 + 100.0 * (np.arange(4) + 0.5)}
+    path = tmp_path / "small.nc"
+    xarray.Dataset(
+        {"extinction": (("x", "y", "z"), values, {"units": "m-1"})},
+        {name: ((name,), one, {"units": "m"}) for name, one in axes.items()},
+    ).to_netcdf(path, engine="scipy")
+    return str(path)
+
+
+#: View of a film of a planet.
+AHEAD = ["--set", "view.look_zenith=50deg", "--set", "view.sun_zenith=40deg"]
+SCENE = """
+name = "Below clouds"
+[[bodies]]
+name = "earth"
+planet = "earth-atmosphere-plus"
+[[lights]]
+star = { spectrum = "astm-g173" }
+direction = [1, 0.5, 0.3]
+[observer]
+body = "earth"
+[camera]
+look_zenith = "50 deg"
+look_bearing = "40 deg"
+field_of_view = "60 deg"
+"""
+
+
+def scene_file(folder: Path) -> str:
+    file = folder / "scene.toml"
+    file.write_text(SCENE, encoding="utf-8")
+    return str(file)
+
+
+def wind(of: str, speed: str) -> str:
+    """Argument of ``--set`` for a wind."""
+    return f"{'earth.' if of == 'scene' else ''}clouds.wind_speed={speed}"
+
+
 def refusal(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     """The only line of an error."""
     assert main(list(words)) == 2
@@ -47,7 +92,6 @@ def refusal(capsys: pytest.CaptureFixture[str], *words: str) -> str:
         ["bake", *COVERED, "--layout", "celestia", "-o", "celestia"],
         ["aerial", *COVERED, *QUICK, "-o", "air"],
         ["export-page", *COVERED, *QUICK, "-o", "page.html"],
-        ["show", *COVERED],
         ["plot", *COVERED, "density", "-o", "density.png"],
         ["plot", *COVERED, "phase", "-o", "phases.png"],
         ["plot", *COVERED, "optical-depth", "-o", "depth.png"],
@@ -66,14 +110,28 @@ def test_commands_without_clouds_refuse_them_in_one_line(
     assert not list(tmp_path.iterdir())
 
 
-def test_a_film_of_a_cloudy_planet_is_refused(
-    cloudy: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    folder = str(tmp_path / "frames")
-    words = ["animate", cloudy, "--frames", "2", "--key", "view.sun_zenith=10deg,20deg", "--size",
-             "32x18", "--quality", "preview", "--workers", "1", "-o", folder]  # fmt: skip
-    assert main(words) == 2
-    assert REFUSED in capsys.readouterr().err
+SMALL = ["--size", "24x16", "--quality", "preview", "--wavelengths", "rgb", "--workers", "1"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("of", ["planet", "scene"])
+def test_a_film_has_clouds_of_a_file_that_drift(of: str, small_clouds: str, tmp_path: Path) -> None:
+    """Without wind the frames are the same light, and without clouds another one."""
+    pictures = {}
+    for name, words in (
+        ("still", ["--clouds", small_clouds]),
+        ("drift", ["--clouds", small_clouds, "--set", wind(of, "150 m/s")]),
+        ("clear", ["--clouds", "none"]),
+    ):
+        folder = tmp_path / name
+        film = ["earth-atmosphere-plus", *AHEAD] if of == "planet" else [scene_file(tmp_path)]
+        given = ["--frames", "2", "--rate", "1", "--format", "exr"]
+        assert main(["animate", *film, *words, *given, *SMALL, "-o", str(folder)]) == 0
+        pictures[name] = [read_exr(one)[0] for one in sorted(folder.glob("*.exr"))]
+    np.testing.assert_array_equal(*pictures["still"])
+    assert np.abs(pictures["drift"][1] / pictures["still"][1] - 1.0).max() > 0.02
+    np.testing.assert_array_equal(pictures["drift"][0], pictures["still"][0])
+    assert np.abs(pictures["clear"][0] / pictures["still"][0] - 1.0).max() > 0.1
 
 
 def radiance_of(capsys: pytest.CaptureFixture[str], *words: str) -> float:
@@ -114,6 +172,33 @@ def test_a_sweep_and_a_spectrum_have_clouds(cloudy: str, tmp_path: Path) -> None
         with table.open(newline="") as stream:
             albedos.append(float(list(csv.reader(stream))[-1][1]))
     assert albedos[0] > 1.3 * albedos[1]
+
+
+@pytest.mark.slow
+def test_clouds_of_an_option_are_those_of_a_file_in_a_sweep(cloudy: str, tmp_path: Path) -> None:
+    axes = ["--sun-zenith", "40", "--view-zenith", "0", "--wavelengths", "550", "--workers", "1"]
+    varied = ["--vary", "clouds.optical_depth=1,20", "--quality", "preview"]
+    option = ["earth-atmosphere-plus", "--clouds", "stratocumulus", "--set", "clouds.cover=0.5"]
+    found = []
+    for name, words in (("file", [cloudy]), ("option", option)):
+        store = tmp_path / f"{name}.zarr"
+        assert main(["sweep", *words, *varied, *axes, "-o", str(store)]) == 0
+        with xarray.open_zarr(store) as data:
+            found.append(data["radiance"].values)
+            assert data["clouds.optical_depth"].attrs["units"] == "1"
+    np.testing.assert_array_equal(*found)
+
+
+def test_show_lists_clouds_beside_the_numbers_of_clear_air(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    shown = []
+    for words in (COVERED, COVERED[:1]):
+        assert main(["show", *words]) == 0
+        shown.append(capsys.readouterr().out.splitlines())
+    extra = [line for line in shown[0] if line not in shown[1]]
+    assert any("stratocumulus" in line and "cover 0.9" in line for line in extra)
+    assert [line for line in shown[1] if line not in shown[0]] == []
 
 
 def test_a_fit_refuses_clouds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

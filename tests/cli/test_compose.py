@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import OpenEXR
 import pytest
+import xarray
 from numpy.testing import assert_allclose
 
 from airlight.cli.app import main
@@ -220,3 +221,23 @@ def test_clouds_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     words = ["compose", str(color), "--camera", str(camera(tmp_path)), "-o", str(out), *QUICK]
     assert main([*words, "--set", 'clouds=[{ kind = "cumulus" }]']) == 2
     assert "clouds cannot be used by" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_clouds_are_behind_a_near_surface_and_change_the_sky(tmp_path: Path) -> None:
+    """A wide even layer 1 km above a ball 100 m away; the light of the ball is the picture's."""
+    axes = {"x": np.arange(4) * 1e3, "y": np.arange(4) * 1e3, "z": 1050.0 + 100.0 * np.arange(4)}
+    layer = (("x", "y", "z"), np.full((4, 4, 4), 0.01), {"units": "m-1"})
+    xarray.Dataset(
+        {"extinction": layer}, {name: ((name,), at, {"units": "m"}) for name, at in axes.items()}
+    ).to_netcdf(tmp_path / "layer.nc", engine="scipy")
+    picture, place = one_part(tmp_path / "in.exr", passes()), camera(tmp_path)
+    found = []
+    for clouds in (str(tmp_path / "layer.nc"), "none"):
+        words = ["compose", str(picture), "--camera", str(place), "--clouds", clouds, *QUICK]
+        words += ["--set", "clouds.beyond=periodic"] if clouds != "none" else []
+        assert main([*words, "-o", str(tmp_path / "out.exr")]) == 0
+        found.append(read_exr(tmp_path / "out.exr")[0])
+    ball = passes()["ViewLayer.Combined.A"] > 0.0
+    assert_allclose(found[0][ball], found[1][ball], rtol=0.02)
+    assert (found[0][:4].mean() / found[1][:4].mean()) > 1.3

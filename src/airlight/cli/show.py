@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from airlight.planets import Medium, Planet
+    from airlight.planets.clouds import Clouds
     from airlight.planets.constituent import Constituent
     from airlight.scene.system import System
     from airlight.scene.system.body import Body
@@ -70,14 +71,15 @@ def show(
     if compare is not None:
         print_comparison(world, load(compare), cache=not no_cache)
         return
-    medium = Medium.from_planet(world, world.wavelengths)
+    # clouds are listed; numbers are those of the air without them
+    medium = Medium.from_planet(world.without_clouds, world.wavelengths)
     out = console()
     out.print(_overview(world, medium, given=planet.ground_albedo is not None), end="\n\n")
     out.print(_constituents(world), end="\n\n")
     if any(composition_of(one) for one in world.constituents):
         out.print(_composition(world), end="\n\n")
     out.print(_optics(world, medium), end="\n\n")
-    out.print(_swatch(world, cache=not no_cache))
+    out.print(_swatch(world.without_clouds, cache=not no_cache))
 
 
 def _table(*columns: str) -> Table:
@@ -119,6 +121,8 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
         )
     if medium.surface.clouds is not None:
         table.add_row("clouds", f"{medium.surface.clouds}, mean cover {medium.ground.cover:.4g}")
+    for one in planet.clouds:
+        table.add_row("3-D clouds", f"{_clouds(one)}; not in the numbers")
     for omitted in omitted_bands(planet, medium.wavelengths):
         table.add_row("omitted absorption", str(omitted))
     table.add_row("star", _parameters(planet.star))
@@ -126,6 +130,19 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     degrees = planet.star.angular_radius_degrees
     table.add_row("star's angular radius", f"{degrees:.5g} deg")
     return table
+
+
+def _clouds(clouds: Clouds) -> str:
+    """Kind, altitudes, cover and optical depth of clouds."""
+    from airlight.planets.clouds import CloudType
+
+    if not isinstance(clouds, CloudType):
+        return _parameters(clouds)
+    base, top = clouds.base / 1e3, (clouds.base + clouds.depth) / 1e3
+    return (
+        f"{clouds.title}, {base:.4g} to {top:.4g} km, cover {clouds.cover:.4g}, optical depth "
+        f"{clouds.optical_depth:.4g}"
+    )
 
 
 def _ground_below(planet: Planet) -> str:

@@ -239,8 +239,8 @@ def solve_clouds(
         towards=light.towards,
         unit=unit,
         spectrum=spectrum,
-        air_light=_factors(cloudy.sum(axis=1), clear.sum(axis=1)),
-        diffuse=_factors(cloudy, clear),
+        air_light=np.clip(_ratio(cloudy.sum(axis=1), clear.sum(axis=1)), 0.0, MOST_LIGHT),
+        diffuse=np.maximum(_ratio(cloudy, clear), 0.0),
         depth=depth,
         base_depth=base_depth,
         clear=clear_distances(field),
@@ -350,8 +350,8 @@ def box_spectrum(
     return weights
 
 
-def _factors(cloudy: FloatArray, clear: FloatArray) -> FloatArray:
-    return np.asarray(np.clip(cloudy / np.maximum(clear, 1e-30), 0.0, MOST_LIGHT))
+def _ratio(cloudy: FloatArray, clear: FloatArray) -> FloatArray:
+    return np.asarray(cloudy / np.maximum(clear, 1e-30))
 
 
 def _hemispheres(

@@ -49,6 +49,8 @@ class Film:
         Folder of relative paths.
     view : mapping, optional
         Table of a ``PlanetView``, for a film of one planet; None for a scene.
+    changes : mapping
+        Overrides of bodies of a scene by path, see ``changed_system``.
     display : mapping
         Display settings of its table ``[display]``, by name: fields of ``DisplaySettings``.
     """
@@ -59,6 +61,7 @@ class Film:
     file: str
     folder: Path | None = None
     view: Tables | None = field(default=None)
+    changes: Tables = field(default_factory=dict)
     display: Tables = field(default_factory=dict)
 
     def frame_spec(self, number: int, how: Quality) -> FrameSpec:
@@ -134,8 +137,9 @@ class Film:
     # --- a scene ------------------------------------------------------------------------------
 
     def _system_at(self, changes: Tables, time: datetime | None) -> System:
+        changes = {**self.changes, **changes}
         if time is not None:
-            changes = {**changes, "time": time.isoformat()}
+            changes["time"] = time.isoformat()
         try:
             return changed_system(self.tables, self.file, self.folder, changes)
         except ParameterError as error:

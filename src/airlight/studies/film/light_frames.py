@@ -16,7 +16,7 @@ from airlight.scene.directions import direction
 FloatArray = NDArray[np.float64]
 
 #: Largest angle by which a light moves between two of these frames. [deg]
-STEP: Final = 1.0
+STEP: Final = 0.5
 
 
 def light_directions(scene: Scene) -> FloatArray:

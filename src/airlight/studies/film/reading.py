@@ -104,6 +104,9 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
     mine = {p: value for p, value in changes.items() if p.split(".")[0].split("[")[0] in own}
     own = overridden(own, mine) if mine else own
     rest = {path: value for path, value in changes.items() if path not in mine}
+    bodies = [f"{one.get('name')}." for one in what.get("bodies", []) if isinstance(one, dict)]
+    of_bodies = {path: v for path, v in rest.items() if path.startswith(tuple(bodies))}
+    rest = {path: value for path, value in rest.items() if path not in of_bodies}
     what = overridden(what, rest) if rest else what
     plan = FilmPlan.read(TomlTable(own["film"], "film"))
     if view is not None:
@@ -116,6 +119,7 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
         file=text_file,
         folder=inside,
         view=seen,
+        changes=of_bodies,
         display=_display(own["display"]),
     )
 
