@@ -19,7 +19,7 @@ Float32Array = NDArray[np.float32]
 FloatArray = NDArray[np.float64]
 
 #: Largest number of steps, and its tolerance. [1]
-_STEPS, _TOLERANCE = 30, 0.1
+_STEPS, _TOLERANCE = 30, 0.3
 #: Number of cells up to which other threads cost more time than they save.
 _FEW_CELLS: Final = 40_000
 #: Addition to the diagonal of the balance of blocks, over its largest element. [1]

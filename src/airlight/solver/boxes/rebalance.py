@@ -26,7 +26,7 @@ FloatArray = NDArray[np.float64]
 #: Least optical depth between two cells for diffusion. [1]
 LEAST_DEPTH = 0.15
 #: Largest addition to D, and the optical depths at which it begins and over which it grows.
-_ADDED, _BEGIN, _GROWTH = 0.127, 1.0, 3.0
+_ADDED, _BEGIN, _GROWTH = 1.5, 0.5, 4.0
 #: Largest current over the light of a cell. [1]
 _MOST_LEAVING = 2.0
 #: Least mean radiance, against division by 0. [sr⁻¹]
