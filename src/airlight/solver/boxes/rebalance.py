@@ -17,7 +17,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop, kernel
+from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel.lanes import HALF_LANES, load_half, store_half
 from airlight.solver.boxes.linear import FaceCoefficients, in_chunks
 
 Float32Array = NDArray[np.float32]
@@ -26,7 +27,7 @@ FloatArray = NDArray[np.float64]
 #: Least optical depth between two cells for diffusion. [1]
 LEAST_DEPTH = 0.15
 #: Largest addition to D, and the optical depths at which it begins and over which it grows.
-_ADDED, _BEGIN, _GROWTH = 0.127, 1.0, 3.0
+_ADDED, _BEGIN, _GROWTH = 1.5, 0.5, 4.0
 #: Largest current over the light of a cell. [1]
 _MOST_LEAVING = 2.0
 #: Least mean radiance, against division by 0. [sr⁻¹]
@@ -229,46 +230,52 @@ def correct(first, last, cells, coefficients, change, moments, shares):
     """
     widths = cells.widths
     _, (low_x, low_y, low_z), (high_x, high_y, high_z) = coefficients
-    levels, ny, nx, lanes = change.shape
-    before, after = moments
+    levels, ny, nx, _ = change.shape
+    before, after = moments[0].reshape(-1), moments[1].reshape(-1)
     terms = shares.shape[1]
+    changes = change.reshape(-1)
+    gains = (low_x.reshape(-1), low_y.reshape(-1), low_z.reshape(-1))
+    losses = (high_x.reshape(-1), high_y.reshape(-1), high_z.reshape(-1))
+    half_x, half_y = np.float32(0.5 * widths[0]), np.float32(0.5 * widths[1])
+    half = np.float32(0.5)
     for k in range(first, last):
         for y in range(ny):
             south, north = (y - 1 if y > 0 else ny - 1), (y + 1 if y + 1 < ny else 0)
             for x in range(nx):
                 west, east = (x - 1 if x > 0 else nx - 1), (x + 1 if x + 1 < nx else 0)
-                for w in range(lanes):
-                    here = change[k, y, x, w]
-                    along_x = low_x[k, y, x, w] * here
-                    along_x -= high_x[k, y, x, w] * change[k, y, east, w]
-                    along_x += low_x[k, y, west, w] * change[k, y, west, w]
-                    along_x -= high_x[k, y, west, w] * here
-                    along_y = low_y[k, y, x, w] * here
-                    along_y -= high_y[k, y, x, w] * change[k, north, x, w]
-                    along_y += low_y[k, south, x, w] * change[k, south, x, w]
-                    along_y -= high_y[k, south, x, w] * here
-                    along_z = low_z[k, y, x, w] * here
-                    if k + 1 < levels:
-                        along_z -= high_z[k, y, x, w] * change[k + 1, y, x, w]
-                    if k > 0:
-                        along_z += low_z[k - 1, y, x, w] * change[k - 1, y, x, w]
-                        along_z -= high_z[k - 1, y, x, w] * here
-                    along_x *= np.float32(0.5 * widths[0])
-                    along_y *= np.float32(0.5 * widths[1])
-                    along_z *= np.float32(0.5)
-                    for t in range(terms):
-                        before[k, y, x, t, w] += (
-                            shares[0, t, 0] * here
-                            + shares[0, t, 1] * along_x
-                            + shares[0, t, 2] * along_y
-                            + shares[0, t, 3] * along_z
-                        )
-                        after[k, y, x, t, w] += (
-                            shares[1, t, 0] * here
-                            + shares[1, t, 1] * along_x
-                            + shares[1, t, 2] * along_y
-                            + shares[1, t, 3] * along_z
-                        )
+                row = (k * ny + y) * nx
+                at = (row + x) * HALF_LANES
+                here = load_half(changes, at)
+                along_x = _through(at, (row + east) * HALF_LANES, gains[0], losses[0], changes)
+                along_x += _through((row + west) * HALF_LANES, at, gains[0], losses[0], changes)
+                beyond = ((k * ny + north) * nx + x) * HALF_LANES
+                along_y = _through(at, beyond, gains[1], losses[1], changes)
+                beyond = ((k * ny + south) * nx + x) * HALF_LANES
+                along_y += _through(beyond, at, gains[1], losses[1], changes)
+                along_z = load_half(gains[2], at) * here
+                if k + 1 < levels:
+                    beyond = at + ny * nx * HALF_LANES
+                    along_z = _through(at, beyond, gains[2], losses[2], changes)
+                if k > 0:
+                    beyond = at - ny * nx * HALF_LANES
+                    along_z += _through(beyond, at, gains[2], losses[2], changes)
+                along_x, along_y, along_z = half_x * along_x, half_y * along_y, half * along_z
+                for t in range(terms):
+                    place = at * terms + t * HALF_LANES
+                    down = load_half(before, place) + shares[0, t, 0] * here
+                    down += shares[0, t, 1] * along_x + shares[0, t, 2] * along_y
+                    store_half(before, place, down + shares[0, t, 3] * along_z)
+                    up = load_half(after, place) + shares[1, t, 0] * here
+                    up += shares[1, t, 1] * along_x + shares[1, t, 2] * along_y
+                    store_half(after, place, up + shares[1, t, 3] * along_z)
+
+
+@inlined
+def _through(low, high, gains, losses, change):
+    """Net current through the face between two cells by their changes, over the width. [m⁻¹]"""
+    return load_half(gains, low) * load_half(change, low) - (
+        load_half(losses, low) * load_half(change, high)
+    )
 
 
 @compiled_loop
