@@ -44,8 +44,8 @@ class CloudField:
     interpolated : bool
         Whether extinction is linear between the centres of cells, rather than constant in a cell.
     trail : float
-        Trails of falling crystals: their displacement to the west over the square of the depth
-        below the top; detail of pictures below the cells follows them. [m⁻¹]
+        Trails of falling crystals (``fibres``): their displacement to the west over the square of
+        the depth below the top; detail of pictures below the cells follows them. [m⁻¹]
 
     Raises
     ------

@@ -2,7 +2,8 @@
 
 Crystals leave heads at the top and fall at a constant speed v through the sheared wind, so that a
 trail is displaced by -s Δh²/(2 v) at the depth Δh below its head (Heymsfield 1975, JAS 32, 799),
-spreads, and sublimates towards the base.
+spreads, and sublimates towards the base. The wind below the heads turns: trails are hooks, which no
+line of sight follows from end to end.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ FloatArray = NDArray[np.float64]
 
 #: Speed of fall of crystals. [m s⁻¹] Heymsfield & Iaquinta (2000), JAS 57, 916: 0.3 to 1 m/s.
 FALL: Final = 0.8
+#: Displacement of the end of a trail to the south over that to the west. [1]
+TURN: Final = 0.3
 
 
 def trail(shear: float) -> float:
@@ -47,9 +50,10 @@ def fibre_extinction(
     for level, fallen in enumerate(below):
         ends = [trail(shear) * max(fallen + side * grid.level, 0.0) ** 2 for side in (-0.5, 0.5)]
         middle, length = 0.5 * (ends[0] + ends[1]), ends[1] - ends[0]
+        aside = TURN * trail(shear) * grid.depth * fallen
         spread = 30.0 + 0.06 * fallen
         response = (
-            np.exp(2j * np.pi * east * middle)
+            np.exp(2j * np.pi * (east * middle + north * aside))
             * np.sinc(east * length)
             * np.exp(-2.0 * (np.pi * spread) ** 2 * (east**2 + north**2))
         )

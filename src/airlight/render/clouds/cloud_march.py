@@ -15,6 +15,7 @@ from math import exp, sqrt
 import numpy as np
 
 from airlight.clouds.cloud_detail import cloud_detail
+from airlight.clouds.fibres import TURN
 from airlight.geometry.vectors import Vec3, dot, minus, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import (
@@ -330,12 +331,13 @@ def detailed_extinction(x, y, z, width, clouds):
         factor = 1.0
         cell = min(clouds.step_x, clouds.step_y)
         if clouds.detailed and width < 0.5 * cell:
-            fallen = (nz - 0.5 - z) * clouds.step_z
-            east, along = x * clouds.step_x, 1.0
+            east, north, along = x * clouds.step_x, y * clouds.step_y, 1.0
             if clouds.trail != 0.0:
+                fallen = (nz - 0.5 - z) * clouds.step_z
                 along = ALONG_TRAIL
                 east = along * (east + clouds.trail * fallen * fallen)
-            detail = cloud_detail(east, y * clouds.step_y, z * clouds.step_z * along, width, cell)
+                north += TURN * clouds.trail * nz * clouds.step_z * fallen
+            detail = cloud_detail(east, north, z * clouds.step_z * along, width, cell)
             factor = detail.factor
             x += detail.east / clouds.step_x
             y += detail.north / clouds.step_y
