@@ -119,12 +119,20 @@ def render(
     layers = zeros((len(elements), height, width, 3), np.float32)
     with timed(kind, rendered * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
         for number, (seen, lit, air, _) in enumerate(pictures):
+            cloudy = None
+            if clouds is not None and air:
+                cloudy = clouds.lit(lit, seen, progress=progress, cancel=cancel)
             renderer = CpuRenderer(
-                lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
+                lit,
+                seen,
+                orders=orders,
+                exact=exact,
+                disc=disc,
+                samples=samples,
+                air=air,
                 stokes=stokes,
-                clouds=None if clouds is None or not air
-                else clouds.lit(lit, seen, progress=progress, cancel=cancel),
-            )  # fmt: skip
+                clouds=cloudy,
+            )
             share = None if progress is None else _shared(progress, number, len(pictures))
             add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
     return Frame.seen_by(

@@ -150,11 +150,9 @@ def solve_clouds(
     def light_at(along: FloatArray) -> FloatArray:
         looking = -np.asarray(along, float)
         count = looking.shape[0]
-        lines = enter_shell(
-            np.full(count, top[0]), looking[:, 2], np.hypot(looking[:, 0], looking[:, 1]),
-            np.full(count, towards[2]), np.clip(looking @ np.array(towards), -1.0, 1.0),
-            medium.bottom_radius, medium.top_radius,
-        )  # fmt: skip
+        r, mu, sine = np.full(count, top[0]), looking[:, 2], np.hypot(looking[:, 0], looking[:, 1])
+        sun, nu = np.full(count, towards[2]), np.clip(looking @ np.array(towards), -1.0, 1.0)
+        lines = enter_shell(r, mu, sine, sun, nu, medium.bottom_radius, medium.top_radius)
         return np.asarray(np.maximum(solution.relative_radiance(lines), 0.0))
 
     def sky_at(along: FloatArray) -> FloatArray:
@@ -168,9 +166,14 @@ def solve_clouds(
         air=_box_air(solution, field.top, chosen),
     )
     box = solve_box(
-        coarse_field(field), optics_at(nm[chosen]), light, quality=quality, cache=cache,
-        progress=progress, cancel=cancel,
-    )  # fmt: skip
+        coarse_field(field),
+        optics_at(nm[chosen]),
+        light,
+        quality=quality,
+        cache=cache,
+        progress=progress,
+        cancel=cancel,
+    )
     depth, base_depth = beam_depths(
         field, towards, medium.bottom_radius, progress=progress, cancel=cancel
     )

@@ -85,6 +85,12 @@ class CloudsAround:
     ) -> CloudLight:
         """Light of the clouds; parameters as those of ``solve_clouds``."""
         return solve_clouds(
-            solution, scene, self.field, self.optics_at, quality=self.quality, cache=self.cache,
-            progress=progress, cancel=cancel,
-        )  # fmt: skip
+            solution,
+            scene,
+            self.field,
+            self.optics_at,
+            quality=self.quality,
+            cache=self.cache,
+            progress=progress,
+            cancel=cancel,
+        )
