@@ -37,11 +37,20 @@ def sky(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Callab
         planet = load_planet("earth", {**changes, "airglow": "none"})
         solution = solve(planet, NM, "preview")
 
-        def seen(zenith: float = 0.0, sun: float = 180.0, **place: float) -> float:
+        def seen(
+            zenith: float = 0.0, sun: float = 180.0, latitude: float = 0.0, longitude: float = 0.0
+        ) -> float:
             camera = Camera(
                 width=1, height=1, field_of_view=1.0, look_zenith=zenith, look_azimuth=180.0
             )
-            scene = Scene(camera=camera, altitude=2.0, sun_zenith=sun, sun_azimuth=270.0, **place)
+            scene = Scene(
+                camera=camera,
+                altitude=2.0,
+                sun_zenith=sun,
+                sun_azimuth=270.0,
+                latitude=latitude,
+                longitude=longitude,
+            )
             return LUMINOUS_EFFICACY * float(luminance(render(solution, scene).rgb[0, 0]))
 
         return seen

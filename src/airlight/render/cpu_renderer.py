@@ -133,9 +133,14 @@ class CpuRenderer:
             from airlight.render.clouds.tables_of_frame import cloud_tables
 
             self._clouds = cloud_tables(
-                self.clouds, self.solution, self.scene, self._tables, self._observer,
-                progress=progress, cancel=cancel,
-            )  # fmt: skip
+                self.clouds,
+                self.solution,
+                self.scene,
+                self._tables,
+                self._observer,
+                progress=progress,
+                cancel=cancel,
+            )
         if self.filled is None or self._is_filled:
             return
         layers = fill_sky_view(

@@ -120,7 +120,13 @@ def render(
     with timed(kind, rendered * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
         for number, (seen, lit, air, light) in enumerate(pictures):
             renderer = CpuRenderer(
-                lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
+                lit,
+                seen,
+                orders=orders,
+                exact=exact,
+                disc=disc,
+                samples=samples,
+                air=air,
                 stokes=stokes,
                 clouds=None if clouds is None or not air
                 else clouds.lit(

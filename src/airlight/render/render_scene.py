@@ -157,9 +157,15 @@ class Renderer:
             metadata["solved_floor"] = f"ground lowered to {requested - scene.altitude:.10g} m"
         with _compiling(device is None and not self.exact and is_always_read(camera), cancel):
             solution = solve_planet(
-                planet, nm, self.quality, polarisation=self.polarisation, cache=self.cache,
-                around=scene.place if self.local else None, progress=progress, cancel=cancel,
-            )  # fmt: skip
+                planet,
+                nm,
+                self.quality,
+                polarisation=self.polarisation,
+                cache=self.cache,
+                around=scene.place if self.local else None,
+                progress=progress,
+                cancel=cancel,
+            )
         names = ("exact", "orders", "disc", "samples", *(["stokes"] if self.stokes else []))
         options = {name: getattr(self, name) for name in names}
         if clouds is not None:

@@ -97,10 +97,9 @@ def add_catalogue(
     discs = [
         (light.direction, light.radius(solution.lights[0].angular_radius)) for light in scene.lights
     ]
-    add_milky_way(
-        rgb, camera, camera.axes, air, solution.lights[0], turned @ axes, discs,
-        _sun(scene.lights[0].direction @ (turned @ axes), solution.lights[0]),
-    )  # fmt: skip
+    star, sky = solution.lights[0], turned @ axes
+    sun = _sun(scene.lights[0].direction @ sky, star)
+    add_milky_way(rgb, camera, camera.axes, air, star, sky, discs, sun)
 
 
 def _sun(direction: FloatArray, source: LightSource) -> Sun:

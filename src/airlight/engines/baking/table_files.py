@@ -52,8 +52,14 @@ _LARGEST: Final = 4_000_000_000
 _LARGEST_PHASES: Final = 250_000_000
 #: Errors of manifests of other programs.
 _DAMAGE: Final = (
-    KeyError, TypeError, ValueError, AttributeError, IndexError, ArithmeticError, MemoryError,
-)  # fmt: skip
+    KeyError,
+    TypeError,
+    ValueError,
+    AttributeError,
+    IndexError,
+    ArithmeticError,
+    MemoryError,
+)
 _READING: Final = {
     "value": "scale * stored, in the table's unit",
     "npz": "array values, axes from slow to fast as in axes, then channels",

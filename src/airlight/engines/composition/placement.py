@@ -206,15 +206,22 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
     tall = 2.0 * stretch * max(centre_y, camera.height - centre_y)
     width, height = max(1, math.ceil(wide)), max(1, math.ceil(tall))
     zenith, azimuth, roll = camera_angles(local)
+    seen = Camera(
+        width=width,
+        height=height,
+        look_zenith=zenith,
+        look_azimuth=azimuth,
+        roll=roll,
+        field_of_view=math.degrees(2.0 * math.atan(0.5 * width / camera.focal_x)),
+    )
     scene = Scene(
-        camera=Camera(
-            width=width, height=height, look_zenith=zenith, look_azimuth=azimuth, roll=roll,
-            field_of_view=math.degrees(2.0 * math.atan(0.5 * width / camera.focal_x)),
-        ),
+        camera=seen,
         altitude=max(altitude, 0.0),
         sun_zenith=math.degrees(math.atan2(float(np.linalg.norm(np.cross(sun, up))), sun @ up)),
-        latitude=latitude, longitude=longitude, sun_azimuth=bearing,
-    )  # fmt: skip
+        latitude=latitude,
+        longitude=longitude,
+        sun_azimuth=bearing,
+    )
     return PinholeView(
         scene=scene,
         left=0.5 * width - centre_x,

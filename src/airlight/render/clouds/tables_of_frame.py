@@ -106,10 +106,15 @@ def cloud_tables(
         air_light=pack(light.air_light),
         window=window,
         air=air_table(
-            solution.geometry, tables, observer, window, (eye, radius, base, top),
-            progress=progress, cancel=cancel,
+            solution.geometry,
+            tables,
+            observer,
+            window,
+            (eye, radius, base, top),
+            progress=progress,
+            cancel=cancel,
         ),
-    )  # fmt: skip
+    )
 
 
 def _scaled(light: CloudLight) -> FloatArray:

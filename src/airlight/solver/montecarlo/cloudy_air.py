@@ -245,9 +245,13 @@ class CloudyAir:
         return place(areas.east, areas.north), np.stack([east, north], axis=1)
 
     def _estimate(
-        self, points: FloatArray, views: FloatArray | None, sun: FloatArray, sides: FloatArray,
+        self,
+        points: FloatArray,
+        views: FloatArray | None,
+        sun: FloatArray,
+        sides: FloatArray,
         hemisphere: int,
-    ) -> Estimate:  # fmt: skip
+    ) -> Estimate:
         """Estimates for points [m], views and the sun's direction [1] in the planet's frame."""
         started = perf_counter()
         medium = self.solution.medium

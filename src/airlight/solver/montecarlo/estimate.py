@@ -199,9 +199,15 @@ def estimate(
 
 
 def _run_block(
-    query: Query, line: int, at: int, air: HistoryOptics, nm: float, block: int,
-    settings: MonteCarloSettings, out: FloatArray,
-) -> None:  # fmt: skip
+    query: Query,
+    line: int,
+    at: int,
+    air: HistoryOptics,
+    nm: float,
+    block: int,
+    settings: MonteCarloSettings,
+    out: FloatArray,
+) -> None:
     """Run one block of histories of one task."""
     start = query.starts[line]
     r, mu, mu_s, nu = (float(one) for one in start)

@@ -124,14 +124,26 @@ def _stored(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def _array(
-    name: str, shape: tuple[int, ...], chunks: tuple[int, ...], kind: str, fill: Any,
-    compressor: Mapping[str, Any] | None, dims: tuple[str, ...], about: Mapping[str, Any],
-) -> dict[str, dict[str, Any]]:  # fmt: skip
+    name: str,
+    shape: tuple[int, ...],
+    chunks: tuple[int, ...],
+    kind: str,
+    fill: Any,
+    compressor: Mapping[str, Any] | None,
+    dims: tuple[str, ...],
+    about: Mapping[str, Any],
+) -> dict[str, dict[str, Any]]:
     array = {
-        "zarr_format": 2, "shape": list(shape), "chunks": list(chunks), "dtype": kind,
-        "compressor": compressor and dict(compressor), "fill_value": fill, "order": "C",
-        "filters": None, "dimension_separator": ".",
-    }  # fmt: skip
+        "zarr_format": 2,
+        "shape": list(shape),
+        "chunks": list(chunks),
+        "dtype": kind,
+        "compressor": compressor and dict(compressor),
+        "fill_value": fill,
+        "order": "C",
+        "filters": None,
+        "dimension_separator": ".",
+    }
     return {f"{name}/.zarray": array, f"{name}/.zattrs": {"_ARRAY_DIMENSIONS": list(dims), **about}}
 
 

@@ -191,10 +191,8 @@ def probed_clouds(
         away = layer_distance(mu, bottom, medium.surface.cloud_altitude)
         spot = scene.ground_frame @ (place + away * towards)
         texel = np.empty(CHANNELS)
-        map_color(
-            overlay.flat, overlay.rows, overlay.columns, len(overlay.levels),
-            *latitude_longitude(Vec3(*spot)), level, texel, 0,
-        )  # fmt: skip
+        size = overlay.rows, overlay.columns, len(overlay.levels)
+        map_color(overlay.flat, *size, *latitude_longitude(Vec3(*spot)), level, texel, 0)
         covers.append(shown * float(texel[CHANNELS - 1]))
     above = scene.altitude > medium.surface.cloud_altitude
     return covers[0] if above else 0.0, covers[1]

@@ -341,8 +341,7 @@ def _ground(
         footprint = scene.camera.pixel_angle * distance / (bottom * math.sqrt(slant))
         level = math.log2(max(footprint * image.rows / math.pi, 1.0))
         color = np.empty(CHANNELS)
-        map_color(
-            image.flat, image.rows, image.columns, len(image.levels), math.radians(latitude),
-            math.radians(longitude), level, color, 0,
-        )  # fmt: skip
+        size = image.rows, image.columns, len(image.levels)
+        here = math.radians(latitude), math.radians(longitude)
+        map_color(image.flat, *size, *here, level, color, 0)
     return distance, latitude, longitude, color

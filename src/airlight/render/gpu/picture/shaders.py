@@ -175,10 +175,16 @@ def sky_mirrored_shader(dialect: ShaderDialect = WGSL) -> Shader:
     emitter = Emitter(dialect)
     view = FRAME.struct_value(ViewUniforms)
     made = emitter.add(
-        mirrored_texel, I32, I32, _whole_window(), view.fields["sky_air"],
-        FRAME.struct_value(Observer), FRAME.struct_value(MarchTables), march_workspace(emitter),
+        mirrored_texel,
+        I32,
+        I32,
+        _whole_window(),
+        view.fields["sky_air"],
+        FRAME.struct_value(Observer),
+        FRAME.struct_value(MarchTables),
+        march_workspace(emitter),
         name="texel_of_sea",
-    )  # fmt: skip
+    )
     return _lut_shader(emitter, "sky_mirrored", made, (0,))
 
 
