@@ -67,7 +67,7 @@ def test_ground_below_a_cloud_without_depth_is_lit_by_the_box(air, zenith):
 
 
 @pytest.fixture(scope="module")
-def overcast(tmp_path_factory):
+def thick(tmp_path_factory):
     """The same planet with a layer of optical depth 10 as a constituent."""
     text = files("airlight").joinpath("planets/presets/earth-atmosphere-plus.toml").read_text()
     cloud = """
@@ -80,7 +80,12 @@ constant_term = 1 }, {}] }
 """
     path = tmp_path_factory.mktemp("planets") / "overcast.toml"
     path.write_text(text + cloud)
-    return solve_planet(load_planet(path), NM, "preview", polarisation=False)
+    return load_planet(path)
+
+
+@pytest.fixture(scope="module")
+def overcast(thick):
+    return solve_planet(thick, NM, "preview", polarisation=False)
 
 
 @pytest.mark.parametrize(
@@ -101,13 +106,13 @@ def test_even_layer_is_that_of_the_one_dimensional_solution(
     np.testing.assert_allclose(seen, look(overcast, zenith, altitude=altitude), rtol=within)
 
 
-def test_a_picture_of_three_wavelengths_has_the_light_of_clouds(air):
-    """The overcast over the clear sky is that of four wavelengths, within their difference."""
-    planet = load_planet("earth-atmosphere-plus")
-    three = solve_planet(planet, (440.0, 550.0, 680.0), "preview", polarisation=False)
-    few, more = (look(one, 0.0, layer(10.0)) / look(one, 0.0) for one in (three, air))
-    np.testing.assert_allclose(few, more, rtol=0.1)
-    assert few[0] > 3.0
+def test_a_picture_of_three_wavelengths_has_the_light_of_clouds(thick):
+    """The one-dimensional solution of the same wavelengths; boxes solve four together."""
+    planet, nm = load_planet("earth-atmosphere-plus"), (440.0, 550.0, 680.0)
+    air, overcast = (
+        solve_planet(one, nm, "preview", polarisation=False) for one in (planet, thick)
+    )
+    np.testing.assert_allclose(look(air, 0.0, layer(10.0)), look(overcast, 0.0), rtol=0.06)
 
 
 def test_overcast_zenith_is_brighter_than_the_horizon(air):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import xarray
@@ -52,11 +54,14 @@ def test_a_planet_alone_in_a_scene_has_the_clouds_of_its_picture(
         bodies=(Body(name="earth", planet=PLANET),),
         lights=(Light(star=airlight.Star(spectrum="astm-g173"), direction=tuple(sun)),),
         observer=SceneObserver(body="earth"),
-        view=View(look_zenith=45.0, look_bearing=80.0, field_of_view=30.0),
+        view=View(look_zenith=40.5, look_bearing=90.0, field_of_view=4.0),
         changes={"earth": {"clouds": clouds}},
     )
-    got = render_system(system, **SIZE, wavelengths=NM, quality="preview").rgb
-    seen = Camera(**SIZE, field_of_view=30.0, look_zenith=45.0, look_azimuth=-10.0)
+    got, alone = (
+        render_system(one, **SIZE, wavelengths=NM, quality="preview").rgb
+        for one in (system, replace(system, changes={}))
+    )
+    seen = Camera(**SIZE, field_of_view=4.0, look_zenith=40.5, look_azimuth=0.0)
     scene = Scene(camera=seen, sun_zenith=40.0, sun_azimuth=90.0, ground="detailed")
     planet = airlight.load_planet(PLANET, {"clouds": clouds})
     wanted, clear = (
@@ -66,7 +71,9 @@ def test_a_planet_alone_in_a_scene_has_the_clouds_of_its_picture(
     disc = clear.max(axis=-1) > 20.0 * np.median(clear)
     assert disc.any()
     assert_allclose(got[~disc], wanted[~disc], rtol=2e-3)
-    assert_allclose(got[disc].sum(0), wanted[disc].sum(0), rtol=0.03)
+    dimmed = wanted[disc].sum(0) / clear[disc].sum(0)
+    # noise below the cells is sampled once in a pixel there, and sixteen times here
+    assert_allclose(got[disc].sum(0) / alone[disc].sum(0), dimmed, rtol=0.05)
     assert wanted[disc].max() < 0.7 * clear[disc].max()
 
 
