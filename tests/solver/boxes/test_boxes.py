@@ -122,15 +122,39 @@ def test_optically_thick_cells_beside_clear_ones_converge(beyond):
     assert np.all(found.moments[..., 0, :] > 0.0)
 
 
-def test_cells_that_are_far_too_coarse_are_refused():
-    with pytest.raises(ConvergenceError, match="optical depths"):
-        solve_box(_slab(1000.0, 16), _optics(), _light(60.0), quality="preview", cache=False)
+@pytest.mark.parametrize(("quality", "within"), [("preview", 0.04), ("default", 0.02)])
+def test_thick_layers_let_through_what_diffusion_does(quality, within):
+    # T = (3/7)(1 + 2 µ)/(3/4 (1 - g) τ + 1.07) of a conservative layer over black ground (King 1987,
+    # J. Atmos. Sci. 44, 1734); cells of scaled optical depth 3.
+    found = solve_box(_slab(100.0, 16), _optics(), _light(60.0), quality=quality, cache=False)
+    assert found.report.sweeps < 20
+    assert_allclose(found.report.energy, 0.0, atol=5e-3)
+    expected = 0.5 * (3.0 / 7.0) * 2.0 / (0.75 * 0.15 * 100.0 + 1.07)
+    assert_allclose(found.down + found.direct, expected, rtol=within)
+
+
+def test_wide_cells_of_a_thick_layer_converge():
+    # Cells ten times as wide as deep, horizontally of scaled optical depth 1 to 10.
+    random = np.random.default_rng(5)
+    columns = 0.06 * np.exp(random.normal(size=(12, 12, 1)) * 0.6)
+    cells = np.repeat(columns, 16, axis=2).astype(np.float32)
+    field = _clumps(extinction=cells, spacing=(200.0, 200.0, 20.0))
+    found = solve_box(field, _optics(), _light(60.0, 0.1), quality="preview", cache=False)
+    assert found.report.sweeps < 25
+    assert_allclose(found.report.energy, 0.0, atol=5e-3)
+
+
+def test_light_that_does_not_converge_is_refused():
+    quality = replace(settings_for("preview"), max_sweeps=2)
+    with pytest.raises(ConvergenceError, match="still changes"):
+        solve_box(_slab(100.0, 16), _optics(), _light(60.0), quality=quality, cache=False)
 
 
 def test_light_that_converges_slowly_is_warned_of(monkeypatch):
     monkeypatch.setattr("airlight.solver.boxes.iterate._REJECTED", 1.0)
+    quality = replace(settings_for("preview"), max_sweeps=2)
     with pytest.warns(AirlightWarning, match="still changes"):
-        solve_box(_slab(1000.0, 16), _optics(), _light(60.0), quality="preview", cache=False)
+        solve_box(_slab(100.0, 16), _optics(), _light(60.0), quality=quality, cache=False)
 
 
 def test_a_field_without_matter_changes_nothing():

@@ -8,7 +8,7 @@ from airlight.clouds.cloud_optics import CloudOptics
 from airlight.kernel import compiled_loop
 from airlight.planets.matter.phases.formulas import HenyeyGreenstein
 from airlight.solver.boxes.beam import BeamCells, centred, depth_towards, middle_of_exponential
-from airlight.solver.boxes.directions import directions, harmonics
+from airlight.solver.boxes.directions import directions, harmonics, parities
 from airlight.solver.boxes.forward_peak import ANGLES, LARGEST_ROOT, ROOTS, peak_table
 
 
@@ -18,6 +18,13 @@ def test_harmonics_are_orthonormal():
     functions = harmonics(vectors.reshape(-1, 3), 4)
     product = np.einsum("n,na,nb->ab", weights.ravel(), functions, functions)
     assert_allclose(product, np.eye(25), atol=1e-12)
+
+
+def test_harmonics_change_their_sign_between_octants_by_their_class():
+    way, kinds = np.array([0.48, -0.6, 0.64]), parities(5)
+    for axis, odd in ((0, kinds % 2), (1, kinds // 2)):
+        mirrored = np.where(np.arange(3) == axis, -way, way)
+        assert_allclose(harmonics(mirrored, 5), np.where(odd, -1.0, 1.0) * harmonics(way, 5))
 
 
 def test_first_harmonics_are_direction_cosines():

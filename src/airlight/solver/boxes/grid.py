@@ -59,6 +59,8 @@ class BoxGrid:
     def coarse(self, values: Float32Array) -> Float32Array:
         """Means over the cells of the field of an array (levels, ny, nx, ...)."""
         x, y, z = self.refinement
+        if self.refinement == (1, 1, 1):
+            return values[: len(values) - self.above]
         below, above = values[: self.below], values[self.below : len(values) - self.above]
         shape = above.shape
         parts = above.reshape(shape[0] // z, z, *shape[1:]).mean(axis=1, dtype=np.float32)

@@ -239,12 +239,7 @@ class BoxIteration:
         """Fill the moments with the light of diffusion."""
         phi = np.zeros_like(self.beam)
         coefficients = coefficients_for(self.balanced, self.light.currents, phi, first=True)
-        forward = self._scattered_forward()
-        along = self._beam_currents(forward)
-        gain = self.gain.copy()
-        for axis, (current, width) in enumerate(along):
-            gain -= (current - np.roll(current, 1, axis=axis)) / width
-        phi = solve_linear(coefficients, self.thickness, gain, phi)
+        phi = solve_linear(coefficients, self.thickness, self._gain_of_diffusion(), phi)
         np.maximum(phi, 0.0, out=phi)
         in_chunks(
             lambda a, b: correct(
@@ -255,6 +250,7 @@ class BoxIteration:
         )
         direction = -np.array(self.problem.towards)
         currents = np.einsum("hti,i->ht", self.shares[:, :, 1:], direction).astype(np.float32)
+        forward = self._scattered_forward()
         given = forward, currents, self.light.moments
         in_chunks(lambda a, b: add_currents(a, b, *given), len(forward), forward.size // 4)
         if self.problem.grid.periodic:
@@ -268,6 +264,13 @@ class BoxIteration:
         forward *= self.beam
         least = 1.0 / np.float32(grid.edges[-1] - grid.edges[0])
         return np.asarray(forward / np.maximum(self.balanced.transport, least))
+
+    def _gain_of_diffusion(self) -> Float32Array:
+        """Gain of cells without the divergence of currents by forward scattering. [m⁻¹]"""
+        gain = self.gain.copy()
+        for axis, (current, width) in enumerate(self._beam_currents(self._scattered_forward())):
+            gain -= (current - np.roll(current, 1, axis=axis)) / width
+        return gain
 
     def _beam_currents(self, forward: Float32Array) -> list[tuple[Float32Array, Any]]:
         """Net currents by forward scattering through upper faces, and cell widths. [1], [m]"""

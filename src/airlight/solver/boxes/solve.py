@@ -81,7 +81,7 @@ def solve_box(
     CostError
         If the solution does not fit into free memory.
     ConvergenceError
-        If the sweeps do not converge: cells of scaled optical depth above about 10 are too coarse.
+        If the sweeps do not converge.
     """
     settings = settings_for(quality)
     count = np.size(optics.wavelengths)
@@ -139,10 +139,19 @@ def _computed(
             grid, optics_here, light.towards, ground[some], by_octant[..., some], depth
         )
         sides = None if grid.periodic else _sides(problem, settings)
-        # Without a name, so that its workspace is free when the moments are copied.
-        levels = BoxIteration(problem, settings, sides).run(progress=progress, cancel=cancel)
-        parts.append(_BoxPart.of(levels, grid, settings, some.stop - some.start))
-    joined = [np.concatenate(one, axis=-1) for one in zip(*parts, strict=True)]
+        # Without names, so that workspaces are free when moments are copied.
+        parts.append(
+            _BoxPart.of(
+                BoxIteration(problem, settings, sides).run(progress=progress, cancel=cancel),
+                grid,
+                settings,
+                some.stop - some.start,
+            )
+        )
+    joined = [
+        one[0] if len(one) == 1 else np.concatenate(one, axis=-1)
+        for one in zip(*parts, strict=True)
+    ]
     moments, down, direct, up, absorbed, residual, energy, sweeps = joined
     report = Report(
         solver="boxes",
