@@ -101,6 +101,16 @@ def test_even_layer_is_that_of_the_one_dimensional_solution(
     np.testing.assert_allclose(seen, look(overcast, zenith, altitude=altitude), rtol=within)
 
 
+@pytest.mark.parametrize(("zenith", "within"), [(75.0, 0.04), (85.0, 0.15)])
+def test_overcast_falls_towards_the_horizon_as_in_one_dimension(air, overcast, zenith, within):
+    """The source is linear down to the base: constant in its lowest half level, 6 and 21 %."""
+    seen, expected = (
+        look(one, zenith, clouds)[1] / look(one, 0.0, clouds)[1]
+        for one, clouds in ((air, layer(10.0)), (overcast, None))
+    )
+    assert seen == pytest.approx(expected, rel=within)
+
+
 def test_overcast_zenith_is_brighter_than_the_horizon(air):
     """The CIE standard overcast sky has (1 + 2 cos θ)/3: 2.2 at 80°, above dark ground."""
     zenith, low = (look(air, angle, layer(10.0))[0] for angle in (0.0, 80.0))
