@@ -115,6 +115,16 @@ def test_a_picture_of_three_wavelengths_has_the_light_of_clouds(thick):
     np.testing.assert_allclose(look(air, 0.0, layer(10.0)), look(overcast, 0.0), rtol=0.06)
 
 
+@pytest.mark.parametrize(("zenith", "within"), [(75.0, 0.04), (85.0, 0.15)])
+def test_overcast_falls_towards_the_horizon_as_in_one_dimension(air, overcast, zenith, within):
+    """The source is linear down to the base: constant in its lowest half level, 6 and 21 %."""
+    seen, expected = (
+        look(one, zenith, clouds)[1] / look(one, 0.0, clouds)[1]
+        for one, clouds in ((air, layer(10.0)), (overcast, None))
+    )
+    assert seen == pytest.approx(expected, rel=within)
+
+
 def test_overcast_zenith_is_brighter_than_the_horizon(air):
     """The CIE standard overcast sky has (1 + 2 cos θ)/3: 2.2 at 80°, above dark ground."""
     zenith, low = (look(air, angle, layer(10.0))[0] for angle in (0.0, 80.0))

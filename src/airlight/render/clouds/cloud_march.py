@@ -405,7 +405,10 @@ def add_step(ray, point, extinction, step, half_sine, clouds, tables, work):
     mz, my, mx, _, _ = clouds.source.shape
     i, ex = cell_before((x + 0.5) * mx / nx - 0.5, mx, clouds.periodic)
     j, ey = cell_before((y + 0.5) * my / ny - 0.5, my, clouds.periodic)
-    k, ez = cell_before((z + 0.5) * mz / nz - 0.5, mz, False)
+    # linear also in the outer halves of the lowest and the highest levels
+    level = (z + 0.5) * mz / nz - 0.5
+    k = min(max(int(level), 0), max(mz - 2, 0))
+    ez = level - k
     right, back = cell_after(i, mx, clouds.periodic), cell_after(j, my, clouds.periodic)
     above = min(k + 1, mz - 1)
     source = lane_view(clouds.source)
@@ -419,7 +422,7 @@ def add_step(ray, point, extinction, step, half_sine, clouds, tables, work):
             * (ey if corner & 2 else 1.0 - ey)
             * (ez if corner & 4 else 1.0 - ez)
         )
-        if weight > 0.0:
+        if weight != 0.0:
             part = splat(0.0)
             for n in range(clouds.source.shape[3]):
                 factor = pair(
