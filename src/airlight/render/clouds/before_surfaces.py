@@ -12,7 +12,8 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, exponential, lane_view, load, store
 from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
-from airlight.render.clouds.cloud_march import add_clouds, beam_depth_at, line_of_air
+from airlight.render.clouds.cloud_march import add_clouds, line_of_air
+from airlight.render.clouds.cloud_place import beam_depth_at
 from airlight.render.clouds.cloud_tables import CloudTables, new_cloud_work
 from airlight.render.clouds.sight_extent import (
     SightExtent,

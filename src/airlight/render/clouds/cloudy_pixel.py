@@ -14,7 +14,8 @@ from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, lane_view, load, maximum, splat, store
 from airlight.render.clouds.beam_depth import cell_after, cell_before
-from airlight.render.clouds.cloud_march import add_clouds, beam_depth_at, box_place, line_of_air
+from airlight.render.clouds.cloud_march import add_clouds, line_of_air
+from airlight.render.clouds.cloud_place import beam_depth_at, box_place
 from airlight.render.clouds.cloud_tables import CloudTables, CloudWork
 from airlight.render.clouds.sight_extent import sight_extent
 from airlight.render.pixels.ground_angles import ground_angles
