@@ -43,7 +43,7 @@ FloatArray = NDArray[np.float64]
 HISTORIES_LIMIT: Final = 1.0
 BOXES_LIMIT: Final = 5.0
 #: Monte Carlo standard error of a pixel over its value. [1]
-PIXEL_ERROR: Final = 0.02
+PIXEL_ERROR: Final = 0.04
 #: Wavelength, to which nothing is sensitive. [nm]
 _WAVELENGTH: Final = 550.0
 #: Clear cells on each side of the cloud of the box, over its width: slanted lines of sight meet
