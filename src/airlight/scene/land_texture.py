@@ -40,8 +40,8 @@ SLOPE: Final = 0.08
 #: Standard deviation of the heights of one octave that displace finer ones: less than slopes
 #: state, so that no far side is seen through a near one. [cell]
 HEIGHT: Final = 0.014
-#: Height of stones and tufts of the finest octave that is shown, and number of its parts, at whose
-#: ends a line of sight is compared with them: they hide what is behind them. [cell]
+#: Height of stones and tufts of the finest octave that is shown, and number of heights at which a
+#: line of sight is compared with theirs: they hide what is behind them. [cell]
 TALL: Final = 0.3
 LEVELS: Final = 5
 #: Largest cells with slopes over the finest of ``ground_detail``: 7 m on Earth.
@@ -145,7 +145,7 @@ def met_height(x, y, z, lean, tallest):
         Largest height. [cell]
     """
     step = tallest / LEVELS
-    level, above, found = tallest - step, step, 0.0
+    level, above, found = tallest, 1.0, 0.0
     while level > 0.5 * step:
         place = plus(Vec3(x, y, z), scaled(lean, level))
         height = tallest * max(smooth_noise(place.x, place.y, place.z), 0.0)
