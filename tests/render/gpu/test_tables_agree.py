@@ -415,7 +415,7 @@ WHOLE = {
     "test_gpu_renderer.py::test_a_filter_lets_the_same_light_through_as_the_cpu_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",
         "polarised_between", "polarised_ratio_columns",
-        "filter_shares",
+        "filter_shares", "filtered",
     ),
     "test_gpu_renderer.py::test_the_shader_fills_the_table_as_the_cpu_does": (
         "sky_view_texel", "line_of_texel",

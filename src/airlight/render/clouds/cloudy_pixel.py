@@ -21,11 +21,11 @@ from airlight.render.clouds.sight_extent import sight_extent
 from airlight.render.pixels.ground_angles import ground_angles
 from airlight.render.pixels.pixel import (
     disc_light,
+    filtered,
     line_radiance,
     seen_disc,
     seen_line,
 )
-from airlight.render.pixels.polarising_filter import filter_shares
 from airlight.render.pixels.render_cpu import each_pixel
 from airlight.render.pixels.sky_lookup import classify_ray, sky_view_place
 from airlight.render.pixels.sky_view_lut import half_sine_between
@@ -73,9 +73,6 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
         line_of_air(ray, half_sine, place, extent, clouds, tables, front)
         add_clouds(ray, half_sine, extent, clouds, tables, front)
     seen = seen_line(ray, found, exact, frame, air_work, color)
-    whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
-    if view.filter > 0:
-        whole, stokes_q, stokes_u = filter_shares(ray, view)
     if seen.through_air and seen.to_ground:
         mu_s, _, _ = ground_angles(ray.x, ray.z, found.sine, seen.refraction, observer, tables)
         ground_light(mu_s, observer.orders, tables, air_work)
@@ -85,17 +82,12 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
         air = maximum(radiance[0] - light[3], 0.0)
         total = line_radiance(air, seen, color, frame, air_work, at)
         total = light[0] + light[1] * total
-        if view.filter > 0:
-            total = total * np.float32(whole)
-            if seen.through_air:
-                total = total + light[1] * radiance[4] * np.float32(stokes_q)
-                total = total + light[1] * radiance[5] * np.float32(stokes_u)
-        store(result, at, total)
+        store(result, at, filtered(total, light[1], seen, view, air_work, at))
     if view.draws_disc and not seen.to_ground:
         powers, place = seen_disc(px, py, ray, frame, air_work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
-                disc = disc_light(powers, place, whole, tables, air_work.columns_total, at)
+                disc = disc_light(powers, place, seen.whole, tables, air_work.columns_total, at)
                 disc = disc * lane_view(front.light, at)[2]
                 store(result, at, load(result, at) + disc)
 

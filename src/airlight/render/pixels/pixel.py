@@ -134,6 +134,8 @@ class SeenLine(NamedTuple):
         Reflectances of the ground.
     glow, lit : Vec3
         Arguments of ``night_light``.
+    whole, stokes_q, stokes_u : float
+        Weights of I, Q and U, ``filter_shares``. [1]
     """
 
     through_air: bool
@@ -143,6 +145,9 @@ class SeenLine(NamedTuple):
     factors: GroundFactors
     glow: Vec3
     lit: Vec3
+    whole: float
+    stokes_q: float
+    stokes_u: float
 
 
 @inlined
@@ -172,7 +177,12 @@ def seen_line(ray, found, exact, frame, work, color):
     if dark:
         glow = plus(glow, airglow_color(ray, found.sine, to_ground, frame, work.columns_total))
         lit = airglow_on_ground(view)
-    return SeenLine(through_air, to_ground, dark, refraction, factors, glow, lit)
+    whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
+    if view.filter > 0:
+        whole, stokes_q, stokes_u = filter_shares(ray, view)
+    return SeenLine(
+        through_air, to_ground, dark, refraction, factors, glow, lit, whole, stokes_q, stokes_u
+    )
 
 
 @inlined
@@ -221,7 +231,7 @@ def ground_radiance(white, factors, color, frame, work, at):
 
 @inlined
 def line_radiance(air, seen, color, frame, work, at):
-    """Spectral radiance along a line of sight, without disc and filter. [sr⁻¹]
+    """Spectral radiance along a line of sight, without the disc and the filter. [sr⁻¹]
 
     Parameters
     ----------
@@ -243,6 +253,26 @@ def line_radiance(air, seen, color, frame, work, at):
         total = total + night_light(
             seen.glow, seen.lit, seen.to_ground, color, view, tables, work.columns_total, at
         )
+    return total
+
+
+@inlined
+def filtered(total, clear, seen, view, work, at):
+    """Radiance behind the polarising filter. [sr⁻¹]
+
+    Parameters
+    ----------
+    total, clear : lanes
+        Radiance before it [sr⁻¹], and transmittance of the clouds before the air [1].
+    seen, view, work, at :
+        Arguments of ``line_radiance``, and the camera.
+    """
+    radiance = lane_view(work.radiance, at)
+    if view.filter > 0:
+        total = total * np.float32(seen.whole)
+        if seen.through_air:
+            total = total + clear * radiance[4] * np.float32(seen.stokes_q)
+            total = total + clear * radiance[5] * np.float32(seen.stokes_u)
     return total
 
 
@@ -306,21 +336,13 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
     view, tables = frame.camera, frame.tables
     found = classify_ray(ray, frame.observer, tables)
     seen = seen_line(ray, found, exact, frame, work, color)
-    whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
-    if view.filter > 0:
-        whole, stokes_q, stokes_u = filter_shares(ray, view)
     for at in range(0, tables.lanes, LANES):
         radiance = lane_view(work.radiance, at)
         total = line_radiance(radiance[0], seen, color, frame, work, at)
-        if view.filter > 0:
-            total = total * np.float32(whole)
-            if seen.through_air:
-                total = total + radiance[4] * np.float32(stokes_q)
-                total = total + radiance[5] * np.float32(stokes_u)
-        store(result, at, total)
+        store(result, at, filtered(total, splat(1.0), seen, view, work, at))
     if view.draws_disc and not seen.to_ground:
         powers, place = seen_disc(px, py, ray, frame, work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
-                disc = disc_light(powers, place, whole, tables, work.columns_total, at)
+                disc = disc_light(powers, place, seen.whole, tables, work.columns_total, at)
                 store(result, at, load(result, at) + disc)
