@@ -15,7 +15,6 @@ from airlight.errors import ParameterError
 from airlight.image.upsampling import reflectance_basis
 from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.optics.density_profile import DensitySegments
-from airlight.physics.optics.droplet_layer import droplet_layer, no_layer
 from airlight.physics.optics.effective_top import effective_top
 from airlight.physics.optics.layer_edges import ThinLayer, thin_layers
 from airlight.physics.optics.reflection import WHITE, Reflection
@@ -129,13 +128,8 @@ class Medium:
     @property
     def lights(self) -> tuple[LightSource, ...]:
         """Light sources at the wavelengths of the medium."""
-        star = LightSource(
-            name="star",
-            angular_radius=self.star_angular_radius,
-            wavelengths=self.wavelengths,
-            irradiance=self.solar_irradiance,
-        )
-        return (star,)
+        radius, nm, light = self.star_angular_radius, self.wavelengths, self.solar_irradiance
+        return (LightSource(name="star", angular_radius=radius, wavelengths=nm, irradiance=light),)
 
     def with_light(self, source: LightSource) -> Medium:
         """Medium under another light source at the same wavelengths."""
@@ -146,10 +140,7 @@ class Medium:
     @property
     def ground(self) -> Reflection:
         """Reflection by the ground, at all wavelengths, with the layer of clouds that are seen."""
-        depth = self.surface.cloud_optical_depth
-        layer = no_layer(self.wavelengths.size)
-        if self.surface.overlay[1] is not None:
-            layer = droplet_layer(depth, self.wavelengths)
+        layer = self.surface.layer(self.wavelengths)
         return self.reflection._replace(albedo=self.ground_albedo, layer=layer)
 
     @classmethod

@@ -5,6 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+import numpy as np
+import numpy.typing as npt
+
+from airlight.physics.optics.droplet_layer import DropletLayer, droplet_layer, no_layer
+
 if TYPE_CHECKING:
     from airlight.planets.ground import Ground
 
@@ -53,6 +58,12 @@ class Surface:
             cloud_optical_depth=ground.cloud_optical_depth,
             airglow=airglow,
         )
+
+    def layer(self, wavelengths: npt.NDArray[np.float64]) -> DropletLayer:
+        """Layer of the clouds that are seen, at wavelengths [nm]; without droplets if none are."""
+        if self.overlay[1] is None:
+            return no_layer(wavelengths.size)
+        return droplet_layer(self.cloud_optical_depth, wavelengths)
 
     @property
     def overlay(self) -> tuple[str | None, str | None, str | None]:
