@@ -216,13 +216,6 @@ def test_a_composition_has_the_display_and_the_sun_of_a_picture(
     assert_allclose(light[0] / light[1], 0.98329**-2, rtol=2e-3)
 
 
-def test_clouds_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    color, out = one_part(tmp_path / "color.exr", passes()), tmp_path / "out.exr"
-    words = ["compose", str(color), "--camera", str(camera(tmp_path)), "-o", str(out), *QUICK]
-    assert main([*words, "--set", 'clouds=[{ kind = "cumulus" }]']) == 2
-    assert "clouds cannot be used by" in capsys.readouterr().err
-
-
 @pytest.mark.slow
 def test_clouds_are_behind_a_near_surface_and_change_the_sky(tmp_path: Path) -> None:
     """A wide even layer 1 km above a ball 100 m away; the light of the ball is the picture's."""
