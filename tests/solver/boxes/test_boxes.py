@@ -124,8 +124,8 @@ def test_optically_thick_cells_beside_clear_ones_converge(beyond):
 
 @pytest.mark.parametrize(("quality", "within"), [("preview", 0.04), ("default", 0.02)])
 def test_thick_layers_let_through_what_diffusion_does(quality, within):
-    # T = (3/7)(1 + 2 µ)/(3/4 (1 - g) τ + 1.07) of a conservative layer over black ground (King 1987,
-    # J. Atmos. Sci. 44, 1734); cells of scaled optical depth 3.
+    # T = (3/7)(1 + 2 µ)/(3/4 (1 - g) τ + 1.07) of a conservative layer over black ground, King
+    # (1987), J. Atmos. Sci. 44, 1734; cells of scaled optical depth 3.
     found = solve_box(_slab(100.0, 16), _optics(), _light(60.0), quality=quality, cache=False)
     assert found.report.sweeps < 20
     assert_allclose(found.report.energy, 0.0, atol=5e-3)

@@ -46,9 +46,12 @@ class LightRenderer:
         self.colors = solution.lights[0].colors()
         self._air = PathRadiance(solution, scene)
         self._renderer = CpuRenderer(
-            solution, scene, exact=exact, disc=disc,
+            solution,
+            scene,
+            exact=exact,
+            disc=disc,
             clouds=None if clouds is None else clouds.lit(solution, scene),
-        )  # fmt: skip
+        )
         self._filled = False
         r = solution.medium.bottom_radius + scene.altitude
         self._relight = Relight(solution, r, scene.sun_direction)

@@ -80,9 +80,16 @@ class CloudsBefore:
             part = slice(k * _BLOCK, (k + 1) * _BLOCK)
             works = new_cloud_work(self._clouds), new_cloud_work(self._clouds)
             _before(
-                rays[part], distances[part], self._observer, self._clouds, self._without_shadows,
-                self._tables, works[0], works[1], out[part],
-            )  # fmt: skip
+                rays[part],
+                distances[part],
+                self._observer,
+                self._clouds,
+                self._without_shadows,
+                self._tables,
+                works[0],
+                works[1],
+                out[part],
+            )
 
         run_blocks(run, -(-len(rays) // _BLOCK))
         light, through, lost = (out[:, k, : self._count].astype(float) for k in range(3))

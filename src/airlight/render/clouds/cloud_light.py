@@ -157,10 +157,14 @@ def incident(
         looking = -np.asarray(along, float)
         count = looking.shape[0]
         lines = enter_shell(
-            np.full(count, top[0]), looking[:, 2], np.hypot(looking[:, 0], looking[:, 1]),
-            np.full(count, towards[2]), np.clip(looking @ np.array(towards), -1.0, 1.0),
-            medium.bottom_radius, medium.top_radius,
-        )  # fmt: skip
+            np.full(count, top[0]),
+            looking[:, 2],
+            np.hypot(looking[:, 0], looking[:, 1]),
+            np.full(count, towards[2]),
+            np.clip(looking @ np.array(towards), -1.0, 1.0),
+            medium.bottom_radius,
+            medium.top_radius,
+        )
         return np.asarray(np.maximum(solution.relative_radiance(lines), 0.0))
 
     return Incident(
@@ -216,9 +220,14 @@ def solve_clouds(
 
     def box_under(one: Incident) -> BoxSolution:
         return solve_box(
-            coarse, optics_at(nm[chosen]), _box_light(solution, field, one, chosen),
-            quality=quality, cache=cache, progress=progress, cancel=cancel,
-        )  # fmt: skip
+            coarse,
+            optics_at(nm[chosen]),
+            _box_light(solution, field, one, chosen),
+            quality=quality,
+            cache=cache,
+            progress=progress,
+            cancel=cancel,
+        )
 
     if solved_at:
         suns = [(weight, sun_over(field, one)) for weight, one in solved_at]

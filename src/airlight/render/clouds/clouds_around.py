@@ -120,9 +120,16 @@ class CloudsAround:
 
         def make() -> tuple[Any, CloudLight]:
             found = solve_clouds(
-                solution, scene, self.field, self.optics_at, solved_at=nodes,
-                quality=self.quality, cache=self.cache, progress=progress, cancel=cancel,
-            )  # fmt: skip
+                solution,
+                scene,
+                self.field,
+                self.optics_at,
+                solved_at=nodes,
+                quality=self.quality,
+                cache=self.cache,
+                progress=progress,
+                cancel=cancel,
+            )
             return solution.moments, found
 
         return replace(self._lights.of(key, make)[1], field=self.field)

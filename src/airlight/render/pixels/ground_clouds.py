@@ -59,9 +59,15 @@ def cloud_cover(end, ray, cosine, level, north, east, frame, color):
             components(place, view.ground_x, view.ground_y, view.ground_z)
         )
         color[9 + towards] = map_channel(
-            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude + north, longitude + east, level, CHANNELS - 1,
-        )  # fmt: skip
+            view.over_texels,
+            view.over_rows,
+            view.over_columns,
+            view.over_levels,
+            latitude + north,
+            longitude + east,
+            level,
+            CHANNELS - 1,
+        )
     if observer.r <= view.cloud_radius:
         color[9] = 0.0
 

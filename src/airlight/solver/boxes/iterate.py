@@ -13,6 +13,7 @@ from airlight.errors import Cancelled, ConvergenceError, warn
 from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import centred, mean_beam_row
+from airlight.solver.boxes.cell_balance import in_chunks
 from airlight.solver.boxes.directions import (
     SIGNS,
     degrees,
@@ -21,7 +22,7 @@ from airlight.solver.boxes.directions import (
     term_count,
 )
 from airlight.solver.boxes.grid import BoxGrid
-from airlight.solver.boxes.linear import in_chunks, solve_linear
+from airlight.solver.boxes.linear import solve_linear
 from airlight.solver.boxes.problem import (
     BoxProblem,
     across_column,
@@ -270,7 +271,7 @@ class BoxIteration:
         gain = self.gain.copy()
         for axis, (current, width) in enumerate(self._beam_currents(self._scattered_forward())):
             gain -= (current - np.roll(current, 1, axis=axis)) / width
-        return gain
+        return np.asarray(gain)
 
     def _beam_currents(self, forward: Float32Array) -> list[tuple[Float32Array, Any]]:
         """Net currents by forward scattering through upper faces, and cell widths. [1], [m]"""

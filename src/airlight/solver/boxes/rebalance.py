@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.lanes import HALF_LANES, load_half, store_half
-from airlight.solver.boxes.linear import FaceCoefficients, in_chunks
+from airlight.solver.boxes.cell_balance import FaceCoefficients, in_chunks
 
 Float32Array = NDArray[np.float32]
 FloatArray = NDArray[np.float64]
