@@ -21,8 +21,8 @@ RADIUS, VARIANCE = 10e-6, 1.0 / 9.0
 #: radius, less than their width. [nm]
 WAVELENGTHS = (380.0, 410.0, 440.0, 475.0, 510.0, 550.0, 595.0, 640.0, 690.0, 750.0)
 HEADER = (
-    "# source: exact Mie theory (airlight.physics.optics.mie) for droplets of water, effective radius"
-    " 10 um, effective variance 1/9; made by builders/cloud_droplets.py\n"
+    "# source: exact Mie theory (airlight.physics.optics.mie) for droplets of water, effective"
+    " radius 10 um, effective variance 1/9; made by builders/cloud_droplets.py\n"
     "# licence: CC0\n"
 )
 
