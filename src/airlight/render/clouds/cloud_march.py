@@ -14,8 +14,6 @@ from math import exp, sqrt
 
 import numpy as np
 
-from airlight.clouds.cloud_detail import cloud_detail
-from airlight.clouds.fibres import TURN
 from airlight.geometry.vectors import Vec3, dot, minus, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import (
@@ -36,6 +34,7 @@ from airlight.render.clouds.cloud_place import (
     patch_place,
     visibility,
 )
+from airlight.render.clouds.detailed_extinction import detailed_extinction
 from airlight.render.clouds.directions import fill_harmonics
 from airlight.render.clouds.sight_extent import node_distance, node_of_distance
 from airlight.render.pixels.sky_lookup import phase_of
@@ -49,8 +48,6 @@ STEP_DEPTH = 0.3
 STEP_CELL = 0.5
 STEP_PIXEL = 2.0
 STEP_LEVEL = 1.0
-#: Change of detail along trails of crystals over that across them. [1]
-ALONG_TRAIL = 0.1
 #: Largest number of steps.
 MOST_STEPS = 6000
 #: Share of the distance after which light is attenuated by the air together. [1]
@@ -204,41 +201,6 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
         light, passed = lane_view(work.light, at), lane_view(work.passed, at)
         light[1] = passed[1]
         light[2] = exponential(splat(-depth) * load(clouds.whole[0], at))
-
-
-@inlined
-def detailed_extinction(x, y, z, width, clouds):
-    """Extinction at 550 nm with detail below the cells. [m⁻¹]
-
-    Parameters
-    ----------
-    x, y, z : float
-        Place from ``box_place``. [cells]
-    width : float
-        Width of the pixel's footprint. [m]
-    clouds : CloudTables
-        Clouds.
-    """
-    nz, ny, nx = clouds.extinction.shape
-    found = 0.0
-    if clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
-        factor = 1.0
-        cell = min(clouds.step_x, clouds.step_y)
-        if clouds.detailed and width < 0.5 * cell:
-            east, north, along = x * clouds.step_x, y * clouds.step_y, 1.0
-            if clouds.trail != 0.0:
-                fallen = (nz - 0.5 - z) * clouds.step_z
-                along = ALONG_TRAIL
-                east = along * (east + clouds.trail * fallen * fallen)
-                north += TURN * clouds.trail * nz * clouds.step_z * fallen
-            detail = cloud_detail(east, north, z * clouds.step_z * along, width, cell)
-            factor = detail.factor
-            x += detail.east / clouds.step_x
-            y += detail.north / clouds.step_y
-            z += along * detail.up / clouds.step_z
-        if -0.5 <= z < nz - 0.5:
-            found = factor * cell_value(clouds.extinction, x, y, z, clouds.periodic)
-    return found
 
 
 @inlined
