@@ -136,3 +136,11 @@ def test_a_body_behind_the_limb_is_seen_where_its_ray_leads(altitude: float) -> 
     assert (
         apparent_zenith(earth, altitude, horizon + 5.0 * lift + 0.01) == horizon + 5.0 * lift + 0.01
     )
+
+
+def test_clouds_leave_the_apparent_sun_where_it_is() -> None:
+    clear = load_planet("earth")
+    cloudy = load_planet("earth", {"clouds": [{"kind": "cumulus"}]})
+    seen = [Scene(sun_zenith=89.5).aimed("sun", planet).camera for planet in (clear, cloudy)]
+    assert seen[0] == seen[1]
+    assert seen[0].look_zenith < 89.3  # refracted

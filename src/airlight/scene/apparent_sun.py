@@ -109,4 +109,6 @@ def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
 
 def _geometry(planet: Planet) -> RefractedGeometry:
     low, high = planet.wavelength_limits
-    return RefractedGeometry.of(Medium.from_planet(planet, [min(max(_WAVELENGTH, low), high)]))
+    return RefractedGeometry.of(
+        Medium.from_planet(planet.without_clouds, [min(max(_WAVELENGTH, low), high)])
+    )

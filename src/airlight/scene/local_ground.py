@@ -116,7 +116,7 @@ def _means(texel: FloatArray, cover: float) -> GroundMeans:
 def _rings(planet: Planet, altitude: float) -> tuple[FloatArray, float]:
     """Radii of rings of equal weight, shape (_RINGS,), and the median radius. [rad]"""
     low, high = planet.wavelength_limits
-    medium = Medium.from_planet(planet, [min(max(_WAVELENGTH, low), high)])
+    medium = Medium.from_planet(planet.without_clouds, [min(max(_WAVELENGTH, low), high)])
     shares = np.append((np.arange(_RINGS) + 0.5) / _RINGS, 0.5)
     order = np.argsort(shares)
     found = np.empty_like(shares)
