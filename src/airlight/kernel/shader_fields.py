@@ -131,7 +131,7 @@ def shader_fields(bundle: Any) -> list[ShaderField]:
     >>> class Light(NamedTuple):
     ...     degree: int
     ...     basis: Annotated[Any, SPECTRA]
-    >>> [(one.name, one.mark is SPECTRA) for one in shader_fields(Light)]
+    >>> [(one.name, one.mark == SPECTRA) for one in shader_fields(Light)]
     [('degree', False), ('basis', True)]
     """
     found = []
