@@ -68,7 +68,7 @@ class LayerReflectance(NamedTuple):
     angle : float
         Scattering angle over π. [1]
     multiple : float
-        That of light that is scattered several times. [1]
+        That of multiple scattering. [1]
     """
 
     single: float
@@ -180,7 +180,7 @@ def plane_albedo(cosine, layer):
 
 @inlined
 def multiple_reflectance(mu_s, mu_r, nu, layer):
-    """Reflectance factor of light that a ``DropletLayer`` scatters several times. [1]
+    """Reflectance factor of multiple scattering by a ``DropletLayer``. [1]
 
     Parameters
     ----------

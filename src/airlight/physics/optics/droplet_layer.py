@@ -3,14 +3,14 @@ r"""Reflection of a flat layer of water droplets by adding and doubling: table a
 The droplets are those of low clouds (gamma distribution, effective radius 10 µm, variance 1/9) and
 absorb nothing, which is so to 1e-5 of a scattering in visible light; the optical depth, of 550 nm,
 is that of all wavelengths (2 % from 400 to 700 nm). The phase function is split by delta-M: the
-forward fraction f is not scattered, which leaves the optical depth τ' = (1 - f) τ. Light that is
-scattered once takes the exact phase function p of its wavelength (TMS of Nakajima & Tanaka),
+forward fraction f is not scattered, which leaves the optical depth τ' = (1 - f) τ. Single
+scattering has the exact phase function p of each wavelength (TMS correction, Nakajima & Tanaka),
 
 .. math:: R_1 = \frac{\pi p(\Theta)}{(1 - f)(\mu_s + \mu_r)}
           \left(1 - e^{-\tau' (1/\mu_s + 1/\mu_r)}\right)
 
-hence glory and cloudbow; all further light is smooth and comes from a table over both cosines and
-the azimuth. R is the reflectance factor, π L/(μ_s F).
+hence glory and cloudbow; multiple scattering is smooth and tabulated over both cosines and the
+azimuth. R is the reflectance factor, π L/(μ_s F).
 
 References
 ----------
@@ -34,7 +34,7 @@ from airlight.kernel.shader_fields import scalars, spectra
 
 FloatArray = NDArray[np.float64]
 
-#: Wavelength of the optical depth and of light that is scattered several times. [nm]
+#: Wavelength of the optical depth and of multiple scattering. [nm]
 REFERENCE: Final = 550.0
 #: Streams in each hemisphere. With twelve the reflectance is within 0.4 % (root mean square) of
 #: that with 64, a tenth too bright in the middle of the glory.
@@ -49,7 +49,7 @@ COSINES: Final = 24
 AZIMUTHS: Final = 21
 #: Smallest cosine: a lower sun or observer sees the layer of this one. [1]
 LEAST_COSINE: Final = 0.01
-#: Largest scaled optical depth of the layer that is doubled, in which light is scattered once. [1]
+#: Largest scaled optical depth of the initial layer of doubling, by single scattering. [1]
 _THINNEST: Final = 1e-9
 #: Largest optical depth. [1]
 THICKEST: Final = 1000.0
@@ -65,13 +65,13 @@ class DropletLayer(NamedTuple):
     layer_depth : float
         Scaled optical depth τ'. [1]
     layer_gain : float
-        1/(1 - f), of light that is scattered once. [1]
+        1/(1 - f), factor of single scattering. [1]
     layer_albedo : float
         Spherical albedo. [1]
     layer_plane : array, shape (COSINES,)
         Plane albedo of a beam, over the root of its cosine. [1]
     layer_multiple : array, shape (COSINES, COSINES, AZIMUTHS)
-        Reflectance factor of light that is scattered several times, over the roots of both cosines
+        Reflectance factor of multiple scattering, over the roots of both cosines
         and sin(φ/2) of the azimuth φ, 0 for forward scattering. [1]
     layer_phase : array, shape (STEPS + 1, w)
         Phase functions on even steps of the scattering angle. [sr⁻¹]
@@ -135,7 +135,7 @@ class Reflected(NamedTuple):
     reflected, transmitted : array, shape (m, n, n)
         Fourier modes of the reflectance factor, and of diffuse transmission alike. [1]
     once : array, shape (m, n, n)
-        Modes of what is reflected after one scattering by the truncated phase function. [1]
+        Modes of single scattering by the truncated phase function. [1]
     depth, peak : float
         Scaled optical depth, and fraction f. [1]
     """

@@ -52,6 +52,10 @@ _FEW: Final = 200_000
 #: which there is a warning.
 _REJECTED: Final = 0.08
 _UNCONVERGED: Final = 10.0
+#: Largest ratio of successive changes from which the remaining error is estimated. [1]
+_SLOWEST: Final = 0.9
+#: Scaled optical depth of a level above which light below it may be wrong by more than a tenth. [1]
+_COARSE: Final = 6.0
 #: Sweeps after which a growing change damps acceleration, by a factor, down to the least.
 _SETTLED: Final = 3
 _DAMPING: Final = np.float32(0.7)
@@ -375,17 +379,18 @@ class BoxIteration:
         Warns
         -----
         AirlightWarning
-            If it still changes by more than ten times the tolerance.
+            If it still changes by more than ten times the tolerance, or levels are too thick.
         """
         self.guess()
         phi = self.phi()
         change = np.full(HALF_LANES, np.inf)
-        sweeps = 0
-        while sweeps < self.settings.max_sweeps and not change.max() <= self.settings.tolerance:
+        sweeps, error = 0, np.inf
+        while sweeps < self.settings.max_sweeps and not error <= self.settings.tolerance:
             self.sweep(progress=progress, cancel=cancel, done=sweeps)
             self.rebalance()
             before, phi = phi, self.phi()
             earlier, change = change, _change(before, phi)
+            error = _remaining(float(earlier.max()), float(change.max()))
             sweeps += 1
             if sweeps > _SETTLED and change.max() > earlier.max():  # in optically thick cells
                 self.relaxation = max(_DAMPING * self.relaxation, _LEAST_RELAXATION)
@@ -397,7 +402,18 @@ class BoxIteration:
             if not change.max() <= _REJECTED:
                 raise ConvergenceError(message)
             warn(message)
+        if self._thickest_level() > _COARSE:
+            warn(
+                f"levels of clouds have scaled optical depths up to {self._thickest_level():.3g}: "
+                f"light that passes them may be wrong by more than a tenth; allowed: {_COARSE:g}, "
+                "by more levels"
+            )
         return self._levels(change, sweeps)
+
+    def _thickest_level(self) -> float:
+        """Largest scaled optical depth of a cell from base to top. [1]"""
+        depths = self.balanced.total * self.thickness[:, None, None, None]
+        return float(depths.max())
 
     def _thickest(self) -> float:
         """Largest scaled optical depth across a cell. [1]"""
@@ -418,6 +434,23 @@ class BoxIteration:
             before, self.beam, self.down, self.direct, up, light.sides, change, energy, absorbed,
             sweeps,
         )  # fmt: skip
+
+
+def _remaining(earlier: float, change: float) -> float:
+    """Error after a change of a series whose changes fall by a constant ratio, ρ/(1 - ρ) of it.
+
+    Parameters
+    ----------
+    earlier, change : float
+        Last changes; the error is at least the last. [1]
+
+    Examples
+    --------
+    >>> [round(_remaining(*one), 9) for one in ((0.25, 0.2), (0.2, 0.02))]
+    [0.8, 0.02]
+    """
+    ratio = min(change / max(earlier, 1e-30), _SLOWEST)
+    return max(change, change * ratio / (1.0 - ratio))
 
 
 def _change(before: Float32Array, after: Float32Array) -> FloatArray:
