@@ -405,8 +405,8 @@ class BoxIteration:
         if self._thickest_level() > _COARSE:
             warn(
                 f"levels of clouds have scaled optical depths up to {self._thickest_level():.3g}: "
-                f"light that passes them may be wrong by more than a tenth; up to {_COARSE:g} it is "
-                "not: divide the field into more levels"
+                "light that passes them may be wrong by more than a tenth; up to "
+                f"{_COARSE:g} it is not: divide the field into more levels"
             )
         return self._levels(change, sweeps)
 
