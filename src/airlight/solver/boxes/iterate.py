@@ -39,6 +39,7 @@ from airlight.solver.boxes.rebalance import (
 )
 from airlight.solver.boxes.scaled_optics import BoxOptics
 from airlight.solver.boxes.settings import BoxSettings
+from airlight.solver.boxes.stopping import change_of, remaining_error
 from airlight.solver.boxes.sweep import SweepCells, SweepLight, sweep_level
 
 FloatArray = NDArray[np.float64]
@@ -52,8 +53,6 @@ _FEW: Final = 200_000
 #: which there is a warning.
 _REJECTED: Final = 0.08
 _UNCONVERGED: Final = 10.0
-#: Largest ratio of successive changes from which the remaining error is estimated. [1]
-_SLOWEST: Final = 0.9
 #: Scaled optical depth of a level above which light below it may be wrong by more than a tenth. [1]
 _COARSE: Final = 6.0
 #: Sweeps after which a growing change damps acceleration, by a factor, down to the least.
@@ -389,8 +388,8 @@ class BoxIteration:
             self.sweep(progress=progress, cancel=cancel, done=sweeps)
             self.rebalance()
             before, phi = phi, self.phi()
-            earlier, change = change, _change(before, phi)
-            error = _remaining(float(earlier.max()), float(change.max()))
+            earlier, change = change, change_of(before, phi)
+            error = remaining_error(float(earlier.max()), float(change.max()))
             sweeps += 1
             if sweeps > _SETTLED and change.max() > earlier.max():  # in optically thick cells
                 self.relaxation = max(_DAMPING * self.relaxation, _LEAST_RELAXATION)
@@ -434,28 +433,3 @@ class BoxIteration:
             before, self.beam, self.down, self.direct, up, light.sides, change, energy, absorbed,
             sweeps,
         )  # fmt: skip
-
-
-def _remaining(earlier: float, change: float) -> float:
-    """Error after a change of a series whose changes fall by a constant ratio, ρ/(1 - ρ) of it.
-
-    Parameters
-    ----------
-    earlier, change : float
-        Last changes; the error is at least the last. [1]
-
-    Examples
-    --------
-    >>> [round(_remaining(*one), 9) for one in ((0.25, 0.2), (0.2, 0.02))]
-    [0.8, 0.02]
-    """
-    ratio = min(change / max(earlier, 1e-30), _SLOWEST)
-    return max(change, change * ratio / (1.0 - ratio))
-
-
-def _change(before: Float32Array, after: Float32Array) -> FloatArray:
-    """Root mean square of the change over that of the values, shape (4,). [1]"""
-    axes = (0, 1, 2)
-    squares = np.square(after - before).sum(axis=axes, dtype=np.float64)
-    size = np.square(after).sum(axis=axes, dtype=np.float64)
-    return np.asarray(np.sqrt(squares / np.maximum(size, 1e-30)))
