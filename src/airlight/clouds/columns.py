@@ -8,7 +8,9 @@ from math import prod
 from typing import Any, Final, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import REFERENCE, CloudOptics, droplets
 from airlight.clouds.planet_clouds import Box, field_of
 from airlight.errors import ConflictError, ParameterError
@@ -16,11 +18,14 @@ from airlight.planets.clouds import ICE, Clouds, CloudType
 from airlight.planets.constituent import Constituent
 from airlight.planets.matter.profiles import Layer, Layered
 from airlight.planets.planet import Planet
+from airlight.planets.spectral import PerWavelength
 
 #: Largest number of columns.
 MOST_COLUMNS: Final = 8
 #: Vertical optical depth up to which a column of a field is clear. [1]
 CLEAR_COLUMN: Final = 0.1
+#: Name of the constituent of ``with_even_layer``.
+LAYER: Final = "mean layer of clouds"
 
 
 class PlanetColumn(NamedTuple):
@@ -83,6 +88,104 @@ def planet_columns(planet: Planet) -> tuple[PlanetColumn, ...]:
     return tuple(columns)
 
 
+class EvenLayer(NamedTuple):
+    """Uniform layer in the cloudy columns of a field.
+
+    Attributes
+    ----------
+    cover : float
+        Fraction of the area of cloudy columns. [1]
+    base, depth : float
+        Altitude of the lowest cloud, and height of the highest above it. [m]
+    optical_depths : array, shape (n,)
+        Vertical optical depths of the cloudy columns at 550 nm. [1]
+    """
+
+    cover: float
+    base: float
+    depth: float
+    optical_depths: NDArray[np.float32]
+
+    @classmethod
+    def of(cls, field: CloudField) -> EvenLayer:
+        """Layer of a field."""
+        columns = field.column_optical_depth
+        cloudy = columns > CLEAR_COLUMN
+        levels = np.nonzero(field.extinction.max(axis=(0, 1)) > 0.0)[0]
+        first, last = (int(levels[0]), int(levels[-1]) + 1) if levels.size else (0, 1)
+        step = field.spacing[2]
+        return cls(
+            float(cloudy.mean()), field.base + first * step, (last - first) * step, columns[cloudy]
+        )
+
+    def reflecting_depth(self, asymmetry: float) -> float:
+        r"""Optical depth of a uniform layer that reflects as much as the columns on average. [1]
+
+        A layer of their mean depth would reflect more: 0.63 rather than 0.47 for cumuli. The
+        reflectance is that of diffuse light without absorption,
+
+        .. math:: R = \frac{b \tau}{1 + b \tau}, \quad b = \frac{\sqrt{3}}{2} (1 - g)
+
+        Parameters
+        ----------
+        asymmetry : float
+            Mean cosine g of the scattering angle. [1]
+
+        References
+        ----------
+        Lacis & Hansen (1974), J. Atmos. Sci. 31, 118 (R; b = 0.13 for g = 0.85); Cahalan et al.
+        (1994), J. Atmos. Sci. 51, 2434 (bias of plane-parallel albedo).
+
+        Examples
+        --------
+        >>> even = EvenLayer(0.5, 1e3, 500.0, np.full(3, 8.0, np.float32))
+        >>> round(even.reflecting_depth(0.85), 6)
+        8.0
+        """
+        b = max(0.5 * np.sqrt(3.0) * (1.0 - asymmetry), 1e-6)
+        passed = (1.0 / (1.0 + b * self.optical_depths.astype(float))).mean()
+        return float((1.0 / passed - 1.0) / b)
+
+
+def with_even_layer(
+    planet: Planet, layer: EvenLayer, optics: CloudOptics, optical_depth: float
+) -> Planet:
+    """Planet below a uniform layer, its last constituent, instead of three-dimensional clouds.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet.
+    layer : EvenLayer
+        Base and depth.
+    optics : CloudOptics
+        Optical properties of the particles.
+    optical_depth : float
+        Vertical optical depth at 550 nm. [1]
+    """
+    extinction = optical_depth / layer.depth * np.asarray(optics.extinction)
+    nm, albedo = tuple(np.asarray(optics.wavelengths).tolist()), np.asarray(optics.albedo)
+    cloud = Constituent(
+        name=LAYER,
+        profile=_profile(layer.base, layer.depth),
+        scattering=PerWavelength(wavelengths=nm, values=tuple((extinction * albedo).tolist())),
+        absorption=PerWavelength(
+            wavelengths=nm, values=tuple((extinction * (1.0 - albedo)).tolist())
+        ),
+        phase_function=optics.phase,
+    )
+    bare = planet.without_clouds
+    return replace(bare, constituents=(*bare.constituents, cloud))
+
+
+def _profile(base: float, depth: float) -> Layered:
+    """Profile that is 1 from base to top of a layer, and 0 elsewhere."""
+    widths = [Layer(width=depth, constant_term=1.0), Layer()]
+    if base > 0.0:
+        widths.insert(0, Layer(width=base))
+    return Layered(layers=tuple(widths))
+
+
 class _Layer(NamedTuple):
     """Uniform layer in the cloudy columns, and their fraction of the area. [1]"""
 
@@ -97,23 +200,13 @@ def _layer(clouds: Clouds, planet: Planet) -> _Layer:
         cover, optical_depth, radius = clouds.cover, clouds.optical_depth, clouds.effective_radius
     else:
         field, radius = field_of(clouds, Box(), planet.bottom_radius)
-        columns = field.column_optical_depth
-        cloudy = columns > CLEAR_COLUMN
-        levels = np.nonzero(field.extinction.max(axis=(0, 1)) > 0.0)[0]
-        first, last = (int(levels[0]), int(levels[-1]) + 1) if levels.size else (0, 1)
-        base, depth = field.base + first * field.spacing[2], (last - first) * field.spacing[2]
-        cover = float(cloudy.mean())
-        optical_depth = float(columns[cloudy].mean()) if cover > 0.0 else 0.0
+        even = EvenLayer.of(field)
+        cover, base, depth = even.cover, even.base, even.depth
+        optical_depth = float(even.optical_depths.mean()) if cover > 0.0 else 0.0
     if base + depth >= planet.thickness:
         allowed = f"0 to {planet.thickness - depth:g} m, below the top of the atmosphere"
         raise ParameterError(f"clouds.{clouds.title}.base", base, allowed)
-    widths = [Layer(width=depth, constant_term=1.0), Layer()]
-    if base > 0.0:
-        widths.insert(0, Layer(width=base))
-    parts: dict[str, Any] = {
-        "name": f"{clouds.title} (clouds)",
-        "profile": Layered(layers=tuple(widths)),
-    }
+    parts: dict[str, Any] = {"name": f"{clouds.title} (clouds)", "profile": _profile(base, depth)}
     if clouds.particles == ICE:
         phase = CloudOptics.of_ice(radius, [REFERENCE]).phase
         parts |= {"scattering": optical_depth / depth, "phase_function": phase}

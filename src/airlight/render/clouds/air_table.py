@@ -11,6 +11,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, lane_view
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.kernel.without_refcount import without_refcount
+from airlight.render.clouds.mean_layer import MeanLayer
 from airlight.render.clouds.sight_extent import node_distance, sight_extent
 from airlight.render.pixels.sky_view_lut import (
     Observer,
@@ -29,8 +30,9 @@ Float32Array = NDArray[np.float32]
 #: Azimuths from 0 to π, and rows of each half; and distances.
 DIRECTIONS: Final = (41, 41)
 DISTANCES: Final = 24
-#: Layers: first order, two constituents without phase functions, higher orders, transmittance.
-FIRST, HIGHER, PASSED = 0, 3, 4
+#: Layers: first order, two constituents without phase functions, higher orders, transmittance, and
+#: higher orders of clear sky less those.
+LAYERS: Final = 6
 #: Longest length without light. [m]
 _NOTHING: Final = 1e-3
 
@@ -41,11 +43,12 @@ def air_table(
     observer: Observer,
     window: SkyViewWindow,
     shell: tuple[float, float, float, float],
+    layer: MeanLayer | None,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Float32Array:
-    """Fill the table, shape (directions, distances, 5, w); see ``CloudTables.air``.
+) -> tuple[Float32Array, Float32Array]:
+    """Tables ``CloudTables.air`` and ``CloudTables.beyond``.
 
     Parameters
     ----------
@@ -55,6 +58,8 @@ def air_table(
         Directions.
     shell : tuple of four float
         Radii of observer, ground, bases and tops of clouds. [m]
+    layer : MeanLayer, optional
+        Mean layer of the clouds, whose light the air scatters.
     """
     lines = np.empty((window.texels, 7))
     true = np.empty((window.texels, DISTANCES))
@@ -65,12 +70,22 @@ def air_table(
         every[0], every[1], np.maximum(true.ravel(), 0.0), every[2], quick=True
     )
     length = np.minimum(length, every[2]).reshape(true.shape)
-    out = np.zeros((window.texels, DISTANCES, 5, tables.lanes), np.float32)
+    # the last node is the end of the line, on the ground or in space
+    length = np.concatenate([length, longest[:, None]], axis=1)
+    out = np.zeros((window.texels, DISTANCES + 1, LAYERS, tables.lanes), np.float32)
+    count = 0 if layer is None else layer.weights.shape[1]
     share = 16
 
     def fill(k: int) -> None:
         some = slice(k * share, (k + 1) * share)
-        _fill(lines[some], length[some], observer, tables, new_workspace(tables), out[some])
+        here = lines[some], length[some]
+        _fill(*here, observer, tables, new_workspace(tables), out[some])
+        if layer is None or observer.orders == 1:
+            return
+        found = [_higher(*here, one)[..., : len(layer.weights)] for one in layer.air]
+        mean = layer.ratio(*found) * out[some, :, 3, :count]
+        out[some, :, 5, :count] = out[some, :, 3, :count] - mean
+        out[some, :, 3, :count] = mean
 
     run_blocks(
         fill,
@@ -79,6 +94,13 @@ def air_table(
         cancel=cancel,
         message="air before clouds",
     )
+    return np.ascontiguousarray(out[:, :-1]), out[:, -1, 5] - out[:, -2, 5]
+
+
+def _higher(lines: FloatArray, length: FloatArray, tables: MarchTables) -> Float32Array:
+    """Path radiance of higher orders of tables, shape (lines, nodes, w). [sr⁻¹]"""
+    out = np.zeros((*length.shape, tables.lanes), np.float32)
+    _fill_higher(lines, length, tables, new_workspace(tables), out)
     return out
 
 
@@ -131,3 +153,17 @@ def _fill(lines, length, observer, tables, work, out):
                 for at in range(0, tables.lanes, LANES):
                     found, kept = lane_view(work.radiance, at), lane_view(out[k, node], at)
                     kept[3], kept[4] = found[0], found[1]
+
+
+@compiled_loop
+def _fill_higher(lines, length, tables, work, out):
+    tables, work = without_refcount((tables, work))
+    for k in range(lines.shape[0]):
+        r, mu, mu_s, nu, half_sine = lines[k, 0], lines[k, 1], lines[k, 2], lines[k, 3], lines[k, 4]
+        for node in range(length.shape[1]):
+            if length[k, node] <= _NOTHING:
+                continue
+            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node])
+            march(segment, 0, MarchTerms(True, False, False), tables, work, work.radiance)
+            for at in range(0, tables.lanes, LANES):
+                lane_view(out[k], at)[node] = lane_view(work.radiance, at)[0]

@@ -47,11 +47,13 @@ class CloudsBefore:
     ) -> None:
         self._clouds, self._tables, self._observer = clouds, tables, observer
         self._diffuse, self._count = diffuse, diffuse.shape[-1]
+        clear = clouds.air.copy()
+        clear[:, :, 3] += clear[:, :, 5]
         self._without_shadows = clouds._replace(
             depth=np.zeros_like(clouds.depth),
             base_depth=np.zeros_like(clouds.base_depth),
             mean_visibility=1.0,
-            air_light=np.ones_like(clouds.air_light),
+            air=clear,
         )
 
     def over(

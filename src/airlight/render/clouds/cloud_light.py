@@ -17,6 +17,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.clear_distance import clear_distances
 from airlight.render.clouds.cloud_tables import SOLVED
+from airlight.render.clouds.mean_layer import MeanLayer, mean_layer
 from airlight.scene import Scene
 from airlight.solver.boxes.directions import directions
 from airlight.solver.boxes.light import BoxAir, BoxLight
@@ -32,11 +33,12 @@ Float32Array = NDArray[np.float32]
 OpticsAt = Callable[[FloatArray], CloudOptics]
 #: Cosine of the zenith angle below which a flat box has no beam. [1]
 LOWEST_BEAM: Final = 0.01
-#: Largest number of cells of the boxes that are solved; larger fields are coarsened.
+#: Largest number of cells of the boxes that are solved, larger fields are coarsened; and number of
+#: levels that are not joined.
 MOST_SOLVED: Final = 640_000
-#: Zenith angles and azimuths of the light of the ground; largest factor of light in the air. [1]
+FEWEST_LEVELS: Final = 8
+#: Zenith angles and azimuths of the light of the ground.
 _AROUND: Final = (4, 8)
-MOST_LIGHT: Final = 10.0
 #: Levels of air in a box, and highest degree of their phase functions.
 _LEVELS: Final = 6
 _DEGREE: Final = 8
@@ -63,8 +65,8 @@ class CloudLight:
         Irradiance of the box's unit over that of the star. [1]
     spectrum : array, shape (SOLVED, nl)
         Weights of the solved wavelengths. [1]
-    air_light : array, shape (2, nl)
-        See ``CloudTables``: of light that is equal from above and from below. [1]
+    layer : MeanLayer or None
+        Mean layer, whose light the air scatters; None without cloudy columns.
     diffuse : array, shape (2, 2, nl)
         Diffuse irradiance below and above the clouds, from above and from below, over that of clear
         sky. [1]
@@ -80,7 +82,7 @@ class CloudLight:
     towards: tuple[float, float, float]
     unit: FloatArray
     spectrum: FloatArray
-    air_light: FloatArray
+    layer: MeanLayer | None
     diffuse: FloatArray
     depth: Float32Array
     base_depth: Float32Array
@@ -147,9 +149,22 @@ class Incident(NamedTuple):
 
 
 def incident(
-    solution: MomentsSolution, field: CloudField, towards: tuple[float, float, float]
+    solution: MomentsSolution,
+    field: CloudField,
+    towards: tuple[float, float, float],
+    layer: MeanLayer | None,
 ) -> Incident:
-    """Light on a field under a light in a direction: east, north, up. [1]"""
+    """Light on a field under a light in a direction, above a mean layer of clouds.
+
+    Parameters
+    ----------
+    solution, field : MomentsSolution, CloudField
+        Planet without clouds, and clouds.
+    towards : tuple of three float
+        Unit vector to the light at the place of the field: east, north, up. [1]
+    layer : MeanLayer, optional
+        Mean layer of the clouds; by default there is none.
+    """
     medium = solution.medium
     top, mu_s = np.array([medium.bottom_radius + field.top]), np.array([towards[2]])
 
@@ -165,12 +180,14 @@ def incident(
             medium.bottom_radius,
             medium.top_radius,
         )
-        return np.asarray(np.maximum(solution.relative_radiance(lines), 0.0))
+        found = np.maximum(solution.relative_radiance(lines), 0.0)
+        return np.asarray(found if layer is None else found * layer.radiance_ratio(lines))
 
+    sky = solution.relative_sky_irradiance(top, mu_s)
     return Incident(
         towards,
         solution.relative_normal_irradiance(top, mu_s)[0],
-        solution.relative_sky_irradiance(top, mu_s)[0],
+        (sky if layer is None else sky * layer.sky_ratio(top, mu_s))[0],
         radiance,
     )
 
@@ -216,7 +233,10 @@ def solve_clouds(
     """
     nm = solution.medium.wavelengths
     chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
-    light = incident(solution, field, sun_over(field, scene))
+    layer = mean_layer(
+        solution, field, optics_at(nm[chosen]), cache=cache, progress=progress, cancel=cancel
+    )
+    light = incident(solution, field, sun_over(field, scene), layer)
 
     def box_under(one: Incident) -> BoxSolution:
         return solve_box(
@@ -231,7 +251,7 @@ def solve_clouds(
 
     if solved_at:
         suns = [(weight, sun_over(field, one)) for weight, one in solved_at]
-        others = [(weight, incident(solution, field, sun)) for weight, sun in suns]
+        others = [(weight, incident(solution, field, sun, layer)) for weight, sun in suns]
         box = blended([(weight, one, box_under(one)) for weight, one in others], light, chosen)
         unit = np.ones(chosen.size)
     else:
@@ -240,7 +260,8 @@ def solve_clouds(
         field, light.towards, solution.medium.bottom_radius, progress=progress, cancel=cancel
     )
     spectrum = box_spectrum(nm, chosen, light.beam, light.sky)
-    cloudy, clear = _hemispheres(solution, box, unit, spectrum, light)
+    without = incident(solution, field, light.towards, None)
+    cloudy, clear = _hemispheres(solution, box, unit, spectrum, (light, without))
     return CloudLight(
         field=field,
         optics=optics_at(nm),
@@ -248,8 +269,8 @@ def solve_clouds(
         towards=light.towards,
         unit=unit,
         spectrum=spectrum,
-        air_light=np.clip(_ratio(cloudy.sum(axis=1), clear.sum(axis=1)), 0.0, MOST_LIGHT),
-        diffuse=np.maximum(_ratio(cloudy, clear), 0.0),
+        layer=layer,
+        diffuse=np.maximum(cloudy / np.maximum(clear, 1e-30), 0.0),
         depth=depth,
         base_depth=base_depth,
         clear=clear_distances(field),
@@ -302,19 +323,26 @@ def _box_light(
 
 
 def coarse_field(field: CloudField) -> CloudField:
-    """Field of at most ``MOST_SOLVED`` cells, by means over columns side by side."""
+    """Field of at most ``MOST_SOLVED`` cells, by means over neighbours where they are closest.
+
+    Those are mostly levels: columns side by side would close gaps between small clouds.
+    """
     found = field
     while found.extinction.size > MOST_SOLVED:
-        shape = found.extinction.shape
-        parts = tuple(2 if axis < 2 and count % 2 == 0 else 1 for axis, count in enumerate(shape))
-        if parts == (1, 1, 1):
+        shape, spacing = found.extinction.shape, found.spacing
+        halved = [axis for axis in (0, 1, 2) if shape[axis] % 2 == 0]
+        if 2 in halved and shape[2] > FEWEST_LEVELS and spacing[2] <= min(spacing[:2]):
+            halved = [2]
+        else:
+            halved = [axis for axis in halved if axis < 2]
+        if not halved:
             return found
-        x, y, _ = parts
-        cells = found.extinction.reshape(shape[0] // x, x, shape[1] // y, y, shape[2])
+        x, y, z = (2 if axis in halved else 1 for axis in range(3))
+        cells = found.extinction.reshape(shape[0] // x, x, shape[1] // y, y, shape[2] // z, z)
         found = replace(
             found,
-            extinction=cells.mean(axis=(1, 3), dtype=np.float32),
-            spacing=(found.spacing[0] * x, found.spacing[1] * y, found.spacing[2]),
+            extinction=cells.mean(axis=(1, 3, 5), dtype=np.float32),
+            spacing=(spacing[0] * x, spacing[1] * y, spacing[2] * z),
         )
     return found
 
@@ -359,21 +387,18 @@ def box_spectrum(
     return weights
 
 
-def _ratio(cloudy: FloatArray, clear: FloatArray) -> FloatArray:
-    return np.asarray(cloudy / np.maximum(clear, 1e-30))
-
-
 def _hemispheres(
     solution: MomentsSolution,
     box: BoxSolution,
     unit: FloatArray,
     spectrum: FloatArray,
-    light: Incident,
+    lights: tuple[Incident, Incident],
 ) -> FloatArray:
     """Irradiances below and above the clouds, from above and from below, shape (2, 2, 2, nl). [1]
 
-    The first axis is with clouds and without.
+    The first axis is with clouds and without, as of ``lights``.
     """
+    light, without = lights
     medium = solution.medium
     ground, mu_s = np.array([medium.bottom_radius]), np.array([light.towards[2]])
     albedo = np.broadcast_to(medium.ground_albedo, medium.wavelengths.shape)
@@ -387,10 +412,10 @@ def _hemispheres(
     rising = np.einsum(
         "n,nw->w",
         (rays.weights[1] * rays.vectors[1, :, :, 2]).ravel(),
-        light.radiance(rays.vectors[1].reshape(-1, 3)),
+        without.radiance(rays.vectors[1].reshape(-1, 3)),
     )
     cloudy = np.array([[below, albedo * (below + direct)], [light.sky, up]])
-    clear = np.array([[sky, albedo * (sky + sun)], [light.sky, rising]])
+    clear = np.array([[sky, albedo * (sky + sun)], [without.sky, rising]])
     return np.stack([cloudy, clear])
 
 

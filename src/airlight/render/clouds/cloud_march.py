@@ -58,7 +58,7 @@ SHADOWS = 8
 
 @inlined
 def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
-    """Path radiance and transmittance of the air at the nodes of a line, without shaded light.
+    """Path radiance and transmittance of the air at the nodes of a line, with shadows.
 
     Parameters
     ----------
@@ -69,7 +69,8 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
     extent : SightExtent
         Part below the tops of the clouds.
     clouds, tables, work : CloudTables, MarchTables, CloudWork
-        The workspace receives ``before``, ``through`` and, in ``light[3]``, the light lost.
+        The workspace receives ``before``, ``through`` and, in ``light[3]``, the radiance of clear
+        sky less that with clouds.
     """
     nodes = clouds.air.shape[1]
     e, f = np.float32(place.right), np.float32(place.down)
@@ -82,8 +83,6 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
     for node in range(nodes):
         shade = 0.0
         distance = node_distance(node, nodes, extent)
-        middle = 0.5 * (so_far + distance)
-        above = middle < extent.leaves or middle > extent.enters
         if node > 0 and distance > so_far:
             for k in range(SHADOWS):
                 s = so_far + (k + 0.5) / SHADOWS * (distance - so_far)
@@ -119,16 +118,21 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
                 + w11 * air[below + 1, node, 4]
             )
             ahead = lane_view(work.passed, at)
-            factors = lane_view(clouds.air_light, at)
-            more = factors[1] if above else factors[0]
             if node > 0:
                 lost[3] = lost[3] + maximum(first - ahead[0], 0.0) * np.float32(shade)
-                lost[3] = lost[3] + (higher - ahead[1]) * (np.float32(1.0) - more)
-            else:
-                lost[3] = higher * (np.float32(1.0) - more)
-            ahead[0], ahead[1] = first, higher
+            ahead[0] = first
             kept[node] = first + higher - lost[3]
         so_far = distance
+    for at in range(0, tables.lanes, LANES):
+        air, end = lane_view(clouds.air, at), lane_view(clouds.beyond, at)
+        lost, last = lane_view(work.light, at), nodes - 1
+        lost[3] = (
+            lost[3]
+            + w00 * (air[near, last, 5] + end[near])
+            + w01 * (air[near + 1, last, 5] + end[near + 1])
+            + w10 * (air[below, last, 5] + end[below])
+            + w11 * (air[below + 1, last, 5] + end[below + 1])
+        )
 
 
 @inlined

@@ -71,14 +71,14 @@ class CloudTables(NamedTuple):
         Direct normal irradiance between base and top, over the sine of the sun's height. [1]
     beam_low, beam_high : float
         Sines of the sun's height of the first and of the last angle. [1]
-    air_light : array, shape (2, w)
-        Diffuse light below the bases, and above them, over that of clear sky: factors of the higher
-        orders of scattering in the air. [1]
     window : SkyViewWindow
         Directions of ``air``.
-    air : array, shape (directions, distances, 5, w)
+    air : array, shape (directions, distances, 6, w)
         Path radiance of the air up to a distance: first order [sr⁻¹], that of two constituents
-        without phase functions [1], higher orders [sr⁻¹]; and transmittance [1].
+        without phase functions [1], higher orders in the light of the mean layer [sr⁻¹];
+        transmittance [1]; and higher orders of clear sky less those of the mean layer [sr⁻¹].
+    beyond : array, shape (directions, w)
+        The last, of the rest of the line. [sr⁻¹]
     """
 
     radius: float
@@ -115,9 +115,9 @@ class CloudTables(NamedTuple):
     beam: Float32Array
     beam_low: float
     beam_high: float
-    air_light: Float32Array
     window: SkyViewWindow
     air: Float32Array
+    beyond: Float32Array
 
 
 class CloudWork(NamedTuple):
@@ -132,7 +132,7 @@ class CloudWork(NamedTuple):
         that is not yet attenuated by air and of the whole line; transmittance at its start and now.
     light : array, shape (4, w)
         Result: radiance [sr⁻¹], scaled and unscaled transmittance [1] of the clouds, and the light
-        that the air loses by shadows [sr⁻¹].
+        of clear sky less that with shadows, in the light of the mean layer [sr⁻¹].
     harmonics : array, shape (2·pairs,)
         Harmonics of the direction. [1]
     """

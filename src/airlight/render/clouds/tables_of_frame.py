@@ -68,6 +68,16 @@ def cloud_tables(
     phase = optics.phase.values(nu, optics.wavelengths)
     nothing = light.base_depth if light.base_depth.size else np.zeros(1)
     window = coarse_window(camera, observer, tables.bottom, tables.top, DIRECTIONS)
+    air, beyond = air_table(
+        solution.geometry,
+        tables,
+        observer,
+        window,
+        (eye, radius, base, top),
+        light.layer,
+        progress=progress,
+        cancel=cancel,
+    )
     return CloudTables(
         radius=radius,
         eye=eye,
@@ -103,17 +113,9 @@ def cloud_tables(
         beam=pack(beam),
         beam_low=low,
         beam_high=high,
-        air_light=pack(light.air_light),
         window=window,
-        air=air_table(
-            solution.geometry,
-            tables,
-            observer,
-            window,
-            (eye, radius, base, top),
-            progress=progress,
-            cancel=cancel,
-        ),
+        air=air,
+        beyond=beyond,
     )
 
 

@@ -122,7 +122,7 @@ def _dark_tables(
         beam=pack(np.zeros((2, 2, nl))),
         beam_low=-1.0,
         beam_high=1.0,
-        air_light=pack(np.ones((2, nl))),
         window=SkyViewWindow.whole(0, 0),
-        air=pack(np.zeros((1, 2, 5, nl))),
+        air=pack(np.zeros((1, 2, 6, nl))),
+        beyond=pack(np.zeros((1, nl))),
     )
