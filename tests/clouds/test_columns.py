@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 import airlight
-from airlight.clouds.columns import planet_columns
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_optics import CloudOptics, droplets
+from airlight.clouds.columns import EvenLayer, planet_columns, with_even_layer
 from airlight.errors import ConflictError, ParameterError
+from airlight.planets import Medium
 from airlight.planets.clouds import Altocumulus, CumulusHumilis, Stratocumulus, Stratus
 
 _PLANET = airlight.load_planet("earth-atmosphere-plus")
@@ -60,3 +63,32 @@ def test_clouds_above_the_air_and_too_many_kinds_are_rejected():
     kinds = [Altocumulus(name=f"layer {k}", base=1000.0 + 500.0 * k) for k in range(4)]
     with pytest.raises(ConflictError, match="at most 3"):
         planet_columns(_under(*kinds))
+
+
+def _even(*depths):
+    return EvenLayer(0.5, 1000.0, 500.0, np.array(depths, np.float32))
+
+
+def test_a_layer_reflects_as_its_columns_on_average():
+    """The definition, for columns of reflectances 1/2 and 1/6: 1/3."""
+    b = 0.5 * np.sqrt(3.0) * 0.15
+    depth = _even(1.0 / b, 0.2 / b).reflecting_depth(0.85)
+    assert b * depth / (1.0 + b * depth) == pytest.approx(1.0 / 3.0, rel=1e-6)
+    assert _even(7.0, 7.0).reflecting_depth(0.85) == pytest.approx(7.0, rel=1e-6)
+    assert _even(1e-4, 3e-4).reflecting_depth(0.85) == pytest.approx(2e-4, rel=1e-3)  # linear
+
+
+def test_a_field_is_a_layer_of_its_cloudy_columns_and_levels():
+    cells = np.zeros((4, 4, 6), np.float32)
+    cells[:2, :2, 2:4] = 0.01
+    layer = EvenLayer.of(CloudField(extinction=cells, spacing=(100.0, 100.0, 50.0), base=400.0))
+    assert (layer.cover, layer.base, layer.depth) == (0.25, 500.0, 100.0)
+    np.testing.assert_allclose(layer.optical_depths, 1.0, rtol=1e-6)
+
+
+def test_a_planet_below_an_even_layer_has_its_optical_depth():
+    optics = CloudOptics.of_particles(droplets(6e-6, 0.1), [440.0, 550.0])
+    below = with_even_layer(_under(Stratus()), _even(4.0), optics, 4.0)
+    assert not below.clouds
+    layer = Medium.from_planet(below, [440.0, 550.0]).vertical_optical_depth[-1]
+    np.testing.assert_allclose(layer, 4.0 * optics.extinction, rtol=1e-6)

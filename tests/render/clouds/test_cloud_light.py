@@ -89,6 +89,18 @@ def test_weights_of_solved_wavelengths_are_exact_for_grey_scattering(beam_power)
     assert np.abs(weights).max() < 3.0
 
 
+def test_levels_are_joined_before_columns_until_cells_are_cubes(monkeypatch):
+    monkeypatch.setattr("airlight.render.clouds.cloud_light.MOST_SOLVED", 600)
+    cells = np.random.default_rng(1).random((8, 8, 32)).astype(np.float32)
+    field = CloudField(extinction=cells, spacing=(100.0, 100.0, 28.0), base=0.0)
+    coarse = coarse_field(field)
+    assert coarse.extinction.shape == (8, 8, 8)
+    np.testing.assert_allclose(coarse.column_optical_depth, field.column_optical_depth, rtol=1e-5)
+    assert coarse.top == field.top
+    wide = coarse_field(CloudField(extinction=cells, spacing=(50.0, 50.0, 140.0), base=0.0))
+    assert wide.extinction.shape == (4, 4, 32)
+
+
 def test_coarse_field_keeps_the_mean(monkeypatch):
     monkeypatch.setattr("airlight.render.clouds.cloud_light.MOST_SOLVED", 40)
     random = np.random.default_rng(1).random((8, 8, 4)).astype(np.float32)

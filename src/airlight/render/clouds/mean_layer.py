@@ -27,8 +27,10 @@ FloatArray = NDArray[np.float64]
 
 #: Quality of both solutions, of which only the ratio counts.
 QUALITY: Final = "preview"
-#: Largest ratio of the light. [1]
-MOST_LIGHT: Final = 10.0
+#: Largest energy balance error without a warning: air scatters a tenth of a picture's light. [1]
+ENERGY_TOLERANCE: Final = 0.1
+#: Largest ratio of the light, where clear sky has none. [1]
+MOST_LIGHT: Final = 1000.0
 #: Tables of the march with a coefficient of each constituent on the first axis.
 _BY_CONSTITUENT: Final = (
     "strongest", "brightest", "scaled_extinction", "extinction", "scattering", "moments",
@@ -129,7 +131,13 @@ def mean_layer(
     settings = settings_for(QUALITY)
     # one degree for both, so that delta-M scaling of haze is the same
     degree = settings.layer_degree
-    settings = replace(settings, polarisation=False, degree=degree, thick_degree=degree)
+    settings = replace(
+        settings,
+        polarisation=False,
+        degree=degree,
+        thick_degree=degree,
+        energy_tolerance=ENERGY_TOLERANCE,
+    )
 
     def solved(one: Planet) -> MomentsSolution:
         medium = Medium.from_planet(one, nm, progress=progress, cancel=cancel)

@@ -1,0 +1,77 @@
+"""Light of the air below and above a mean layer of clouds."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from airlight import load_planet
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_optics import CloudOptics, droplets
+from airlight.render.clouds.mean_layer import mean_layer
+from airlight.render.solve_planet import solve_planet
+
+NM = np.array([440.0, 500.0, 560.0, 620.0, 680.0])
+SOLVED = NM[[0, 2, 4]]
+OPTICS = CloudOptics.of_particles(droplets(10e-6, 0.1), SOLVED)
+
+
+@pytest.fixture(scope="module")
+def air():
+    return solve_planet(load_planet("earth-atmosphere-plus"), NM, "preview", polarisation=False)
+
+
+def field(columns, depth=10.0):
+    """Columns of an optical depth, of four."""
+    cells = np.zeros((4, 4, 8), np.float32)
+    cells[:columns] = depth / 400.0
+    return CloudField(extinction=cells, spacing=(100.0, 100.0, 50.0), base=1000.0)
+
+
+@pytest.fixture(scope="module")
+def overcast(air):
+    return mean_layer(air, field(4), OPTICS)
+
+
+def test_a_field_without_clouds_has_no_layer(air):
+    assert mean_layer(air, field(4, depth=1e-6), OPTICS) is None
+    assert mean_layer(air, field(0), OPTICS) is None
+
+
+def test_light_is_the_mean_of_independent_columns(air, overcast):
+    """Linear in the cover, between clear sky and overcast."""
+    r, mu_s = np.array([air.medium.bottom_radius]), np.array([0.7])
+    full = overcast.sky_ratio(r, mu_s)
+    half = mean_layer(air, field(2), OPTICS).sky_ratio(r, mu_s)
+    np.testing.assert_allclose(half, 0.5 * (1.0 + full), rtol=1e-6)
+    expected = np.divide(
+        *(one.relative_sky_irradiance(r, mu_s) for one in (overcast.layered, overcast.clear))
+    )
+    np.testing.assert_allclose(full[:, [0, 2, 4]], expected, rtol=1e-6)
+
+
+def test_between_solved_wavelengths_the_ratio_is_linear(overcast):
+    np.testing.assert_allclose(overcast.weights.sum(axis=0), 1.0, rtol=1e-12)
+    np.testing.assert_allclose(SOLVED @ overcast.weights, NM, rtol=1e-12)
+
+
+def test_the_light_of_a_dark_sky_is_a_number(overcast):
+    assert np.isfinite(overcast.ratio(np.zeros((1, 3)), np.zeros((1, 3)))).all()
+
+
+def test_tables_of_the_air_have_no_cloud_but_its_light(overcast):
+    """Air over a level path has the same transmittance below either sky."""
+    below, clear = overcast.air
+    assert below.scaled_extinction[-1].max() == 0.0
+    count = clear.constituents
+    np.testing.assert_allclose(below.extinction[:count], clear.extinction, rtol=1e-6)
+    assert below.field.shape != clear.field.shape
+
+
+def test_air_above_a_bright_cloud_receives_more_light(air, overcast):
+    """Above an overcast of optical depth 10, which reflects half, but not below a black one."""
+    r, mu_s = np.array([air.medium.bottom_radius + 2e3]), np.array([0.7])
+    assert np.all(overcast.sky_ratio(r, mu_s) > 1.2)
+    black = replace(OPTICS, albedo=np.zeros(3))
+    dark = mean_layer(air, field(4), black)
+    assert np.all(dark.sky_ratio(r, mu_s) < 1.0)
