@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 from typing import TYPE_CHECKING
 
@@ -58,8 +59,8 @@ class CpuRenderer:
         Whether atmosphere and ground are rendered; otherwise only the star's disc.
     stokes : bool
         Whether Stokes Q and U can be rendered too.
-    clouds : CloudLight, optional
-        Light of three-dimensional clouds.
+    clouds : sequence of CloudLight, optional
+        Light of three-dimensional clouds, by ascending bases.
 
     Attributes
     ----------
@@ -80,7 +81,7 @@ class CpuRenderer:
     edges: bool = True
     air: bool = True
     stokes: bool = False
-    clouds: CloudLight | None = None
+    clouds: Sequence[CloudLight] = ()
 
     def __post_init__(self) -> None:
         solution, camera = self.solution, self.scene.camera
@@ -129,7 +130,7 @@ class CpuRenderer:
         self, *, cancel: Cancel | None = None, progress: Progress | None = None
     ) -> None:
         """Fill the sky-view LUT, or what marched water needs; otherwise rendering does so."""
-        if self.clouds is not None and self._clouds is None and self.air:
+        if self.clouds and self._clouds is None and self.air:
             from airlight.render.clouds.tables_of_frame import cloud_tables
 
             self._clouds = cloud_tables(
@@ -159,11 +160,11 @@ class CpuRenderer:
     @property
     def clouds_before(self) -> CloudsBefore | None:
         """Clouds before surfaces of other pictures, after ``fill_sky_view``."""
-        if self._clouds is None or self.clouds is None:
+        if self._clouds is None:
             return None
-        from airlight.render.clouds.before_surfaces import CloudsBefore
+        from airlight.render.clouds.before_surfaces import CloudsBefore, diffuse_of
 
-        return CloudsBefore(self._clouds, self._tables, self._observer, self.clouds.diffuse)
+        return CloudsBefore(self._clouds, self._tables, self._observer, diffuse_of(self.clouds))
 
     def render_rows(
         self, first: int, last: int, rgb: Float32Array, element: int | None = None

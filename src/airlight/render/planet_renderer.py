@@ -110,7 +110,7 @@ def atmosphere_layer(
         if moon is None:
             renderer = CpuRenderer(
                 lit, scene, disc=False,
-                clouds=None if around is None
+                clouds=() if around is None
                 else around.lit(lit, scene, progress=progress, cancel=cancel),
             )  # fmt: skip
             if around is not None and before is None:

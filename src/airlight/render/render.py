@@ -128,7 +128,7 @@ def render(
                 samples=samples,
                 air=air,
                 stokes=stokes,
-                clouds=None if clouds is None or not air
+                clouds=() if clouds is None or not air
                 else clouds.lit(
                     lit, seen, light=scene.lights.index(light), progress=progress, cancel=cancel
                 ),

@@ -13,6 +13,7 @@ from airlight import Camera, Scene, render
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
 from airlight.engines.composition import Placement, compose
+from airlight.render.clouds.cloud_light import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.solver.moments.solution import MomentsSolution
 
@@ -36,7 +37,7 @@ def layer(depth: float) -> CloudsAround:
         base=1000.0,
         beyond="periodic",
     )
-    return CloudsAround(field, lambda nm: optics(tuple(np.asarray(nm).tolist())))
+    return CloudsAround((CloudDeck(field, lambda nm: optics(tuple(np.asarray(nm).tolist()))),))
 
 
 def relit_ground(earth: MomentsSolution, altitude: float, clouds: CloudsAround | None):

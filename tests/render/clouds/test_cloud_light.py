@@ -5,7 +5,6 @@ import pytest
 
 from airlight import Scene, load_planet
 from airlight.clouds.cloud_field import CloudField
-from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop
 from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.clear_distance import clear_distances
@@ -132,8 +131,9 @@ def test_line_meets_base_and_top(altitude, zenith):
         assert node_of_distance(distance, 24, extent) == pytest.approx(node, abs=1e-6)
 
 
-def test_a_picture_has_one_kind_of_clouds():
-    two = load_planet("earth", {"clouds": [{"kind": "cumulus"}, {"kind": "cirrus"}]})
-    with pytest.raises(ParameterError, match="one kind"):
-        CloudsAround.of(two, Scene())
+def test_decks_are_sorted_and_know_their_clouds():
+    two = load_planet("earth", {"clouds": [{"kind": "cirrus"}, {"kind": "cumulus"}]})
+    around = CloudsAround.of(two, Scene())
+    assert [deck.number for deck in around.decks] == [1, 0]
+    assert around.decks[0].field.top < around.decks[1].field.base
     assert CloudsAround.of(two.without_clouds, Scene()) is None

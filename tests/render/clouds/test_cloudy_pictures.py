@@ -9,6 +9,7 @@ import pytest
 from airlight import Camera, Scene, load_planet
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
+from airlight.render.clouds.cloud_light import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.render import render
 from airlight.render.solve_planet import solve_planet
@@ -28,18 +29,20 @@ def optics(nm):
     return CloudOptics.of_particles(droplets(10e-6, 0.1), nm)
 
 
+def deck(depth, base=1000.0, levels=8):
+    """Even deck of an optical depth in levels of 62.5 m."""
+    field = CloudField(
+        extinction=np.full((4, 4, levels), depth / (62.5 * levels), np.float32),
+        spacing=(500.0, 500.0, 62.5),
+        base=base,
+        beyond="periodic",
+    )
+    return CloudDeck(field, lambda nm: optics(tuple(np.asarray(nm).tolist())))
+
+
 def layer(depth):
     """Even layer of an optical depth."""
-    return CloudsAround(
-        CloudField(
-            extinction=np.full((4, 4, 8), depth / 500.0, np.float32),
-            spacing=(500.0, 500.0, 62.5),
-            base=1000.0,
-            beyond="periodic",
-        ),
-        lambda nm: optics(tuple(np.asarray(nm).tolist())),
-        quality="default",
-    )
+    return CloudsAround((deck(depth),), quality="default")
 
 
 def look(air, zenith, clouds=None, altitude=2.0, azimuth=90.0, field_of_view=0.3):
@@ -147,3 +150,12 @@ def test_steps_of_wide_pixels_are_not_higher_than_a_level(air, zenith):
         look(air, zenith, layer(10.0), altitude=1e5, field_of_view=angle) for angle in (2.0, 0.002)
     )
     np.testing.assert_allclose(wide, narrow, rtol=3e-3)
+
+
+@pytest.mark.parametrize(("altitude", "zenith"), [(2.0, 0.0), (2.0, 60.0), (3000.0, 150.0)])
+def test_two_decks_one_above_the_other_are_one_layer(air, altitude, zenith):
+    """A layer cut in two; higher orders of the halves pass through the light of the boxes."""
+    decks = deck(2.0, levels=4), deck(2.0, base=1250.0, levels=4)
+    two = CloudsAround(decks, quality="default")
+    found = look(air, zenith, two, altitude)
+    np.testing.assert_allclose(found, look(air, zenith, layer(4.0), altitude), rtol=0.05)

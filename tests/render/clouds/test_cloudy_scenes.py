@@ -13,6 +13,7 @@ import airlight
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
 from airlight.errors import ConflictError
+from airlight.render.clouds.cloud_light import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.render_scene import render_scene
 from airlight.render.render_system import render_system
@@ -87,11 +88,12 @@ def test_transmittance_to_space_is_that_of_the_slant_path() -> None:
         beyond="periodic",
     )
     drops = droplets(10e-6, 0.1)
-    around = CloudsAround(field, lambda nm: CloudOptics.of_particles(drops, nm))
+    deck = CloudDeck(field, lambda nm: CloudOptics.of_particles(drops, nm))
+    around = CloudsAround((deck,))
     solution = solve_planet(airlight.load_planet(PLANET), NM, "preview", polarisation=False)
     through = around.before_space(solution, Scene(ground="plain"))
     rays = np.stack([np.sin(zenith), 0.0 * zenith, np.cos(zenith)], axis=-1)
-    ratio = around.optics_at(solution.wavelengths).extinction
+    ratio = deck.optics_at(solution.wavelengths).extinction
     expected = np.exp(-depth * ratio / np.cos(zenith)[:, None])
     assert_allclose(through(rays), expected, rtol=0.01)
     assert_allclose(through(-rays[:1]), 1.0)

@@ -138,7 +138,7 @@ def test_cells_stay_with_the_ground_when_the_observer_moves(heap: str) -> None:
     scene = Scene(latitude=10.01, longitude=19.98)
     found = clouds_at(planet, scene, time)
     assert found is not None
-    field = found.field
+    field = found.decks[0].field
     assert (field.latitude, field.longitude) == (10.01, 19.98)
     degree = math.radians(planet.bottom_radius)
     expected = 0.02 * degree * math.cos(math.radians(10.0)), -0.01 * degree

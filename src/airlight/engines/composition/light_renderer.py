@@ -50,7 +50,7 @@ class LightRenderer:
             scene,
             exact=exact,
             disc=disc,
-            clouds=None if clouds is None else clouds.lit(solution, scene),
+            clouds=() if clouds is None else clouds.lit(solution, scene),
         )
         self._filled = False
         r = solution.medium.bottom_radius + scene.altitude

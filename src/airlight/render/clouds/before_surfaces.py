@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import sqrt
 
 import numpy as np
@@ -11,7 +12,9 @@ from airlight.geometry.vectors import Vec3, dot, plus
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, exponential, lane_view, load, store
 from airlight.kernel.threads import run_blocks
+from airlight.kernel.tuple_item import tuple_item
 from airlight.kernel.without_refcount import without_refcount
+from airlight.render.clouds.cloud_light import CloudLight
 from airlight.render.clouds.cloud_march import add_clouds, line_of_air
 from airlight.render.clouds.cloud_place import beam_depth_at
 from airlight.render.clouds.cloud_tables import CloudTables, new_cloud_work
@@ -19,7 +22,7 @@ from airlight.render.clouds.sight_extent import (
     SightExtent,
     node_distance,
     node_of_distance,
-    sight_extent,
+    sight_extents,
 )
 from airlight.render.pixels.sky_lookup import classify_ray, sky_view_place
 from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
@@ -39,7 +42,7 @@ class CloudsBefore:
     clouds, tables, observer : CloudTables, MarchTables, Observer
         Those of a frame of the observer.
     diffuse : array, shape (2, 2, nl)
-        See ``CloudLight``. [1]
+        Result of ``diffuse_of``. [1]
     """
 
     def __init__(
@@ -49,12 +52,15 @@ class CloudsBefore:
         self._diffuse, self._count = diffuse, diffuse.shape[-1]
         clear = clouds.air.copy()
         clear[:, :, 3] += clear[:, :, 5]
-        self._without_shadows = clouds._replace(
-            depth=np.zeros_like(clouds.depth),
-            base_depth=np.zeros_like(clouds.base_depth),
-            mean_visibility=1.0,
-            air=clear,
+        bright = (
+            layer._replace(
+                depth=np.zeros_like(layer.depth),
+                base_depth=np.zeros_like(layer.base_depth),
+                mean_visibility=1.0,
+            )
+            for layer in clouds.layers
         )
+        self._without_shadows = clouds._replace(layers=tuple(bright), air=clear)
 
     def over(
         self,
@@ -122,6 +128,18 @@ class CloudsBefore:
         return beam[:, : self._count].astype(float), diffuse
 
 
+def diffuse_of(lights: Sequence[CloudLight]) -> FloatArray:
+    """Diffuse light below and above clouds, see ``CloudLight.diffuse``, shape (2, 2, nl). [1]
+
+    Parameters
+    ----------
+    lights : sequence of CloudLight
+        Light of each of the clouds, by ascending bases.
+    """
+    highest = max(lights, key=lambda light: light.field.top)
+    return np.stack([lights[0].diffuse[0], highest.diffuse[1]])
+
+
 @compiled_loop
 def _before(rays, distances, observer, clouds, bright, tables, work, other, out):
     observer, clouds, bright, tables, work, other, out = without_refcount(
@@ -131,9 +149,7 @@ def _before(rays, distances, observer, clouds, bright, tables, work, other, out)
     for k in range(rays.shape[0]):
         ray = Vec3(rays[k, 0], rays[k, 1], rays[k, 2])
         found = classify_ray(ray, observer, tables)
-        extent = sight_extent(
-            ray.z, found.sine, found.to_ground, clouds.eye, clouds.radius, clouds.base, clouds.top
-        )
+        extent = sight_extents(ray, found.sine, found.to_ground, clouds, other)
         limit = min(distances[k], extent.last)
         if not found.through_air or limit <= extent.first:
             continue
@@ -174,8 +190,11 @@ def _at_points(points, clouds, tables, beam, up):
     for k in range(points.shape[0]):
         offset = Vec3(points[k, 0], points[k, 1], points[k, 2])
         point = plus(Vec3(0.0, 0.0, clouds.eye), offset)
-        depth = beam_depth_at(point, clouds)
         height = (sqrt(dot(point, point)) - clouds.base) / (clouds.top - clouds.base)
         up[k] = min(max(height, 0.0), 1.0)
-        for at in range(0, tables.lanes, LANES):
-            store(beam[k], at, exponential(load(clouds.scaled[0], at) * np.float32(-depth)))
+        for n in range(len(clouds.layers)):
+            layer = tuple_item(clouds.layers, n)
+            depth = np.float32(beam_depth_at(point, layer))
+            for at in range(0, tables.lanes, LANES):
+                kept = exponential(load(layer.scaled[0], at) * -depth)
+                store(beam[k], at, load(beam[k], at) * kept)

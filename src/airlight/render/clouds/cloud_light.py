@@ -48,6 +48,24 @@ _INSET: Final = 0.08
 _ALIKE: Final = 1e-6
 
 
+class CloudDeck(NamedTuple):
+    """Clouds of one kind.
+
+    Attributes
+    ----------
+    field : CloudField
+        Extinction.
+    optics_at : callable
+        Optical properties of the particles at wavelengths, as ``CloudOptics.of_particles``.
+    number : int
+        Number among the clouds of the planet.
+    """
+
+    field: CloudField
+    optics_at: OpticsAt
+    number: int = 0
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CloudLight:
     """Light of a cloud field under one light of a planet.
@@ -202,8 +220,7 @@ def sun_over(field: CloudField, scene: Scene) -> tuple[float, float, float]:
 def solve_clouds(
     solution: MomentsSolution,
     scene: Scene,
-    field: CloudField,
-    optics_at: OpticsAt,
+    deck: CloudDeck,
     *,
     solved_at: Sequence[tuple[float, Scene]] = (),
     quality: str = "default",
@@ -211,7 +228,7 @@ def solve_clouds(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> CloudLight:
-    """Solve the light of a field in the air of a planet.
+    """Solve the light of clouds in the air of a planet.
 
     Parameters
     ----------
@@ -219,10 +236,8 @@ def solve_clouds(
         Solution of the planet, under the light.
     scene : Scene
         Scene of this light.
-    field : CloudField
+    deck : CloudDeck
         Clouds.
-    optics_at : callable
-        Optical properties of the particles at wavelengths.
     solved_at : sequence of (float, Scene), optional
         Weights and scenes of the same place between which higher orders are interpolated, see
         ``blended``; by default they are those of ``scene``.
@@ -231,7 +246,7 @@ def solve_clouds(
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
-    nm = solution.medium.wavelengths
+    field, optics_at, nm = deck.field, deck.optics_at, solution.medium.wavelengths
     chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
     layer = mean_layer(
         solution, field, optics_at(nm[chosen]), cache=cache, progress=progress, cancel=cancel

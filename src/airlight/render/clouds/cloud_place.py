@@ -11,14 +11,14 @@ from airlight.render.clouds.patches import displaced_patch
 
 
 @inlined
-def box_place(point, clouds):
+def box_place(point, layer):
     """Place of a point in the field, which is periodic or ends at the sides. [cells]
 
     Parameters
     ----------
     point : Vec3
         From the centre, in the observer's frame. [m]
-    clouds : CloudTables
+    layer : LayerTables
         Clouds.
 
     Returns
@@ -26,12 +26,12 @@ def box_place(point, clouds):
     x, y, z : float
         Columns, rows and levels from the middle of the first cell.
     """
-    x, y, z, _, _ = patch_place(point, clouds)
+    x, y, z, _, _ = patch_place(point, layer)
     return x, y, z
 
 
 @inlined
-def patch_place(point, clouds):
+def patch_place(point, layer):
     """``box_place`` and how far the same patch of the field goes; parameters as there.
 
     Returns
@@ -42,80 +42,80 @@ def patch_place(point, clouds):
         Distance from the point within which the patch is the same [m]; least length over that in
         the plane of the box [1].
     """
-    height = dot(point, clouds.up)
+    height = dot(point, layer.up)
     radius = sqrt(dot(point, point))
-    factor = clouds.radius / max(height, 1e-3 * clouds.radius)
-    east, north = factor * dot(point, clouds.east), factor * dot(point, clouds.north)
-    ny, nx = clouds.base_depth.shape
+    factor = layer.radius / max(height, 1e-3 * layer.radius)
+    east, north = factor * dot(point, layer.east), factor * dot(point, layer.north)
+    ny, nx = layer.base_depth.shape
     scale = min(max(height / radius, 1e-3), 1.0)
     scale *= scale
     free = 1e9
-    if clouds.periodic:
-        right, up, free = displaced_patch(east, north, nx * clouds.step_x, ny * clouds.step_y)
+    if layer.periodic:
+        right, up, free = displaced_patch(east, north, nx * layer.step_x, ny * layer.step_y)
         east += right
         north += up
     return (
-        (east - clouds.corner_x) / clouds.step_x - 0.5,
-        (north - clouds.corner_y) / clouds.step_y - 0.5,
-        (radius - clouds.base) / clouds.step_z - 0.5,
+        (east - layer.corner_x) / layer.step_x - 0.5,
+        (north - layer.corner_y) / layer.step_y - 0.5,
+        (radius - layer.base) / layer.step_z - 0.5,
         free * scale,
         scale,
     )
 
 
 @inlined
-def clear_distance(x, y, z, clouds):
+def clear_distance(x, y, z, layer):
     """Distance in the box from a place in which there are no clouds; 0 if unknown. [m]"""
-    nz, ny, nx = clouds.clear.shape
-    if not clouds.periodic:
-        beyond_x = max(-0.5 - x, x - nx + 0.5) * clouds.step_x
-        beyond_y = max(-0.5 - y, y - ny + 0.5) * clouds.step_y
+    nz, ny, nx = layer.clear.shape
+    if not layer.periodic:
+        beyond_x = max(-0.5 - x, x - nx + 0.5) * layer.step_x
+        beyond_y = max(-0.5 - y, y - ny + 0.5) * layer.step_y
         beyond = max(beyond_x, beyond_y)
         if beyond > 0.0:
-            return 0.9 * beyond + 0.1 * clouds.step_x
-    i, _ = cell_before(x + 0.5, nx, clouds.periodic)
-    j, _ = cell_before(y + 0.5, ny, clouds.periodic)
+            return 0.9 * beyond + 0.1 * layer.step_x
+    i, _ = cell_before(x + 0.5, nx, layer.periodic)
+    j, _ = cell_before(y + 0.5, ny, layer.periodic)
     k = min(max(int(z + 0.5), 0), nz - 1)
-    return clouds.clear[k, j, i]
+    return layer.clear[k, j, i]
 
 
 @inlined
-def beam_depth_at(point, clouds):
+def beam_depth_at(point, layer):
     """Optical depth of clouds at 550 nm between a point and the sun. [1]
 
     Parameters
     ----------
     point : Vec3
         From the centre, in the observer's frame. [m]
-    clouds : CloudTables
+    layer : LayerTables
         Clouds.
     """
-    x, y, z = box_place(point, clouds)
-    nz, ny, nx = clouds.extinction.shape
+    x, y, z = box_place(point, layer)
+    nz, ny, nx = layer.extinction.shape
     depth = 0.0
     if z < -0.5:
         radius = sqrt(dot(point, point))
-        rising = dot(point, clouds.sun)
-        gap = (clouds.base - radius) * (clouds.base + radius)
+        rising = dot(point, layer.sun)
+        gap = (layer.base - radius) * (layer.base + radius)
         way = gap / (sqrt(rising * rising + gap) + max(rising, 0.0))
-        x, y, z = box_place(plus(point, scaled(clouds.sun, way)), clouds)
-        if clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
-            i, e = cell_before(x, nx, clouds.periodic)
-            j, f = cell_before(y, ny, clouds.periodic)
-            right, back = cell_after(i, nx, clouds.periodic), cell_after(j, ny, clouds.periodic)
-            low = (1.0 - e) * clouds.base_depth[j, i] + e * clouds.base_depth[j, right]
-            high = (1.0 - e) * clouds.base_depth[back, i] + e * clouds.base_depth[back, right]
+        x, y, z = box_place(plus(point, scaled(layer.sun, way)), layer)
+        if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
+            i, e = cell_before(x, nx, layer.periodic)
+            j, f = cell_before(y, ny, layer.periodic)
+            right, back = cell_after(i, nx, layer.periodic), cell_after(j, ny, layer.periodic)
+            low = (1.0 - e) * layer.base_depth[j, i] + e * layer.base_depth[j, right]
+            high = (1.0 - e) * layer.base_depth[back, i] + e * layer.base_depth[back, right]
             depth = (1.0 - f) * low + f * high
     elif z < nz - 0.5:
-        depth = cell_value(clouds.depth, x, y, z, clouds.periodic)
+        depth = cell_value(layer.depth, x, y, z, layer.periodic)
         # half a cell below the highest face the depth falls to that of the face
         depth *= min(2.0 * (nz - 0.5 - z), 1.0)
     return depth
 
 
 @inlined
-def visibility(point, footprint, clouds):
+def visibility(point, footprint, layer):
     """Transmittance of the beam by clouds, its mean where a footprint is as wide as the box. [1]"""
-    seen = exp(-beam_depth_at(point, clouds) * clouds.scaled[0, 0])
-    wide = min(2.0 * footprint / (clouds.step_x * clouds.extinction.shape[2]), 1.0)
-    return seen + wide * (clouds.mean_visibility - seen)
+    seen = exp(-beam_depth_at(point, layer) * layer.scaled[0, 0])
+    wide = min(2.0 * footprint / (layer.step_x * layer.extinction.shape[2]), 1.0)
+    return seen + wide * (layer.mean_visibility - seen)

@@ -17,13 +17,13 @@ Float32Array = NDArray[np.float32]
 SOLVED: Final = 4
 
 
-class CloudTables(NamedTuple):
-    """Clouds as the pixels read them; w is the number of lanes of a picture.
+class LayerTables(NamedTuple):
+    """Clouds of one kind and their light, as the pixels read them; w is the number of lanes.
 
     Attributes
     ----------
-    radius, eye : float
-        Radius of the ground, and distance of the observer from the centre. [m]
+    radius : float
+        Radius of the ground. [m]
     base, top : float
         Radii of the lowest and of the highest faces of the box. [m]
     corner_x, corner_y : float
@@ -40,10 +40,6 @@ class CloudTables(NamedTuple):
         Axes of the box's place in the observer's frame. [1]
     sun : Vec3
         Direction to the sun in the observer's frame. [1]
-    pixel_angle : float
-        Angle of a pixel. [rad]
-    mean_visibility : float
-        Mean transmittance of the beam below the clouds. [1]
     extinction : array, shape (nz, ny, nx)
         Extinction coefficient at 550 nm in the middle of cells. [m⁻¹]
     clear : array, shape (nz, ny, nx)
@@ -52,6 +48,8 @@ class CloudTables(NamedTuple):
         Optical depth at 550 nm from the middle of a cell to the sun. [1]
     base_depth : array, shape (ny, nx)
         The same from the lowest face of a column. [1]
+    mean_visibility : float
+        Mean transmittance of the beam below the clouds. [1]
     source : array, shape (mz, my, mx, pairs, 8)
         Multiple scattering by a cloud of extinction 1, as harmonics of the direction of light:
         pairs of terms at the solved wavelengths, per irradiance of the star. [sr⁻¹]
@@ -71,18 +69,9 @@ class CloudTables(NamedTuple):
         Direct normal irradiance between base and top, over the sine of the sun's height. [1]
     beam_low, beam_high : float
         Sines of the sun's height of the first and of the last angle. [1]
-    window : SkyViewWindow
-        Directions of ``air``.
-    air : array, shape (directions, distances, 6, w)
-        Path radiance of the air up to a distance: first order [sr⁻¹], that of two constituents
-        without phase functions [1], higher orders in the light of the mean layer [sr⁻¹];
-        transmittance [1]; and higher orders of clear sky less those of the mean layer [sr⁻¹].
-    beyond : array, shape (directions, w)
-        The last, of the rest of the line. [sr⁻¹]
     """
 
     radius: float
-    eye: float
     base: float
     top: float
     corner_x: float
@@ -97,12 +86,11 @@ class CloudTables(NamedTuple):
     north: Vec3
     up: Vec3
     sun: Vec3
-    pixel_angle: float
-    mean_visibility: float
     extinction: Float32Array
     clear: Float32Array
     depth: Float32Array
     base_depth: Float32Array
+    mean_visibility: float
     source: Float32Array
     down: Float32Array
     solved_extinction: Float32Array
@@ -115,6 +103,37 @@ class CloudTables(NamedTuple):
     beam: Float32Array
     beam_low: float
     beam_high: float
+
+
+class CloudTables(NamedTuple):
+    """Clouds of a frame and the air before them, as the pixels read them.
+
+    Attributes
+    ----------
+    radius, eye : float
+        Radius of the ground, and distance of the observer from the centre. [m]
+    base, top : float
+        Radii of the lowest base and of the highest top. [m]
+    pixel_angle : float
+        Angle of a pixel. [rad]
+    layers : tuple of LayerTables
+        Clouds by ascending bases.
+    window : SkyViewWindow
+        Directions of ``air``.
+    air : array, shape (directions, distances, 6, w)
+        Path radiance of the air up to a distance: first order [sr⁻¹], that of two constituents
+        without phase functions [1], higher orders in the light of the mean layer [sr⁻¹];
+        transmittance [1]; and higher orders of clear sky less those of the mean layer [sr⁻¹].
+    beyond : array, shape (directions, w)
+        The last, of the rest of the line. [sr⁻¹]
+    """
+
+    radius: float
+    eye: float
+    base: float
+    top: float
+    pixel_angle: float
+    layers: tuple[LayerTables, ...]
     window: SkyViewWindow
     air: Float32Array
     beyond: Float32Array
@@ -127,9 +146,18 @@ class CloudWork(NamedTuple):
     ----------
     before, through : array, shape (distances, w)
         Path radiance [sr⁻¹] and transmittance [1] of the air on a line of sight.
-    first, solved, passed : array, shape (2, w), (2, 8), (2, w)
-        Radiance of the clouds in the first order and in higher orders, of the part of the line
-        that is not yet attenuated by air and of the whole line; transmittance at its start and now.
+    lit : array, shape (distances,)
+        Transmittance of the beam by clouds between a node and the one before. [1]
+    first, passed : array, shape (2, w)
+        Radiance of the clouds in the first order, of the part of the line that is not yet
+        attenuated by air and of the whole line; transmittance at its start and now.
+    solved : array, shape (layers + 1, 8)
+        Higher orders of each layer in that part, and transmittance, at the solved wavelengths.
+    extents : array, shape (layers, 4)
+        ``SightExtent`` of each layer. [m]
+    found, beams, depths : array, shape (layers,)
+        Extinction of each layer at a point [m⁻¹], its optical depth to the sun, and its depth so
+        far [1], at 550 nm.
     light : array, shape (4, w)
         Result: radiance [sr⁻¹], scaled and unscaled transmittance [1] of the clouds, and the light
         of clear sky less that with shadows, in the light of the mean layer [sr⁻¹].
@@ -139,9 +167,14 @@ class CloudWork(NamedTuple):
 
     before: Float32Array
     through: Float32Array
+    lit: FloatArray
     first: Float32Array
     solved: Float32Array
     passed: Float32Array
+    extents: FloatArray
+    found: FloatArray
+    beams: FloatArray
+    depths: FloatArray
     light: Float32Array
     harmonics: FloatArray
 
@@ -149,13 +182,18 @@ class CloudWork(NamedTuple):
 def new_cloud_work(clouds: CloudTables) -> CloudWork:
     """Workspace of a thread."""
     lanes = clouds.air.shape[-1]
-    nodes = clouds.air.shape[1]
+    nodes, count = clouds.air.shape[1], len(clouds.layers)
     return CloudWork(
         before=np.zeros((nodes, lanes), np.float32),
         through=np.zeros((nodes, lanes), np.float32),
+        lit=np.ones(nodes),
         first=np.zeros((2, lanes), np.float32),
-        solved=np.zeros((2, 8), np.float32),
+        solved=np.zeros((count + 1, 8), np.float32),
         passed=np.zeros((2, lanes), np.float32),
+        extents=np.zeros((count, 4)),
+        found=np.zeros(count),
+        beams=np.zeros(count),
+        depths=np.zeros(count),
         light=np.zeros((4, lanes), np.float32),
-        harmonics=np.zeros(2 * clouds.source.shape[3]),
+        harmonics=np.zeros(2 * max(layer.source.shape[3] for layer in clouds.layers)),
     )

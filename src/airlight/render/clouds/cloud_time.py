@@ -11,6 +11,8 @@ from airlight.planets.planet import Planet
 from airlight.scene import Scene
 
 if TYPE_CHECKING:
+    from airlight.clouds.cloud_field import CloudField
+    from airlight.render.clouds.cloud_light import CloudDeck
     from airlight.render.clouds.clouds_around import CloudsAround
 
 #: Clouds of the last pictures, whose light the next ones may share.
@@ -50,7 +52,12 @@ class CloudTime:
         planet, scene : Planet, Scene
             Planet, and scene of the frame.
         """
-        own, (east, north) = first.field, planet.clouds[0].drift(self.seconds)
+        decks = tuple(deck._replace(field=self._moved(deck, planet, scene)) for deck in first.decks)
+        return replace(first, decks=decks, solved_at=self.solved_at)
+
+    def _moved(self, deck: CloudDeck, planet: Planet, scene: Scene) -> CloudField:
+        """Field of clouds of a frame."""
+        own, (east, north) = deck.field, planet.clouds[deck.number].drift(self.seconds)
         place = own.latitude, own.longitude
         if place == (self.latitude, self.longitude):
             degree = math.radians(1.0) * planet.bottom_radius
@@ -58,8 +65,7 @@ class CloudTime:
             middle = math.cos(math.radians(0.5 * (self.latitude + scene.latitude)))
             east -= degree * middle * math.remainder(scene.longitude - self.longitude, 360.0)
             north -= degree * (scene.latitude - self.latitude)
-        moved = replace(own, latitude=place[0], longitude=place[1], drift=(east, north))
-        return replace(first, field=moved, solved_at=self.solved_at)
+        return replace(own, latitude=place[0], longitude=place[1], drift=(east, north))
 
 
 def clouds_at(

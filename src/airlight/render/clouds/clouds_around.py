@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from collections.abc import Callable, Sequence
 from dataclasses import KW_ONLY, dataclass, replace
 from typing import Any, TypeAlias
@@ -13,17 +14,16 @@ from numpy.typing import NDArray
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
 from airlight.clouds.planet_clouds import Box, clouds_of
-from airlight.errors import ParameterError
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
-from airlight.render.clouds.cloud_light import CloudLight, OpticsAt, solve_clouds, sun_over
+from airlight.render.clouds.cloud_light import CloudDeck, CloudLight, solve_clouds, sun_over
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 #: Lights by what they depend on, with moments whose identity is a part of it.
-_Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, CloudLight]]
+_Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, tuple[CloudLight, ...]]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,10 +32,8 @@ class CloudsAround:
 
     Parameters
     ----------
-    field : CloudField
-        Extinction.
-    optics_at : callable
-        Optical properties of the particles at wavelengths, as ``CloudOptics.of_particles``.
+    decks : tuple of CloudDeck
+        Clouds by ascending bases.
     quality : str
         Quality of ``solve_box``.
     cache : bool
@@ -45,8 +43,7 @@ class CloudsAround:
         it is solved for every picture.
     """
 
-    field: CloudField
-    optics_at: OpticsAt
+    decks: tuple[CloudDeck, ...]
     _: KW_ONLY
     quality: str = "preview"
     cache: bool = True
@@ -68,28 +65,21 @@ class CloudsAround:
             Scene, in whose place boxes of generated clouds have their middle.
         quality : str
             Quality of the picture; that of the boxes is ``"preview"`` below ``"high"``.
-
-        Raises
-        ------
-        ParameterError
-            If the planet has several kinds of clouds.
         """
         if not planet.clouds:
             return None
-        if len(planet.clouds) > 1:
-            raise ParameterError("clouds", f"{len(planet.clouds)} kinds", "one kind in a picture")
         box = Box(latitude=scene.latitude, longitude=scene.longitude)
-        kept: dict[bytes, tuple[CloudField, CloudOptics]] = {}
 
-        def at(nm: FloatArray) -> tuple[CloudField, CloudOptics]:
-            key = np.asarray(nm, float).tobytes()
-            if key not in kept:
-                kept[key] = clouds_of(planet, nm, box)[0]
-            return kept[key]
+        @functools.cache
+        def at(*nm: float) -> tuple[tuple[CloudField, CloudOptics], ...]:
+            return clouds_of(planet, nm, box)
 
+        decks = [
+            CloudDeck(field, lambda nm, number=number: at(*nm)[number][1], number)
+            for number, (field, _) in enumerate(at(550.0))
+        ]
         return cls(
-            at(np.array([550.0]))[0],
-            lambda nm: at(nm)[1],
+            tuple(sorted(decks, key=lambda deck: deck.field.base)),
             quality="high" if quality == "high" else "preview",
             cache=cache,
         )
@@ -102,8 +92,8 @@ class CloudsAround:
         light: int = 0,
         progress: Progress | None = None,
         cancel: Cancel | None = None,
-    ) -> CloudLight:
-        """Light of the clouds; parameters as those of ``solve_clouds``.
+    ) -> tuple[CloudLight, ...]:
+        """Light of each of the clouds; parameters as those of ``solve_clouds``.
 
         Parameters
         ----------
@@ -115,24 +105,29 @@ class CloudsAround:
         key = (
             id(solution.moments),
             solution.lights[0].angular_radius,
-            *((weight, sun_over(self.field, one)) for weight, one in suns),
+            *((weight, sun_over(deck.field, one)) for weight, one in suns for deck in self.decks),
         )
 
-        def make() -> tuple[Any, CloudLight]:
-            found = solve_clouds(
-                solution,
-                scene,
-                self.field,
-                self.optics_at,
-                solved_at=nodes,
-                quality=self.quality,
-                cache=self.cache,
-                progress=progress,
-                cancel=cancel,
+        def make() -> tuple[Any, tuple[CloudLight, ...]]:
+            found = (
+                solve_clouds(
+                    solution,
+                    scene,
+                    deck,
+                    solved_at=nodes,
+                    quality=self.quality,
+                    cache=self.cache,
+                    progress=progress,
+                    cancel=cancel,
+                )
+                for deck in self.decks
             )
-            return solution.moments, found
+            return solution.moments, tuple(found)
 
-        return replace(self._lights.of(key, make)[1], field=self.field)
+        kept = self._lights.of(key, make)[1]
+        return tuple(
+            replace(one, field=deck.field) for one, deck in zip(kept, self.decks, strict=True)
+        )
 
     def before_space(
         self, solution: MomentsSolution, scene: Scene
@@ -146,5 +141,4 @@ class CloudsAround:
         """
         from airlight.render.clouds.through_clouds import ThroughClouds
 
-        optics = self.optics_at(solution.wavelengths)
-        return ThroughClouds(self.field, optics, solution, scene).transmittance
+        return ThroughClouds(self.decks, solution, scene).transmittance

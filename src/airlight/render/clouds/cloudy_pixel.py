@@ -13,11 +13,12 @@ import numpy as np
 from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, lane_view, load, maximum, splat, store
+from airlight.kernel.tuple_item import tuple_item
 from airlight.render.clouds.beam_depth import cell_after, cell_before
 from airlight.render.clouds.cloud_march import add_clouds, line_of_air
 from airlight.render.clouds.cloud_place import beam_depth_at, box_place
 from airlight.render.clouds.cloud_tables import CloudTables, CloudWork
-from airlight.render.clouds.sight_extent import sight_extent
+from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.ground_angles import ground_angles
 from airlight.render.pixels.pixel import (
     disc_light,
@@ -64,9 +65,7 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
     for at in range(0, tables.lanes, LANES):
         light = lane_view(front.light, at)
         light[0], light[1], light[2], light[3] = splat(0.0), splat(1.0), splat(1.0), splat(0.0)
-    extent = sight_extent(
-        ray.z, found.sine, found.to_ground, clouds.eye, clouds.radius, clouds.base, clouds.top
-    )
+    extent = sight_extents(ray, found.sine, found.to_ground, clouds, front)
     if found.through_air and view.draws_air and extent.last > extent.first:
         half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
         place = sky_view_place(ray, found, clouds.window)
@@ -76,7 +75,7 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
     if seen.through_air and seen.to_ground:
         mu_s, _, _ = ground_angles(ray.x, ray.z, found.sine, seen.refraction, observer, tables)
         ground_light(mu_s, observer.orders, tables, air_work)
-        shade_ground(ray, extent.last, observer.orders, clouds, tables, air_work)
+        shade_ground(ray, extent.last, observer.orders, clouds, tables, air_work, front)
     for at in range(0, tables.lanes, LANES):
         radiance, light = lane_view(air_work.radiance, at), lane_view(front.light, at)
         air = maximum(radiance[0] - light[3], 0.0)
@@ -93,7 +92,7 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
 
 
 @inlined
-def shade_ground(ray, distance, orders, clouds, tables, work):
+def shade_ground(ray, distance, orders, clouds, tables, work, front):
     """Replace the light of clear sky on the ground by that below the clouds.
 
     Parameters
@@ -105,44 +104,64 @@ def shade_ground(ray, distance, orders, clouds, tables, work):
     clouds, tables, work : CloudTables, MarchTables, MarchWorkspace
         The workspace has direct and diffuse irradiance of clear sky, the light of the white ground
         behind the air, and the mirrored sky; all are changed.
+    front : CloudWork
+        Workspace of the clouds.
     """
     point = plus(Vec3(0.0, 0.0, clouds.eye), scaled(ray, distance))
-    x, y, _ = box_place(point, clouds)
-    ny, nx = clouds.base_depth.shape
-    inside = clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5)
-    depth = beam_depth_at(point, clouds)
-    wide = min(distance * clouds.pixel_angle / (0.5 * clouds.step_x * nx), 1.0)
-    my, mx, _ = clouds.down.shape
-    i, e = cell_before((x + 0.5) * mx / nx - 0.5, mx, clouds.periodic)
-    j, f = cell_before((y + 0.5) * my / ny - 0.5, my, clouds.periodic)
-    right, back = cell_after(i, mx, clouds.periodic), cell_after(j, my, clouds.periodic)
-    down = lane_view(clouds.down)
-    solved = (
-        down[j, i] * np.float32((1.0 - e) * (1.0 - f))
-        + down[j, right] * np.float32(e * (1.0 - f))
-        + down[back, i] * np.float32((1.0 - e) * f)
-        + down[back, right] * np.float32(e * f)
-    )
-    shared = lane_view(work.peaks, 0)
-    shared[0] = solved
+    lowest = -1
+    for n in range(len(clouds.layers) - 1, -1, -1):
+        layer = tuple_item(clouds.layers, n)
+        front.beams[n] = beam_depth_at(point, layer)
+        x, y, _ = box_place(point, layer)
+        ny, nx = layer.base_depth.shape
+        if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
+            lowest = n
+            lane_view(front.solved)[0] = ground_below(x, y, layer)
     for at in range(0, tables.lanes, LANES):
         received, behind = lane_view(work.irradiance, at), lane_view(work.radiance, at)
-        spectrum = lane_view(clouds.spectrum, at)
         before = maximum(received[0] + received[1], splat(1e-30))
         sky_before = maximum(received[1], splat(1e-30))
-        seen = exponential(load(clouds.scaled[0], at) * np.float32(-depth))
-        seen = seen + (splat(clouds.mean_visibility) - seen) * np.float32(wide)
-        received[0] = received[0] * seen
-        if inside and orders != 1:
-            diffuse = splat(0.0)
-            for n in range(4):
-                diffuse = diffuse + spectrum[n] * np.float32(work.peaks[0, n])
-            received[1] = maximum(diffuse, splat(0.0))
+        for n in range(len(clouds.layers)):
+            layer = tuple_item(clouds.layers, n)
+            width = 0.5 * layer.step_x * layer.base_depth.shape[1]
+            wide = np.float32(min(distance * clouds.pixel_angle / width, 1.0))
+            seen = exponential(load(layer.scaled[0], at) * np.float32(-front.beams[n]))
+            received[0] = received[0] * (seen + (splat(layer.mean_visibility) - seen) * wide)
+            if n == lowest and orders != 1:
+                spectrum, diffuse = lane_view(layer.spectrum, at), splat(0.0)
+                for k in range(4):
+                    diffuse = diffuse + spectrum[k] * np.float32(front.solved[0, k])
+                received[1] = maximum(diffuse, splat(0.0))
         behind[1] = behind[1] * ((received[0] + received[1]) / before)
         if tables.ground.wet:
             ratio = received[1] / sky_before
             behind[MIRRORED] = behind[MIRRORED] * ratio
             behind[FACETS] = behind[FACETS] * ratio
+
+
+@inlined
+def ground_below(x, y, layer):
+    """Diffuse irradiance of the ground at the solved wavelengths, twice. [1]
+
+    Parameters
+    ----------
+    x, y : float
+        Place from ``box_place``. [cells]
+    layer : LayerTables
+        Clouds above.
+    """
+    ny, nx = layer.base_depth.shape
+    my, mx, _ = layer.down.shape
+    i, e = cell_before((x + 0.5) * mx / nx - 0.5, mx, layer.periodic)
+    j, f = cell_before((y + 0.5) * my / ny - 0.5, my, layer.periodic)
+    right, back = cell_after(i, mx, layer.periodic), cell_after(j, my, layer.periodic)
+    down = lane_view(layer.down)
+    return (
+        down[j, i] * np.float32((1.0 - e) * (1.0 - f))
+        + down[j, right] * np.float32(e * (1.0 - f))
+        + down[back, i] * np.float32((1.0 - e) * f)
+        + down[back, right] * np.float32(e * f)
+    )
 
 
 @compiled_loop

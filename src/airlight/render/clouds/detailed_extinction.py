@@ -12,7 +12,7 @@ ALONG_TRAIL = 0.1
 
 
 @inlined
-def detailed_extinction(x, y, z, width, clouds):
+def detailed_extinction(x, y, z, width, layer):
     """Extinction at 550 nm with detail below the cells. [m⁻¹]
 
     Parameters
@@ -21,26 +21,26 @@ def detailed_extinction(x, y, z, width, clouds):
         Place from ``box_place``. [cells]
     width : float
         Width of the pixel's footprint. [m]
-    clouds : CloudTables
+    layer : LayerTables
         Clouds.
     """
-    nz, ny, nx = clouds.extinction.shape
+    nz, ny, nx = layer.extinction.shape
     found = 0.0
-    if clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
+    if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
         factor = 1.0
-        cell = min(clouds.step_x, clouds.step_y)
-        if clouds.detailed and width < 0.5 * cell:
-            east, north, along = x * clouds.step_x, y * clouds.step_y, 1.0
-            if clouds.trail != 0.0:
-                fallen = (nz - 0.5 - z) * clouds.step_z
+        cell = min(layer.step_x, layer.step_y)
+        if layer.detailed and width < 0.5 * cell:
+            east, north, along = x * layer.step_x, y * layer.step_y, 1.0
+            if layer.trail != 0.0:
+                fallen = (nz - 0.5 - z) * layer.step_z
                 along = ALONG_TRAIL
-                east = along * (east + clouds.trail * fallen * fallen)
-                north += TURN * clouds.trail * nz * clouds.step_z * fallen
-            detail = cloud_detail(east, north, z * clouds.step_z * along, width, cell)
+                east = along * (east + layer.trail * fallen * fallen)
+                north += TURN * layer.trail * nz * layer.step_z * fallen
+            detail = cloud_detail(east, north, z * layer.step_z * along, width, cell)
             factor = detail.factor
-            x += detail.east / clouds.step_x
-            y += detail.north / clouds.step_y
-            z += along * detail.up / clouds.step_z
+            x += detail.east / layer.step_x
+            y += detail.north / layer.step_y
+            z += along * detail.up / layer.step_z
         if -0.5 <= z < nz - 0.5:
-            found = factor * cell_value(clouds.extinction, x, y, z, clouds.periodic)
+            found = factor * cell_value(layer.extinction, x, y, z, layer.periodic)
     return found

@@ -1,4 +1,4 @@
-"""Part of a line of sight below the tops of clouds, and its part between base and top."""
+"""Parts of a line of sight below the tops of clouds, and between bases and tops."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from airlight.kernel import inlined
+from airlight.kernel.tuple_item import tuple_item
 
 
 class SightExtent(NamedTuple):
@@ -50,6 +51,57 @@ def sight_extent(cosine, sine, to_ground, eye, ground, base, top):
         last = nearest - sqrt(max((ground - impact) * (ground + impact), 0.0))
     within = sqrt(max((base - impact) * (base + impact), 0.0))
     return SightExtent(first, max(last, first), nearest - within, nearest + within)
+
+
+@inlined
+def sight_extents(ray, sine, to_ground, clouds, work):
+    """``SightExtent`` of all clouds; those of the layers are stored in ``work.extents``.
+
+    Parameters
+    ----------
+    ray : Vec3
+        Direction in the observer's frame. [1]
+    sine, to_ground : float, bool
+        Arguments of ``sight_extent``.
+    clouds, work : CloudTables, CloudWork
+        Clouds and workspace.
+    """
+    for n in range(len(clouds.layers)):
+        layer = tuple_item(clouds.layers, n)
+        one = sight_extent(ray.z, sine, to_ground, clouds.eye, clouds.radius, layer.base, layer.top)
+        extents = work.extents[n]
+        extents[0], extents[1], extents[2], extents[3] = one.first, one.last, one.leaves, one.enters
+    return sight_extent(ray.z, sine, to_ground, clouds.eye, clouds.radius, clouds.base, clouds.top)
+
+
+@inlined
+def way_to_layer(s, number, work):
+    """Distance from a point of a line of sight to the next part inside a layer; 0 inside. [m]
+
+    Parameters
+    ----------
+    s : float
+        Distance of the point. [m]
+    number : int
+        Number of the layer.
+    work : CloudWork
+        Workspace, after ``sight_extents``.
+    """
+    extents = work.extents[number]
+    if s < extents[0]:
+        return extents[0] - s + 1e-3
+    if s >= extents[1]:
+        return 1e9
+    if extents[2] < s < extents[3]:
+        return extents[3] - s + 1e-3
+    return 0.0
+
+
+@inlined
+def way_out_of_layer(s, number, work):
+    """Distance from a point inside a layer to its base, or to the end; as ``way_to_layer``. [m]"""
+    extents = work.extents[number]
+    return (extents[2] if s <= extents[2] else extents[1]) - s + 1e-3
 
 
 @inlined

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -10,9 +11,10 @@ from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.clouds.air_table import DIRECTIONS, air_table
-from airlight.render.clouds.cloud_light import CloudLight, field_axes, sun_in_frame
-from airlight.render.clouds.cloud_tables import SOLVED, CloudTables
+from airlight.render.clouds.cloud_light import CloudLight, sun_in_frame
+from airlight.render.clouds.cloud_tables import SOLVED, CloudTables, LayerTables
 from airlight.render.clouds.directions import harmonic_norms
+from airlight.render.clouds.layer_geometry import layer_geometry
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.render.pixels.sky_view_window import coarse_window
 from airlight.scene import Scene
@@ -31,7 +33,7 @@ _ANGLES: Final = 256
 
 
 def cloud_tables(
-    light: CloudLight,
+    lights: Sequence[CloudLight],
     solution: MomentsSolution,
     scene: Scene,
     tables: MarchTables,
@@ -44,37 +46,24 @@ def cloud_tables(
 
     Parameters
     ----------
-    light : CloudLight
-        Light of the clouds.
+    lights : sequence of CloudLight
+        Light of each of the clouds, by ascending bases.
     solution, scene : MomentsSolution, Scene
         Solution and scene under the same light.
     tables, observer : MarchTables, Observer
         Tables and observer of the frame.
     """
-    field, box, optics, camera = light.field, light.box, light.optics, scene.camera
     radius = solution.medium.bottom_radius
-    base, top, eye = radius + field.base, radius + field.top, radius + scene.altitude
-    east, north, up = field_axes(field, scene)
-    moments = box.moments[:, :, box.below :]
-    per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
-    single_orders = observer.orders == 1
-    factor = 0.0 if single_orders else 1.0
-    source = moments * (factor * per_degree * light.unit).astype(np.float32)
-    beam, low, high = _beam(light, solution, scene, eye)
-    if observer.orders == 0:
-        beam = np.zeros_like(beam)
-    scaled = _scaled(light)
-    nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, _PHASES) ** 2
-    phase = optics.phase.values(nu, optics.wavelengths)
-    nothing = light.base_depth if light.base_depth.size else np.zeros(1)
-    window = coarse_window(camera, observer, tables.bottom, tables.top, DIRECTIONS)
+    base = radius + min(light.field.base for light in lights)
+    top, eye = radius + max(light.field.top for light in lights), radius + scene.altitude
+    window = coarse_window(scene.camera, observer, tables.bottom, tables.top, DIRECTIONS)
     air, beyond = air_table(
         solution.geometry,
         tables,
         observer,
         window,
         (eye, radius, base, top),
-        light.layer,
+        lights[0].layer,
         progress=progress,
         cancel=cancel,
     )
@@ -83,24 +72,37 @@ def cloud_tables(
         eye=eye,
         base=base,
         top=top,
-        corner_x=field.west,
-        corner_y=field.south,
-        step_x=float(field.spacing[0]),
-        step_y=float(field.spacing[1]),
-        step_z=float(field.spacing[2]),
-        periodic=field.beyond == "periodic",
-        detailed=field.interpolated and scene.ground == "detailed",
-        trail=field.trail,
-        east=east,
-        north=north,
-        up=up,
+        pixel_angle=float(scene.camera.pixel_angle),
+        layers=tuple(_layer(light, solution, scene, observer) for light in lights),
+        window=window,
+        air=air,
+        beyond=beyond,
+    )
+
+
+def _layer(
+    light: CloudLight, solution: MomentsSolution, scene: Scene, observer: Observer
+) -> LayerTables:
+    """Tables of one of the clouds."""
+    box, optics = light.box, light.optics
+    moments = box.moments[:, :, box.below :]
+    per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
+    factor = 0.0 if observer.orders == 1 else 1.0
+    source = moments * (factor * per_degree * light.unit).astype(np.float32)
+    beam, low, high = _beam(light, solution, scene)
+    if observer.orders == 0:
+        beam = np.zeros_like(beam)
+    scaled = _scaled(light)
+    nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, _PHASES) ** 2
+    phase = optics.phase.values(nu, optics.wavelengths)
+    nothing = light.base_depth if light.base_depth.size else np.zeros(1)
+    return LayerTables(
+        **layer_geometry(light.field, scene, solution.medium.bottom_radius),
         sun=sun_in_frame(scene),
-        pixel_angle=float(camera.pixel_angle),
-        mean_visibility=float(np.exp(-nothing * scaled.mean()).mean()),
-        extinction=np.ascontiguousarray(field.extinction.transpose(2, 1, 0)),
         clear=light.clear,
         depth=light.depth,
         base_depth=light.base_depth,
+        mean_visibility=float(np.exp(-nothing * scaled.mean()).mean()),
         source=_in_pairs(source),
         down=_twice(box.down.transpose(1, 0, 2) * (factor * light.unit).astype(np.float32)),
         solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], missing=1.0),
@@ -113,9 +115,6 @@ def cloud_tables(
         beam=pack(beam),
         beam_low=low,
         beam_high=high,
-        window=window,
-        air=air,
-        beyond=beyond,
     )
 
 
@@ -144,11 +143,11 @@ def _in_pairs(source: Float32Array) -> Float32Array:
 
 
 def _beam(
-    light: CloudLight, solution: MomentsSolution, scene: Scene, eye: float
+    light: CloudLight, solution: MomentsSolution, scene: Scene
 ) -> tuple[FloatArray, float, float]:
     """Direct normal irradiance by altitude and by the sine of the light's height, and its range."""
     radius, field = solution.medium.bottom_radius, light.field
-    top = radius + field.top
+    top, eye = radius + field.top, radius + scene.altitude
     reach = math.acos(radius / top) + math.acos(min(radius / max(eye, radius), 1.0)) + 0.02
     heights = [
         math.asin(min(max(sun, -1.0), 1.0)) for sun in (light.towards[2], sun_in_frame(scene).z)

@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.clouds.cloud_field import CloudField
-from airlight.clouds.cloud_optics import CloudOptics
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, lane_view, store
 from airlight.kernel.without_refcount import without_refcount
 from airlight.render.clouds.clear_distance import clear_distances
-from airlight.render.clouds.cloud_light import field_axes
+from airlight.render.clouds.cloud_light import CloudDeck
 from airlight.render.clouds.cloud_march import add_clouds
-from airlight.render.clouds.cloud_tables import SOLVED, CloudTables, new_cloud_work
+from airlight.render.clouds.cloud_tables import (
+    SOLVED,
+    CloudTables,
+    LayerTables,
+    new_cloud_work,
+)
 from airlight.render.clouds.directions import harmonic_norms
-from airlight.render.clouds.sight_extent import sight_extent
+from airlight.render.clouds.layer_geometry import layer_geometry
+from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.scene import Scene
 from airlight.solver.moments.packing import pack
@@ -30,19 +36,15 @@ class ThroughClouds:
 
     Parameters
     ----------
-    field : CloudField
+    decks : sequence of CloudDeck
         Clouds.
-    optics : CloudOptics
-        Optical properties at the wavelengths of the solution.
     solution, scene : MomentsSolution, Scene
         Solution, and scene in whose local frame, with the first light at azimuth 0, rays are.
     """
 
-    def __init__(
-        self, field: CloudField, optics: CloudOptics, solution: MomentsSolution, scene: Scene
-    ) -> None:
+    def __init__(self, decks: Sequence[CloudDeck], solution: MomentsSolution, scene: Scene) -> None:
         self._solution = solution
-        self._clouds = _dark_tables(field, optics, solution, scene)
+        self._clouds = _dark_tables(decks, solution, scene)
 
     def transmittance(self, rays: FloatArray) -> FloatArray:
         """Transmittance by clouds of lines of sight, shape (n, nl). [1]
@@ -68,9 +70,7 @@ def _transmittances(rays, clouds, tables, work, out):
         sine = np.hypot(ray.x, ray.y)
         impact = clouds.eye * sine
         to_ground = ray.z < 0.0 and impact < clouds.radius
-        extent = sight_extent(
-            ray.z, sine, to_ground, clouds.eye, clouds.radius, clouds.base, clouds.top
-        )
+        extent = sight_extents(ray, sine, to_ground, clouds, work)
         if extent.last > extent.first:
             add_clouds(ray, 0.0, extent, clouds, tables, work)
             for at in range(0, tables.lanes, LANES):
@@ -78,38 +78,37 @@ def _transmittances(rays, clouds, tables, work, out):
 
 
 def _dark_tables(
-    field: CloudField, optics: CloudOptics, solution: MomentsSolution, scene: Scene
+    decks: Sequence[CloudDeck], solution: MomentsSolution, scene: Scene
 ) -> CloudTables:
     """Tables of clouds without light."""
-    radius, camera = solution.medium.bottom_radius, scene.camera
-    east, north, up = field_axes(field, scene)
-    nl = solution.wavelengths.size
-    cells = np.ascontiguousarray(field.extinction.transpose(2, 1, 0))
-    whole = pack(np.asarray(optics.extinction)[None])
-    dark = np.zeros((2, 2 * SOLVED), np.float32)
+    radius, nl = solution.medium.bottom_radius, solution.wavelengths.size
     return CloudTables(
         radius=radius,
         eye=radius + scene.altitude,
-        base=radius + field.base,
-        top=radius + field.top,
-        corner_x=field.west,
-        corner_y=field.south,
-        step_x=float(field.spacing[0]),
-        step_y=float(field.spacing[1]),
-        step_z=float(field.spacing[2]),
-        periodic=field.beyond == "periodic",
-        detailed=field.interpolated and scene.ground == "detailed",
-        trail=field.trail,
-        east=east,
-        north=north,
-        up=up,
+        base=radius + min(deck.field.base for deck in decks),
+        top=radius + max(deck.field.top for deck in decks),
+        pixel_angle=float(scene.camera.pixel_angle),
+        layers=tuple(_dark_layer(deck, solution, scene) for deck in decks),
+        window=SkyViewWindow.whole(0, 0),
+        air=pack(np.zeros((1, 2, 6, nl))),
+        beyond=pack(np.zeros((1, nl))),
+    )
+
+
+def _dark_layer(deck: CloudDeck, solution: MomentsSolution, scene: Scene) -> LayerTables:
+    """Tables of one of the clouds."""
+    nl = solution.wavelengths.size
+    geometry = layer_geometry(deck.field, scene, solution.medium.bottom_radius)
+    cells = geometry["extinction"]
+    whole = pack(np.asarray(deck.optics_at(solution.wavelengths).extinction)[None])
+    dark = np.zeros((2, 2 * SOLVED), np.float32)
+    return LayerTables(
+        **geometry,
         sun=Vec3(0.0, 0.0, 1.0),
-        pixel_angle=float(camera.pixel_angle),
-        mean_visibility=1.0,
-        extinction=cells,
-        clear=clear_distances(field),
+        clear=clear_distances(deck.field),
         depth=cells,
         base_depth=cells[0],
+        mean_visibility=1.0,
         source=np.zeros((1, 1, 1, 1, 2 * SOLVED), np.float32),
         down=dark[None],
         solved_extinction=dark[:1] + np.float32(1.0),
@@ -122,7 +121,4 @@ def _dark_tables(
         beam=pack(np.zeros((2, 2, nl))),
         beam_low=-1.0,
         beam_high=1.0,
-        window=SkyViewWindow.whole(0, 0),
-        air=pack(np.zeros((1, 2, 6, nl))),
-        beyond=pack(np.zeros((1, nl))),
     )
