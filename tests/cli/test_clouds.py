@@ -11,7 +11,8 @@ import pytest
 import xarray
 
 from airlight.cli import main
-from airlight.errors import ConflictError
+from airlight.cli.planet_options import with_clouds
+from airlight.errors import ConflictError, ParameterError
 from airlight.image.exr import read_exr
 from airlight.planets import load_planet
 from airlight.render.solve_planet import solve_planet
@@ -187,6 +188,14 @@ def test_clouds_of_an_option_are_those_of_a_file_in_a_sweep(cloudy: str, tmp_pat
             found.append(data["radiance"].values)
             assert data["clouds.optical_depth"].attrs["units"] == "1"
     np.testing.assert_array_equal(*found)
+
+
+def test_clouds_with_commas_are_several_kinds() -> None:
+    found = with_clouds("cumulus,cirrus", None)
+    assert found == ['clouds=[{ kind = "cumulus" }, { kind = "cirrus" }]']
+    for text in ("cumulus,cirus", "cumulus,none", "cumulus,"):
+        with pytest.raises(ParameterError, match="--clouds is"):
+            with_clouds(text, None)
 
 
 def test_show_lists_clouds_beside_the_numbers_of_clear_air(

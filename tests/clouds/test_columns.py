@@ -8,7 +8,7 @@ import pytest
 import airlight
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
-from airlight.clouds.columns import EvenLayer, planet_columns, with_even_layer
+from airlight.clouds.columns import EvenLayer, planet_columns, reflecting_depth, with_even_layer
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets import Medium
 from airlight.planets.clouds import Altocumulus, CumulusHumilis, Stratocumulus, Stratus
@@ -72,10 +72,10 @@ def _even(*depths):
 def test_a_layer_reflects_as_its_columns_on_average():
     """The definition, for columns of reflectances 1/2 and 1/6: 1/3."""
     b = 0.5 * np.sqrt(3.0) * 0.15
-    depth = _even(1.0 / b, 0.2 / b).reflecting_depth(0.85)
+    depth = reflecting_depth(np.array([1.0, 0.2]) / b, 0.85)
     assert b * depth / (1.0 + b * depth) == pytest.approx(1.0 / 3.0, rel=1e-6)
-    assert _even(7.0, 7.0).reflecting_depth(0.85) == pytest.approx(7.0, rel=1e-6)
-    assert _even(1e-4, 3e-4).reflecting_depth(0.85) == pytest.approx(2e-4, rel=1e-3)  # linear
+    assert reflecting_depth(np.array([7.0, 7.0]), 0.85) == pytest.approx(7.0, rel=1e-6)
+    assert reflecting_depth(np.array([1e-4, 3e-4]), 0.85) == pytest.approx(2e-4, rel=1e-3)  # linear
 
 
 def test_a_field_is_a_layer_of_its_cloudy_columns_and_levels():
@@ -88,7 +88,7 @@ def test_a_field_is_a_layer_of_its_cloudy_columns_and_levels():
 
 def test_a_planet_below_an_even_layer_has_its_optical_depth():
     optics = CloudOptics.of_particles(droplets(6e-6, 0.1), [440.0, 550.0])
-    below = with_even_layer(_under(Stratus()), _even(4.0), optics, 4.0)
+    below = with_even_layer(_under(Stratus()), _even(4.0), optics)
     assert not below.clouds
     layer = Medium.from_planet(below, [440.0, 550.0]).vertical_optical_depth[-1]
     np.testing.assert_allclose(layer, 4.0 * optics.extinction, rtol=1e-6)

@@ -40,8 +40,9 @@ Clouds = Annotated[
         "--clouds",
         metavar="KIND|FILE",
         help="Three-dimensional clouds, instead of those of the planet's file: "
-        "{planets.clouds:WORDS}, the path of a NetCDF or Zarr file, or none. "
-        "--set clouds.cover=0.4 changes them.",
+        "{planets.clouds:WORDS}, the path of a NetCDF or Zarr file, several of these with commas "
+        "between them, or none. --set clouds.cover=0.4 changes them, or clouds.cirrus.cover=0.4 "
+        "those of one kind.",
     ),
 ]
 
@@ -152,19 +153,25 @@ def with_clouds(clouds: str | None, changes: list[str] | None, body: str = "") -
 
 
 def _clouds_override(text: str) -> str:
-    """Override of ``--clouds``: a word of a kind, ``none``, or the path of a file."""
+    """Override of ``--clouds``: words of kinds and paths of files, or ``none``."""
+    if text == "none":
+        return "clouds=[]"
+    given = [text] if Path(text).exists() else text.split(",")
+    return f"clouds=[{', '.join(_cloud_table(one) for one in given)}]"
+
+
+def _cloud_table(text: str) -> str:
+    """Table ``[[clouds]]`` of a word of a kind, or of the path of a file."""
     from airlight.planets.clouds import WORDS
     from airlight.planets.schema.toml_table import suggestion
 
-    if text == "none":
-        return "clouds=[]"
     if text in WORDS:
-        return f'clouds=[{{ kind = "{text}" }}]'
+        return f'{{ kind = "{text}" }}'
     path = Path(text)
-    if not path.suffix and not path.exists():
-        words = suggestion(text, (*WORDS, "none"))
-        raise ParameterError("--clouds", text, f"{words}, or the path of a file")
-    return f"clouds=[{{ file = {json.dumps(str(path.absolute()))} }}]"
+    if not text or (not path.suffix and not path.exists()):
+        words = suggestion(text, WORDS)
+        raise ParameterError("--clouds", text, f"{words}, the path of a file, or none alone")
+    return f"{{ file = {json.dumps(str(path.absolute()))} }}"
 
 
 def overrides_of(changes: list[str] | None) -> dict[str, Any]:

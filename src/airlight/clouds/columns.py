@@ -24,7 +24,7 @@ from airlight.planets.spectral import PerWavelength
 MOST_COLUMNS: Final = 8
 #: Vertical optical depth up to which a column of a field is clear. [1]
 CLEAR_COLUMN: Final = 0.1
-#: Name of the constituent of ``with_even_layer``.
+#: Start of the names of constituents of ``with_even_layer``.
 LAYER: Final = "mean layer of clouds"
 
 
@@ -118,63 +118,66 @@ class EvenLayer(NamedTuple):
             float(cloudy.mean()), field.base + first * step, (last - first) * step, columns[cloudy]
         )
 
-    def reflecting_depth(self, asymmetry: float) -> float:
-        r"""Optical depth of a uniform layer that reflects as much as the columns on average. [1]
 
-        A layer of their mean depth would reflect more: 0.63 rather than 0.47 for cumuli. The
-        reflectance is that of diffuse light without absorption,
+def reflecting_depth(optical_depths: NDArray[np.floating], asymmetry: float) -> float:
+    r"""Optical depth of a uniform layer that reflects as much as columns on average. [1]
 
-        .. math:: R = \frac{b \tau}{1 + b \tau}, \quad b = \frac{\sqrt{3}}{2} (1 - g)
+    A layer of their mean depth would reflect more: 0.63 rather than 0.47 for cumuli. The
+    reflectance is that of diffuse light without absorption,
 
-        Parameters
-        ----------
-        asymmetry : float
-            Mean cosine g of the scattering angle. [1]
+    .. math:: R = \frac{b \tau}{1 + b \tau}, \quad b = \frac{\sqrt{3}}{2} (1 - g)
 
-        References
-        ----------
-        Lacis & Hansen (1974), J. Atmos. Sci. 31, 118 (R; b = 0.13 for g = 0.85); Cahalan et al.
-        (1994), J. Atmos. Sci. 51, 2434 (bias of plane-parallel albedo).
+    Parameters
+    ----------
+    optical_depths : array
+        Vertical optical depths of the columns. [1]
+    asymmetry : float
+        Mean cosine g of the scattering angle. [1]
 
-        Examples
-        --------
-        >>> even = EvenLayer(0.5, 1e3, 500.0, np.full(3, 8.0, np.float32))
-        >>> round(even.reflecting_depth(0.85), 6)
-        8.0
-        """
-        b = max(0.5 * np.sqrt(3.0) * (1.0 - asymmetry), 1e-6)
-        passed = (1.0 / (1.0 + b * self.optical_depths.astype(float))).mean()
-        return float((1.0 / passed - 1.0) / b)
+    References
+    ----------
+    Lacis & Hansen (1974), J. Atmos. Sci. 31, 118 (R; b = 0.13 for g = 0.85); Cahalan et al.
+    (1994), J. Atmos. Sci. 51, 2434 (bias of plane-parallel albedo).
+
+    Examples
+    --------
+    >>> round(reflecting_depth(np.full(3, 8.0), 0.85), 6)
+    8.0
+    """
+    b = max(0.5 * np.sqrt(3.0) * (1.0 - asymmetry), 1e-6)
+    passed = (1.0 / (1.0 + b * optical_depths.astype(float))).mean()
+    return float((1.0 / passed - 1.0) / b)
 
 
-def with_even_layer(
-    planet: Planet, layer: EvenLayer, optics: CloudOptics, optical_depth: float
-) -> Planet:
-    """Planet below a uniform layer, its last constituent, instead of three-dimensional clouds.
+def with_even_layer(planet: Planet, layer: EvenLayer, optics: CloudOptics) -> Planet:
+    """Planet without three-dimensional clouds, below a uniform layer that reflects as much.
 
     Parameters
     ----------
     planet : Planet
-        Planet.
+        Planet; may have such layers, to which one is added.
     layer : EvenLayer
-        Base and depth.
+        Layer.
     optics : CloudOptics
         Optical properties of the particles.
-    optical_depth : float
-        Vertical optical depth at 550 nm. [1]
     """
+    nm, albedo = np.asarray(optics.wavelengths), np.asarray(optics.albedo)
+    moments = np.asarray(optics.phase.moments(nm, 1))
+    asymmetry = float((moments[:, 1] / moments[:, 0]).mean())
+    optical_depth = reflecting_depth(layer.optical_depths, asymmetry)
     extinction = optical_depth / layer.depth * np.asarray(optics.extinction)
-    nm, albedo = tuple(np.asarray(optics.wavelengths).tolist()), np.asarray(optics.albedo)
+
+    def spectrum(values: NDArray[np.float64]) -> PerWavelength:
+        return PerWavelength(wavelengths=tuple(nm.tolist()), values=tuple(values.tolist()))
+
+    bare = planet.without_clouds
     cloud = Constituent(
-        name=LAYER,
+        name=f"{LAYER} {len(bare.constituents)}",
         profile=_profile(layer.base, layer.depth),
-        scattering=PerWavelength(wavelengths=nm, values=tuple((extinction * albedo).tolist())),
-        absorption=PerWavelength(
-            wavelengths=nm, values=tuple((extinction * (1.0 - albedo)).tolist())
-        ),
+        scattering=spectrum(extinction * albedo),
+        absorption=spectrum(extinction * (1.0 - albedo)),
         phase_function=optics.phase,
     )
-    bare = planet.without_clouds
     return replace(bare, constituents=(*bare.constituents, cloud))
 
 

@@ -13,7 +13,7 @@ from airlight import Camera, Scene, render
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
 from airlight.engines.composition import Placement, compose
-from airlight.render.clouds.cloud_light import CloudDeck
+from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.solver.moments.solution import MomentsSolution
 

@@ -5,10 +5,12 @@ import pytest
 
 from airlight import Scene, load_planet
 from airlight.clouds.cloud_field import CloudField
+from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop
 from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.clear_distance import clear_distances
-from airlight.render.clouds.cloud_light import box_spectrum, coarse_field, solved_wavelengths
+from airlight.render.clouds.cloud_deck import solved_wavelengths
+from airlight.render.clouds.cloud_light import box_spectrum, coarse_field
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.clouds.directions import fill_harmonics, harmonic_norms
 from airlight.render.clouds.sight_extent import node_distance, node_of_distance, sight_extent
@@ -137,3 +139,9 @@ def test_decks_are_sorted_and_know_their_clouds():
     assert [deck.number for deck in around.decks] == [1, 0]
     assert around.decks[0].field.top < around.decks[1].field.base
     assert CloudsAround.of(two.without_clouds, Scene()) is None
+
+
+def test_a_picture_has_at_most_three_kinds_of_clouds():
+    kinds = [{"kind": kind} for kind in ("cumulus", "stratus", "altocumulus", "cirrus")]
+    with pytest.raises(ParameterError, match="4 kinds'; allowed: at most 3 kinds in a picture"):
+        CloudsAround.of(load_planet("earth", {"clouds": kinds}), Scene())

@@ -9,7 +9,7 @@ import pytest
 from airlight import Camera, Scene, load_planet
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
-from airlight.render.clouds.cloud_light import CloudDeck
+from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.render import render
 from airlight.render.solve_planet import solve_planet

@@ -13,7 +13,7 @@ import airlight
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
 from airlight.errors import ConflictError
-from airlight.render.clouds.cloud_light import CloudDeck
+from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.render_scene import render_scene
 from airlight.render.render_system import render_system

@@ -83,7 +83,7 @@ def air_table(
         if layer is None or observer.orders == 1:
             return
         found = [_higher(*here, one)[..., : len(layer.weights)] for one in layer.air]
-        mean = layer.ratio(*found) * out[some, :, 3, :count]
+        mean = layer.ratio(found) * out[some, :, 3, :count]
         out[some, :, 5, :count] = out[some, :, 3, :count] - mean
         out[some, :, 3, :count] = mean
 

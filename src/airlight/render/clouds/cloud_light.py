@@ -12,12 +12,14 @@ from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
+from airlight.clouds.columns import reflecting_depth
 from airlight.geometry.vectors import Vec3
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.clear_distance import clear_distances
+from airlight.render.clouds.cloud_deck import CloudDeck, solved_wavelengths
 from airlight.render.clouds.cloud_tables import SOLVED
-from airlight.render.clouds.mean_layer import MeanLayer, mean_layer
+from airlight.render.clouds.mean_layer import MeanLayer
 from airlight.scene import Scene
 from airlight.solver.boxes.directions import directions
 from airlight.solver.boxes.light import BoxAir, BoxLight
@@ -29,8 +31,6 @@ from airlight.solver.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Optical properties of a cloud's particles at wavelengths. [nm]
-OpticsAt = Callable[[FloatArray], CloudOptics]
 #: Cosine of the zenith angle below which a flat box has no beam. [1]
 LOWEST_BEAM: Final = 0.01
 #: Largest number of cells of the boxes that are solved, larger fields are coarsened; and number of
@@ -42,28 +42,8 @@ _AROUND: Final = (4, 8)
 #: Levels of air in a box, and highest degree of their phase functions.
 _LEVELS: Final = 6
 _DEGREE: Final = 8
-#: Distance of the first and the last solved wavelength from the ends, over the number of all. [1]
-_INSET: Final = 0.08
 #: Singular value over the largest below which spectra of beam and sky count as alike. [1]
 _ALIKE: Final = 1e-6
-
-
-class CloudDeck(NamedTuple):
-    """Clouds of one kind.
-
-    Attributes
-    ----------
-    field : CloudField
-        Extinction.
-    optics_at : callable
-        Optical properties of the particles at wavelengths, as ``CloudOptics.of_particles``.
-    number : int
-        Number among the clouds of the planet.
-    """
-
-    field: CloudField
-    optics_at: OpticsAt
-    number: int = 0
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -106,6 +86,20 @@ class CloudLight:
     base_depth: Float32Array
     clear: Float32Array
 
+    @property
+    def scaled(self) -> FloatArray:
+        """Delta-M scaled extinction over that at 550 nm, shape (nl,). [1]"""
+        optics = self.optics
+        moments = optics.phase.moments(optics.wavelengths, self.box.settings.degree + 1)
+        truncated = np.clip(moments[:, -1] / moments[:, 0], 0.0, 1.0)
+        return np.asarray(optics.extinction * (1.0 - optics.albedo * truncated))
+
+    @property
+    def visibility(self) -> FloatArray:
+        """Mean transmittance of the beam below the clouds, shape (nl,). [1]"""
+        depth = self.base_depth.astype(np.float64).ravel()
+        return np.array([np.exp(-depth * one).mean() for one in self.scaled])
+
 
 def field_axes(field: CloudField, scene: Scene) -> tuple[Vec3, Vec3, Vec3]:
     """Axes of a field's place in the observer's frame: east, north, up. [1]"""
@@ -122,11 +116,22 @@ def sun_in_frame(scene: Scene) -> Vec3:
     return Vec3(float(np.hypot(sun[0], sun[1])), 0.0, float(sun[2]))
 
 
-def solved_wavelengths(count: int) -> NDArray[np.int64]:
-    """Indices of at most ``SOLVED`` of so many wavelengths at which boxes are solved."""
-    if count <= SOLVED:
-        return np.arange(count)
-    return np.round(np.linspace(_INSET, 1.0 - _INSET, SOLVED) * (count - 1)).astype(np.int64)
+class OtherClouds(NamedTuple):
+    """Clouds around those of a kind, which act on them by their mean.
+
+    Attributes
+    ----------
+    layer : MeanLayer or None
+        Mean layer of all clouds.
+    above : sequence of CloudLight
+        Clouds above.
+    below : sequence of CloudDeck
+        Clouds below.
+    """
+
+    layer: MeanLayer | None = None
+    above: Sequence[CloudLight] = ()
+    below: Sequence[CloudDeck] = ()
 
 
 class Incident(NamedTuple):
@@ -170,9 +175,9 @@ def incident(
     solution: MomentsSolution,
     field: CloudField,
     towards: tuple[float, float, float],
-    layer: MeanLayer | None,
+    around: OtherClouds,
 ) -> Incident:
-    """Light on a field under a light in a direction, above a mean layer of clouds.
+    """Light on a field under a light in a direction, with clouds around it.
 
     Parameters
     ----------
@@ -180,8 +185,8 @@ def incident(
         Planet without clouds, and clouds.
     towards : tuple of three float
         Unit vector to the light at the place of the field: east, north, up. [1]
-    layer : MeanLayer, optional
-        Mean layer of the clouds; by default there is none.
+    around : OtherClouds
+        Other clouds.
     """
     medium = solution.medium
     top, mu_s = np.array([medium.bottom_radius + field.top]), np.array([towards[2]])
@@ -199,12 +204,16 @@ def incident(
             medium.top_radius,
         )
         found = np.maximum(solution.relative_radiance(lines), 0.0)
-        return np.asarray(found if layer is None else found * layer.radiance_ratio(lines))
+        ratio = 1.0 if around.layer is None else around.layer.radiance_ratio(lines)
+        return np.asarray(found * ratio)
 
-    sky = solution.relative_sky_irradiance(top, mu_s)
+    sky, layer = solution.relative_sky_irradiance(top, mu_s), around.layer
+    beam = solution.relative_normal_irradiance(top, mu_s)[0]
+    for one in around.above:
+        beam = beam * one.visibility
     return Incident(
         towards,
-        solution.relative_normal_irradiance(top, mu_s)[0],
+        beam,
         (sky if layer is None else sky * layer.sky_ratio(top, mu_s))[0],
         radiance,
     )
@@ -221,6 +230,7 @@ def solve_clouds(
     solution: MomentsSolution,
     scene: Scene,
     deck: CloudDeck,
+    around: OtherClouds,
     *,
     solved_at: Sequence[tuple[float, Scene]] = (),
     quality: str = "default",
@@ -238,6 +248,8 @@ def solve_clouds(
         Scene of this light.
     deck : CloudDeck
         Clouds.
+    around : OtherClouds
+        Other clouds.
     solved_at : sequence of (float, Scene), optional
         Weights and scenes of the same place between which higher orders are interpolated, see
         ``blended``; by default they are those of ``scene``.
@@ -248,16 +260,16 @@ def solve_clouds(
     """
     field, optics_at, nm = deck.field, deck.optics_at, solution.medium.wavelengths
     chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
-    layer = mean_layer(
-        solution, field, optics_at(nm[chosen]), cache=cache, progress=progress, cancel=cancel
-    )
-    light = incident(solution, field, sun_over(field, scene), layer)
+    light = incident(solution, field, sun_over(field, scene), around)
+    air = _box_air(solution, field.top, chosen)
+    for other in around.below:
+        air = with_deck(air, other, nm[chosen])
 
     def box_under(one: Incident) -> BoxSolution:
         return solve_box(
             coarse,
             optics_at(nm[chosen]),
-            _box_light(solution, field, one, chosen),
+            _box_light(solution, air, one, chosen),
             quality=quality,
             cache=cache,
             progress=progress,
@@ -266,7 +278,7 @@ def solve_clouds(
 
     if solved_at:
         suns = [(weight, sun_over(field, one)) for weight, one in solved_at]
-        others = [(weight, incident(solution, field, sun, layer)) for weight, sun in suns]
+        others = [(weight, incident(solution, field, sun, around)) for weight, sun in suns]
         box = blended([(weight, one, box_under(one)) for weight, one in others], light, chosen)
         unit = np.ones(chosen.size)
     else:
@@ -275,7 +287,7 @@ def solve_clouds(
         field, light.towards, solution.medium.bottom_radius, progress=progress, cancel=cancel
     )
     spectrum = box_spectrum(nm, chosen, light.beam, light.sky)
-    without = incident(solution, field, light.towards, None)
+    without = incident(solution, field, light.towards, OtherClouds())
     cloudy, clear = _hemispheres(solution, box, unit, spectrum, (light, without))
     return CloudLight(
         field=field,
@@ -284,7 +296,7 @@ def solve_clouds(
         towards=light.towards,
         unit=unit,
         spectrum=spectrum,
-        layer=layer,
+        layer=around.layer,
         diffuse=np.maximum(cloudy / np.maximum(clear, 1e-30), 0.0),
         depth=depth,
         base_depth=base_depth,
@@ -323,7 +335,7 @@ def blended(
 
 
 def _box_light(
-    solution: MomentsSolution, field: CloudField, light: Incident, chosen: NDArray[np.int64]
+    solution: MomentsSolution, air: BoxAir, light: Incident, chosen: NDArray[np.int64]
 ) -> BoxLight:
     """Light of a box at the solved wavelengths."""
     unit = light.unit[chosen]
@@ -333,7 +345,7 @@ def _box_light(
         albedo=albedo[chosen],
         ground=0.0,
         sky=lambda along: np.asarray(light.radiance(along)[:, chosen] / unit),
-        air=_box_air(solution, field.top, chosen),
+        air=air,
     )
 
 
@@ -444,6 +456,40 @@ def _box_air(solution: MomentsSolution, top: float, chosen: NDArray[np.int64]) -
     moments = medium.phase_moments(_DEGREE)[:, chosen]
     moments = moments / np.maximum(moments[..., :1], 1e-30)
     mixed = np.einsum("ck,cw,cwl->kwl", density, medium.scattering[:, chosen], moments)
+    mixed = mixed / np.maximum(scattering, 1e-30)[..., None]
+    mixed[..., 0] = 1.0
+    albedo = np.minimum(scattering / np.maximum(extinction, 1e-30), 1.0)
+    return BoxAir(edges=edges, extinction=extinction, albedo=albedo, moments=mixed)
+
+
+def with_deck(air: BoxAir, deck: CloudDeck, wavelengths: FloatArray) -> BoxAir:
+    """Air of a box with the mean layer of clouds below those of the box.
+
+    Parameters
+    ----------
+    air : BoxAir
+        Air.
+    deck : CloudDeck
+        Clouds, of which the part below the top of the air counts.
+    wavelengths : array, shape (w,)
+        Wavelengths. [nm]
+    """
+    field, optics = deck.field, deck.optics_at(wavelengths)
+    top = min(field.top, float(air.edges[-1]))
+    if field.base >= top:
+        return air
+    edges = np.union1d(air.edges, [field.base, top])
+    middles = 0.5 * (edges[1:] + edges[:-1])
+    inside = (middles > field.base) & (middles < top)
+    old = np.searchsorted(air.edges, middles) - 1
+    moments = np.asarray(optics.phase.moments(wavelengths, air.moments.shape[2] - 1))
+    moments = moments / moments[:, :1]
+    depth = reflecting_depth(field.column_optical_depth, float(moments[:, 1].mean()))
+    added = inside[:, None] * np.asarray(optics.extinction) * (depth / (field.top - field.base))
+    scattered = added * np.asarray(optics.albedo)
+    before = air.extinction[old] * air.albedo[old]
+    scattering, extinction = before + scattered, air.extinction[old] + added
+    mixed = before[..., None] * air.moments[old] + scattered[..., None] * moments
     mixed = mixed / np.maximum(scattering, 1e-30)[..., None]
     mixed[..., 0] = 1.0
     albedo = np.minimum(scattering / np.maximum(extinction, 1e-30), 1.0)

@@ -89,10 +89,8 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
     work.lit[:] = 1.0
     for n in range(len(clouds.layers)):
         shade_line(ray, extent, tuple_item(clouds.layers, n), clouds, work)
-    so_far = node_distance(0, nodes, extent)
     for node in range(nodes):
         shade = 1.0 - work.lit[node]
-        distance = node_distance(node, nodes, extent)
         for at in range(0, tables.lanes, LANES):
             air, kept = lane_view(clouds.air, at), lane_view(work.before, at)
             phases, lost = lane_view(tables.phase, at), lane_view(work.light, at)
@@ -126,7 +124,6 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
                 lost[3] = lost[3] + maximum(first - ahead[0], 0.0) * np.float32(shade)
             ahead[0] = first
             kept[node] = first + higher - lost[3]
-        so_far = distance
     for at in range(0, tables.lanes, LANES):
         air, end = lane_view(clouds.air, at), lane_view(clouds.beyond, at)
         lost, last = lane_view(work.light, at), nodes - 1

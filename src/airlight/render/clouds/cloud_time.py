@@ -12,7 +12,7 @@ from airlight.scene import Scene
 
 if TYPE_CHECKING:
     from airlight.clouds.cloud_field import CloudField
-    from airlight.render.clouds.cloud_light import CloudDeck
+    from airlight.render.clouds.cloud_deck import CloudDeck
     from airlight.render.clouds.clouds_around import CloudsAround
 
 #: Clouds of the last pictures, whose light the next ones may share.

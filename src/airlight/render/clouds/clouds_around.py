@@ -6,7 +6,7 @@ import dataclasses
 import functools
 from collections.abc import Callable, Sequence
 from dataclasses import KW_ONLY, dataclass, replace
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,16 +14,23 @@ from numpy.typing import NDArray
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
 from airlight.clouds.planet_clouds import Box, clouds_of
+from airlight.errors import ParameterError
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
-from airlight.render.clouds.cloud_light import CloudDeck, CloudLight, solve_clouds, sun_over
+from airlight.render.clouds.cloud_deck import CloudDeck
+from airlight.render.clouds.cloud_light import CloudLight, OtherClouds, solve_clouds, sun_over
+from airlight.render.clouds.mean_layer import mean_layer
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 #: Lights by what they depend on, with moments whose identity is a part of it.
 _Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, tuple[CloudLight, ...]]]
+
+
+#: Largest number of kinds of clouds in a picture.
+MOST_KINDS: Final = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,19 +72,27 @@ class CloudsAround:
             Scene, in whose place boxes of generated clouds have their middle.
         quality : str
             Quality of the picture; that of the boxes is ``"preview"`` below ``"high"``.
+
+        Raises
+        ------
+        ParameterError
+            If the planet has more than three kinds of clouds.
         """
         if not planet.clouds:
             return None
+        if len(planet.clouds) > MOST_KINDS:
+            allowed = f"at most {MOST_KINDS} kinds in a picture"
+            raise ParameterError("clouds", f"{len(planet.clouds)} kinds", allowed)
         box = Box(latitude=scene.latitude, longitude=scene.longitude)
 
         @functools.cache
         def at(*nm: float) -> tuple[tuple[CloudField, CloudOptics], ...]:
             return clouds_of(planet, nm, box)
 
-        decks = [
-            CloudDeck(field, lambda nm, number=number: at(*nm)[number][1], number)
-            for number, (field, _) in enumerate(at(550.0))
-        ]
+        def deck(number: int, field: CloudField) -> CloudDeck:
+            return CloudDeck(field, lambda nm: at(*nm)[number][1], number)
+
+        decks = [deck(number, field) for number, (field, _) in enumerate(at(550.0))]
         return cls(
             tuple(sorted(decks, key=lambda deck: deck.field.base)),
             quality="high" if quality == "high" else "preview",
@@ -109,19 +124,23 @@ class CloudsAround:
         )
 
         def make() -> tuple[Any, tuple[CloudLight, ...]]:
-            found = (
-                solve_clouds(
+            layer = mean_layer(
+                solution, self.decks, cache=self.cache, progress=progress, cancel=cancel
+            )
+            found: list[CloudLight] = []
+            for number in range(len(self.decks) - 1, -1, -1):
+                one = solve_clouds(
                     solution,
                     scene,
-                    deck,
+                    self.decks[number],
+                    OtherClouds(layer, tuple(found), self.decks[:number]),
                     solved_at=nodes,
                     quality=self.quality,
                     cache=self.cache,
                     progress=progress,
                     cancel=cancel,
                 )
-                for deck in self.decks
-            )
+                found.insert(0, one)
             return solution.moments, tuple(found)
 
         kept = self._lights.of(key, make)[1]

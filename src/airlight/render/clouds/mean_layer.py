@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Final
+from itertools import product
+from math import prod
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.clouds.cloud_field import CloudField
-from airlight.clouds.cloud_optics import CloudOptics
 from airlight.clouds.columns import LAYER, EvenLayer, with_even_layer
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
-from airlight.planets.planet import Planet
+from airlight.render.clouds.cloud_deck import CloudDeck, solved_wavelengths
 from airlight.render.pixels.march_points import march_points
 from airlight.render.pixels.render_tables import render_tables
 from airlight.solver.lines_of_sight import LinesOfSight
@@ -25,7 +26,7 @@ from airlight.solver.moments.solve import solve
 
 FloatArray = NDArray[np.float64]
 
-#: Quality of both solutions, of which only the ratio counts.
+#: Quality of the solutions, of which only the ratio counts.
 QUALITY: Final = "preview"
 #: Largest energy balance error without a warning: air scatters a tenth of a picture's light. [1]
 ENERGY_TOLERANCE: Final = 0.1
@@ -38,38 +39,50 @@ _BY_CONSTITUENT: Final = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class MeanLayer:
-    r"""Mean of a planet below a uniform layer and without it, over the planet without it.
-
-    .. math:: q = 1 + c \left(\frac{L_1}{L_0} - 1\right)
-
-    for the cover c and light with the layer and without: independent columns, in scalar transfer at
-    a few wavelengths. Between those the ratio is linear.
+class MeanColumn(NamedTuple):
+    """Part of a planet under an even cover of clouds.
 
     Attributes
     ----------
-    cover : float
-        Fraction of the area below the layer. [1]
-    layered, clear : MomentsSolution
-        Planet below the layer, its last constituent, and without it.
+    fraction : float
+        Fraction of the area. [1]
+    solution : MomentsSolution
+        Planet that is everywhere like this part, with the clouds as its last constituents.
+    """
+
+    fraction: float
+    solution: MomentsSolution
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MeanLayer:
+    r"""Mean of a planet below uniform layers of clouds and without them, over that without.
+
+    .. math:: q = \sum_i f_i L_i / L_0
+
+    for light L and fractions f of independent columns, of which the first is clear: in scalar
+    transfer at a few wavelengths. Between those the ratio is linear.
+
+    Attributes
+    ----------
+    columns : tuple of MeanColumn
+        Columns; the first is clear.
     weights : array, shape (solved, nl)
         Weights of their wavelengths. [1]
     """
 
-    cover: float
-    layered: MomentsSolution
-    clear: MomentsSolution
+    columns: tuple[MeanColumn, ...]
     weights: FloatArray
 
-    def ratio(self, layered: NDArray[np.floating], clear: NDArray[np.floating]) -> FloatArray:
-        """Ratio q at all wavelengths, of light (..., solved) with and without the layer. [1]"""
-        found = 1.0 + self.cover * (layered / np.maximum(clear, 1e-30) - 1.0)
+    def ratio(self, light: Sequence[NDArray[np.floating]]) -> FloatArray:
+        """Ratio q at all wavelengths, of the light (..., solved) of each column. [1]"""
+        total = sum(one.fraction * part for one, part in zip(self.columns, light, strict=True))
+        found = np.asarray(total) / np.maximum(light[0], 1e-30)
         return np.asarray(np.clip(found, 0.0, MOST_LIGHT) @ self.weights)
 
     def radiance_ratio(self, lines: LinesOfSight) -> FloatArray:
         """Ratio of the diffuse radiance of lines of sight, shape (n, nl). [1]"""
-        return self.ratio(*(one.relative_radiance(lines) for one in (self.layered, self.clear)))
+        return self.ratio([one.solution.relative_radiance(lines) for one in self.columns])
 
     def sky_ratio(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """Ratio of the irradiance of a level surface by the sky, shape (n, nl). [1]
@@ -79,57 +92,55 @@ class MeanLayer:
         r, mu_s : array, shape (n,)
             Radii [m] and cosines of the light's zenith angle [1].
         """
-        return self.ratio(
-            *(one.relative_sky_irradiance(r, mu_s) for one in (self.layered, self.clear))
-        )
+        return self.ratio([one.solution.relative_sky_irradiance(r, mu_s) for one in self.columns])
 
     @cached_property
-    def air(self) -> tuple[MarchTables, MarchTables]:
-        """Tables of the march through the air alone, in the light with the layer and without."""
-        first, other = (
-            render_tables(one, peaks=False, **march_points(one)._asdict())
-            for one in (self.layered, self.clear)
-        )
-        cloud = self.layered.geometry.medium.names.index(LAYER)
-        without = {}
-        for name in _BY_CONSTITUENT:
-            values = getattr(first, name).copy()
-            values[cloud] = 0.0
-            without[name] = values
-        return first._replace(**without), other
+    def air(self) -> tuple[MarchTables, ...]:
+        """Tables of the march through the air alone, in the light of each column."""
+        return tuple(_air_tables(one.solution) for one in self.columns)
+
+
+def _air_tables(solution: MomentsSolution) -> MarchTables:
+    """Tables of the march through a planet whose clouds are there only as light."""
+    tables = render_tables(solution, peaks=False, **march_points(solution)._asdict())
+    names = solution.geometry.medium.names
+    clouds = [n for n, name in enumerate(names) if name.startswith(LAYER)]
+    without = {}
+    for name in _BY_CONSTITUENT:
+        values = getattr(tables, name).copy()
+        values[clouds] = 0.0
+        without[name] = values
+    return tables._replace(**without)
 
 
 def mean_layer(
     solution: MomentsSolution,
-    field: CloudField,
-    optics: CloudOptics,
+    decks: Sequence[CloudDeck],
     *,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MeanLayer | None:
-    """Mean layer of a field above a planet; None without cloudy columns.
+    """Mean layers of clouds above a planet, at random overlap; None without cloudy columns.
 
     Parameters
     ----------
     solution : MomentsSolution
         Solution of the planet without clouds.
-    field : CloudField
+    decks : sequence of CloudDeck
         Clouds.
-    optics : CloudOptics
-        Optical properties at some wavelengths of the solution.
     cache : bool
         Whether solutions are read from and stored on disk.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
-    layer, planet, nm = EvenLayer.of(field), solution.planet, np.asarray(optics.wavelengths)
-    if layer.cover == 0.0 or planet is None:
+    layers = [EvenLayer.of(deck.field) for deck in decks]
+    planet, every = solution.planet, solution.medium.wavelengths
+    if planet is None or not any(layer.cover > 0.0 for layer in layers):
         return None
-    moments = np.asarray(optics.phase.moments(nm, 1))
-    asymmetry = float((moments[:, 1] / moments[:, 0]).mean())
+    nm = every[solved_wavelengths(every.size)]
     settings = settings_for(QUALITY)
-    # one degree for both, so that delta-M scaling of haze is the same
+    # one degree for all, so that delta-M scaling of haze is the same
     degree = settings.layer_degree
     settings = replace(
         settings,
@@ -138,17 +149,21 @@ def mean_layer(
         thick_degree=degree,
         energy_tolerance=ENERGY_TOLERANCE,
     )
-
-    def solved(one: Planet) -> MomentsSolution:
-        medium = Medium.from_planet(one, nm, progress=progress, cancel=cancel)
-        return solve(medium, settings, cache=cache, progress=progress, cancel=cancel).of(one)
-
-    below = with_even_layer(planet, layer, optics, layer.reflecting_depth(asymmetry))
+    columns = []
+    for present in product((False, True), repeat=len(layers)):
+        covers = [
+            one.cover if there else 1.0 - one.cover
+            for one, there in zip(layers, present, strict=True)
+        ]
+        fraction, column = prod(covers), planet.without_clouds
+        if fraction == 0.0 and any(present):
+            continue
+        for deck, layer, there in zip(decks, layers, present, strict=True):
+            if there:
+                column = with_even_layer(column, layer, deck.optics_at(nm))
+        medium = Medium.from_planet(column, nm, progress=progress, cancel=cancel)
+        solved = solve(medium, settings, cache=cache, progress=progress, cancel=cancel)
+        columns.append(MeanColumn(fraction, solved.of(column)))
     order = np.argsort(nm)
-    weights = [np.interp(solution.wavelengths, nm[order], row[order]) for row in np.eye(nm.size)]
-    return MeanLayer(
-        cover=layer.cover,
-        layered=solved(below),
-        clear=solved(planet.without_clouds),
-        weights=np.array(weights),
-    )
+    weights = [np.interp(every, nm[order], row[order]) for row in np.eye(nm.size)]
+    return MeanLayer(columns=tuple(columns), weights=np.array(weights))

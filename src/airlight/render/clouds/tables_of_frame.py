@@ -92,17 +92,16 @@ def _layer(
     beam, low, high = _beam(light, solution, scene)
     if observer.orders == 0:
         beam = np.zeros_like(beam)
-    scaled = _scaled(light)
+    scaled = light.scaled
     nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, _PHASES) ** 2
     phase = optics.phase.values(nu, optics.wavelengths)
-    nothing = light.base_depth if light.base_depth.size else np.zeros(1)
     return LayerTables(
         **layer_geometry(light.field, scene, solution.medium.bottom_radius),
         sun=sun_in_frame(scene),
         clear=light.clear,
         depth=light.depth,
         base_depth=light.base_depth,
-        mean_visibility=float(np.exp(-nothing * scaled.mean()).mean()),
+        mean_visibility=float(light.visibility.mean()),
         source=_in_pairs(source),
         down=_twice(box.down.transpose(1, 0, 2) * (factor * light.unit).astype(np.float32)),
         solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], missing=1.0),
@@ -116,14 +115,6 @@ def _layer(
         beam_low=low,
         beam_high=high,
     )
-
-
-def _scaled(light: CloudLight) -> FloatArray:
-    """Delta-M scaled extinction over that at 550 nm, at all wavelengths. [1]"""
-    optics, degree = light.optics, light.box.settings.degree
-    moments = optics.phase.moments(optics.wavelengths, degree + 1)
-    truncated = np.clip(moments[:, -1] / moments[:, 0], 0.0, 1.0)
-    return np.asarray(optics.extinction * (1.0 - optics.albedo * truncated))
 
 
 def _twice(values: Float32Array, missing: float = 0.0) -> Float32Array:

@@ -12,7 +12,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, lane_view, store
 from airlight.kernel.without_refcount import without_refcount
 from airlight.render.clouds.clear_distance import clear_distances
-from airlight.render.clouds.cloud_light import CloudDeck
+from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.cloud_march import add_clouds
 from airlight.render.clouds.cloud_tables import (
     SOLVED,
