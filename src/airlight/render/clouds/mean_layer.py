@@ -151,14 +151,12 @@ def mean_layer(
     )
     columns = []
     for present in product((False, True), repeat=len(layers)):
-        covers = [
-            one.cover if there else 1.0 - one.cover
-            for one, there in zip(layers, present, strict=True)
-        ]
-        fraction, column = prod(covers), planet.without_clouds
+        chosen = tuple(zip(decks, layers, present, strict=True))
+        fraction = prod(one.cover if there else 1.0 - one.cover for _, one, there in chosen)
+        column = planet.without_clouds
         if fraction == 0.0 and any(present):
             continue
-        for deck, layer, there in zip(decks, layers, present, strict=True):
+        for deck, layer, there in chosen:
             if there:
                 column = with_even_layer(column, layer, deck.optics_at(nm))
         medium = Medium.from_planet(column, nm, progress=progress, cancel=cancel)
