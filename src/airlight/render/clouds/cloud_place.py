@@ -6,7 +6,7 @@ from math import exp, sqrt
 
 from airlight.geometry.vectors import dot, plus, scaled
 from airlight.kernel import inlined
-from airlight.render.clouds.beam_depth import cell_after, cell_before, cell_value
+from airlight.render.clouds.beam_depth import cell_before, cell_value, plane_value
 from airlight.render.clouds.patches import displaced_patch
 
 
@@ -51,7 +51,9 @@ def patch_place(point, layer):
     scale *= scale
     free = 1e9
     if layer.periodic:
-        right, up, free = displaced_patch(east, north, nx * layer.step_x, ny * layer.step_y)
+        right, up, free = displaced_patch(
+            east, north, nx * layer.step_x, ny * layer.step_y, layer.edges
+        )
         east += right
         north += up
     return (
@@ -90,23 +92,18 @@ def beam_depth_at(point, layer):
     layer : LayerTables
         Clouds.
     """
-    x, y, z = box_place(point, layer)
     nz, ny, nx = layer.extinction.shape
+    radius = sqrt(dot(point, point))
     depth = 0.0
-    if z < -0.5:
-        radius = sqrt(dot(point, point))
+    if radius < layer.base:
         rising = dot(point, layer.sun)
         gap = (layer.base - radius) * (layer.base + radius)
         way = gap / (sqrt(rising * rising + gap) + max(rising, 0.0))
-        x, y, z = box_place(plus(point, scaled(layer.sun, way)), layer)
+        x, y, _ = box_place(plus(point, scaled(layer.sun, way)), layer)
         if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
-            i, e = cell_before(x, nx, layer.periodic)
-            j, f = cell_before(y, ny, layer.periodic)
-            right, back = cell_after(i, nx, layer.periodic), cell_after(j, ny, layer.periodic)
-            low = (1.0 - e) * layer.base_depth[j, i] + e * layer.base_depth[j, right]
-            high = (1.0 - e) * layer.base_depth[back, i] + e * layer.base_depth[back, right]
-            depth = (1.0 - f) * low + f * high
-    elif z < nz - 0.5:
+            depth = plane_value(layer.base_depth, x, y, layer.periodic)
+    elif radius < layer.top:
+        x, y, z = box_place(point, layer)
         depth = cell_value(layer.depth, x, y, z, layer.periodic)
         # half a cell below the highest face the depth falls to that of the face
         depth *= min(2.0 * (nz - 0.5 - z), 1.0)
@@ -116,6 +113,8 @@ def beam_depth_at(point, layer):
 @inlined
 def visibility(point, footprint, layer):
     """Transmittance of the beam by clouds, its mean where a footprint is as wide as the box. [1]"""
-    seen = exp(-beam_depth_at(point, layer) * layer.scaled[0, 0])
+    depth, seen = beam_depth_at(point, layer), 1.0
+    if depth > 0.0:
+        seen = exp(-depth * layer.scaled[0, 0])
     wide = min(2.0 * footprint / (layer.step_x * layer.extinction.shape[2]), 1.0)
     return seen + wide * (layer.mean_visibility - seen)

@@ -8,6 +8,7 @@ import numpy as np
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.render.clouds.cloud_light import field_axes
+from airlight.render.clouds.patches import patch_edges
 from airlight.scene import Scene
 
 
@@ -40,5 +41,6 @@ def layer_geometry(field: CloudField, scene: Scene, radius: float) -> dict[str, 
         "east": east,
         "north": north,
         "up": up,
+        "edges": patch_edges(*field.sides),
         "extinction": np.ascontiguousarray(field.extinction.transpose(2, 1, 0)),
     }
