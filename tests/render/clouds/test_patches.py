@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from airlight.kernel import compiled_loop
-from airlight.render.clouds.patches import WIDTH, displaced_patch, patch_edges
+from airlight.render.clouds.patches import MIXED, WIDTH, patch_at, patch_edges
 
 BOX = 25.6e3
 
@@ -12,18 +12,18 @@ BOX = 25.6e3
 @compiled_loop
 def _every(east, north, sides, edges, out):
     for k in range(east.size):
-        out[k, 0], out[k, 1], out[k, 2] = displaced_patch(
-            east[k], north[k], sides[0], sides[1], edges
-        )
+        found = patch_at(east[k], north[k], sides[0], sides[1], edges)
+        out[k, 0], out[k, 1], out[k, 2] = found.right, found.up, found.free
+        out[k, 3], out[k, 4], out[k, 5] = found.share, found.other_right, found.other_up
 
 
 def patches(east, north, sides=(BOX, BOX)):
-    """Displacements and distances. [m]"""
+    """``Patch`` at places."""
     east, north = np.broadcast_arrays(east, north)
-    out = np.empty((east.size, 3))
+    out = np.empty((east.size, 6))
     places = np.ravel(east).astype(float), np.ravel(north).astype(float)
     _every(*places, sides, patch_edges(*sides), out)
-    return out.reshape(*east.shape, 3)
+    return out.reshape(*east.shape, 6)
 
 
 def test_the_box_is_not_displaced():
@@ -52,12 +52,12 @@ def test_a_patch_goes_as_far_as_it_says(sides):
     start = random.uniform(-4.0, 4.0, (40_000, 2)) * sides
     here = patches(start[:, 0], start[:, 1], sides)
     turn = random.uniform(0.0, 2.0 * np.pi, len(start))
-    there = start + here[:, 2:] * random.uniform(0.0, 1.0, (len(start), 1)) * np.stack(
+    there = start + here[:, 2:3] * random.uniform(0.0, 1.0, (len(start), 1)) * np.stack(
         [np.cos(turn), np.sin(turn)], axis=1
     )
     np.testing.assert_array_equal(patches(there[:, 0], there[:, 1], sides)[:, :2], here[:, :2])
-    # an edge is longer than the side of a square, and its cells and theirs on both sides are few
-    assert np.mean(here[:, 2] <= 0.0) < 0.1
+    # bands beside two edges, which are longer than the sides of a square, and their cells
+    assert 4.0 * MIXED < np.mean(here[:, 2] <= 0.0) < 6.0 * MIXED
     assert np.mean(here[:, 2] > 0.05 * min(sides)) > 0.5
 
 
@@ -67,3 +67,19 @@ def test_edges_meet_at_the_sides_of_squares():
     side = 0.5 * WIDTH * BOX
     left, right = (patches(side + step, east)[:, :2] for step in (-1e-3, 1e-3))
     assert np.mean(np.any(left != right, axis=1)) < 0.01
+
+
+def test_patches_mix_beside_an_edge():
+    """Across an edge both have a half, and the field is continuous; elsewhere there is one."""
+    way = np.arange(0.0, 4.0, 2e-6) * WIDTH * BOX
+    found = patches(way, 0.3 * BOX)
+    assert found[:, 3].max() <= 0.5
+    one, other = found[:-1], found[1:]
+    (edge,) = np.nonzero(np.any(one[:, :2] != other[:, :2], axis=1))
+    assert len(edge) >= 4
+    np.testing.assert_allclose(one[edge, 3], 0.5, atol=1e-3)
+    np.testing.assert_array_equal(one[edge, 4:], other[edge, :2])
+    np.testing.assert_array_equal(other[edge, 4:], one[edge, :2])
+    assert np.all(found[found[:, 2] > 0.0, 3] == 0.0)
+    steps = np.abs(np.diff(found[:, 3]))
+    assert np.quantile(steps, 0.999) < 5.0 * 2e-6 / MIXED

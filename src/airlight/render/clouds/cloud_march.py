@@ -32,11 +32,10 @@ from airlight.render.clouds.beam_depth import cell_after, cell_before
 from airlight.render.clouds.cloud_place import (
     beam_depth_at,
     box_place,
-    clear_distance,
-    patch_place,
+    clear_way,
     visibility,
 )
-from airlight.render.clouds.detailed_extinction import detailed_extinction
+from airlight.render.clouds.detailed_extinction import extinction_at
 from airlight.render.clouds.directions import fill_harmonics
 from airlight.render.clouds.sight_extent import (
     node_distance,
@@ -199,8 +198,7 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
             layer = tuple_item(clouds.layers, n)
             clear = way_to_layer(s, n, work)
             if clear == 0.0:
-                x, y, z, free, scale = patch_place(point, layer)
-                clear = min(scale * clear_distance(x, y, z, layer), free)
+                clear = clear_way(box_place(point, layer), layer)
                 finest = STEP_CELL * min(layer.step_x, layer.step_y, layer.step_z)
                 coarse = max(finest, min(footprint, STEP_LEVEL * layer.step_z / climb))
                 if clear <= coarse:
@@ -219,8 +217,7 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
             for n in range(count):
                 layer, found = tuple_item(clouds.layers, n), 0.0
                 if way_to_layer(s + 0.5 * step, n, work) == 0.0:
-                    x, y, z = box_place(point, layer)
-                    found = detailed_extinction(x, y, z, width, layer)
+                    found = extinction_at(box_place(point, layer), width, layer)
                 work.found[n] = found
                 any_found = any_found or found > 0.0
             # the first step inside a cloud is as short as those that follow
@@ -294,7 +291,8 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
         work.found[number],
         len(clouds.layers),
     )
-    x, y, z = box_place(point, layer)
+    place = box_place(point, layer)
+    x, y, z = place.x, place.y, place.z
     nz, ny, nx = layer.extinction.shape
     radius = sqrt(dot(point, point))
     height = dot(point, layer.sun) / radius

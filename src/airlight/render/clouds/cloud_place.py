@@ -3,16 +3,44 @@
 from __future__ import annotations
 
 from math import exp, sqrt
+from typing import NamedTuple
 
 from airlight.geometry.vectors import dot, plus, scaled
 from airlight.kernel import inlined
 from airlight.render.clouds.beam_depth import cell_before, cell_value, plane_value
-from airlight.render.clouds.patches import displaced_patch
+from airlight.render.clouds.patches import MIXED, Patch, patch_at
+
+
+class BoxPlace(NamedTuple):
+    """Place of a point in the field, and in that of the neighbouring patch.
+
+    Attributes
+    ----------
+    x, y, z : float
+        Columns, rows and levels from the middle of the first cell. [cells]
+    free : float
+        Distance from the point within which there is no other patch; 0 if there is. [m]
+    scale : float
+        Least length over that in the plane of the box. [1]
+    share : float
+        Share of the neighbour. [1]
+    other_x, other_y : float
+        Place in the neighbour. [cells]
+    """
+
+    x: float
+    y: float
+    z: float
+    free: float
+    scale: float
+    share: float
+    other_x: float
+    other_y: float
 
 
 @inlined
 def box_place(point, layer):
-    """Place of a point in the field, which is periodic or ends at the sides. [cells]
+    """``BoxPlace`` of a point in the field, which is periodic or ends at the sides.
 
     Parameters
     ----------
@@ -20,27 +48,6 @@ def box_place(point, layer):
         From the centre, in the observer's frame. [m]
     layer : LayerTables
         Clouds.
-
-    Returns
-    -------
-    x, y, z : float
-        Columns, rows and levels from the middle of the first cell.
-    """
-    x, y, z, _, _ = patch_place(point, layer)
-    return x, y, z
-
-
-@inlined
-def patch_place(point, layer):
-    """``box_place`` and how far the same patch of the field goes; parameters as there.
-
-    Returns
-    -------
-    x, y, z : float
-        Result of ``box_place``. [cells]
-    free, scale : float
-        Distance from the point within which the patch is the same [m]; least length over that in
-        the plane of the box [1].
     """
     height = dot(point, layer.up)
     radius = sqrt(dot(point, point))
@@ -49,20 +56,39 @@ def patch_place(point, layer):
     ny, nx = layer.base_depth.shape
     scale = min(max(height / radius, 1e-3), 1.0)
     scale *= scale
-    free = 1e9
+    patch = Patch(0.0, 0.0, 1e9, 0.0, 0.0, 0.0)
     if layer.periodic:
-        right, up, free = displaced_patch(
-            east, north, nx * layer.step_x, ny * layer.step_y, layer.edges
-        )
-        east += right
-        north += up
-    return (
-        (east - layer.corner_x) / layer.step_x - 0.5,
-        (north - layer.corner_y) / layer.step_y - 0.5,
+        patch = patch_at(east, north, nx * layer.step_x, ny * layer.step_y, layer.edges)
+    east, north = east - layer.corner_x, north - layer.corner_y
+    return BoxPlace(
+        (east + patch.right) / layer.step_x - 0.5,
+        (north + patch.up) / layer.step_y - 0.5,
         (radius - layer.base) / layer.step_z - 0.5,
-        free * scale,
+        patch.free * scale,
         scale,
+        patch.share,
+        (east + patch.other_right) / layer.step_x - 0.5,
+        (north + patch.other_up) / layer.step_y - 0.5,
     )
+
+
+@inlined
+def clear_way(place, layer):
+    """Distance from a place within which there are no clouds, in its patch and the other; or 0. [m]
+
+    Parameters
+    ----------
+    place : BoxPlace
+        Place.
+    layer : LayerTables
+        Clouds.
+    """
+    clear = place.scale * clear_distance(place.x, place.y, place.z, layer)
+    if place.free > 0.0:
+        return min(clear, place.free)
+    other = place.scale * clear_distance(place.other_x, place.other_y, place.z, layer)
+    # not beyond the band, where there may be a third patch
+    return min(min(clear, other), place.scale * MIXED * layer.step_x * layer.base_depth.shape[1])
 
 
 @inlined
@@ -99,14 +125,15 @@ def beam_depth_at(point, layer):
         rising = dot(point, layer.sun)
         gap = (layer.base - radius) * (layer.base + radius)
         way = gap / (sqrt(rising * rising + gap) + max(rising, 0.0))
-        x, y, _ = box_place(plus(point, scaled(layer.sun, way)), layer)
+        place = box_place(plus(point, scaled(layer.sun, way)), layer)
+        x, y = place.x, place.y
         if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
             depth = plane_value(layer.base_depth, x, y, layer.periodic)
     elif radius < layer.top:
-        x, y, z = box_place(point, layer)
-        depth = cell_value(layer.depth, x, y, z, layer.periodic)
+        place = box_place(point, layer)
+        depth = cell_value(layer.depth, place.x, place.y, place.z, layer.periodic)
         # half a cell below the highest face the depth falls to that of the face
-        depth *= min(2.0 * (nz - 0.5 - z), 1.0)
+        depth *= min(2.0 * (nz - 0.5 - place.z), 1.0)
     return depth
 
 

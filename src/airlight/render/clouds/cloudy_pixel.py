@@ -112,7 +112,8 @@ def shade_ground(ray, distance, orders, clouds, tables, work, front):
     for n in range(len(clouds.layers) - 1, -1, -1):
         layer = tuple_item(clouds.layers, n)
         front.beams[n] = beam_depth_at(point, layer)
-        x, y, _ = box_place(point, layer)
+        place = box_place(point, layer)
+        x, y = place.x, place.y
         ny, nx = layer.base_depth.shape
         if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
             lowest = n

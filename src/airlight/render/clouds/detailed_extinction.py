@@ -13,13 +13,32 @@ ALONG_TRAIL = 0.1
 
 
 @inlined
+def extinction_at(place, width, layer):
+    """Extinction at 550 nm with detail, of the patches at a place by their shares. [m⁻¹]
+
+    Parameters
+    ----------
+    place : BoxPlace
+        Place.
+    width, layer : float, LayerTables
+        Arguments of ``detailed_extinction``.
+    """
+    total, share, x, y = 0.0, 1.0 - place.share, place.x, place.y
+    for _ in range(2):
+        if share > 0.0:
+            total += share * detailed_extinction(x, y, place.z, width, layer)
+        share, x, y = place.share, place.other_x, place.other_y
+    return total
+
+
+@inlined
 def detailed_extinction(x, y, z, width, layer):
     """Extinction at 550 nm with detail below the cells. [m⁻¹]
 
     Parameters
     ----------
     x, y, z : float
-        Place from ``box_place``. [cells]
+        Place of ``BoxPlace``. [cells]
     width : float
         Width of the pixel's footprint. [m]
     layer : LayerTables

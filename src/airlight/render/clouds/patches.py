@@ -2,7 +2,8 @@
 
 The plane is divided into squares a quarter wider than the box, with rough edges. The one in the
 middle holds the box; each other one is the periodic field displaced at random, with its own light.
-Edges cut through clouds; they are never inside the box, and all patches have the same.
+On both sides of an edge a patch turns into its neighbour. Edges are never inside the box, and all
+patches have the same.
 """
 
 from __future__ import annotations
@@ -18,12 +19,15 @@ from airlight.clouds.power_law_field import power_law_field
 from airlight.kernel import inlined
 from airlight.render.clouds.beam_depth import plane_value
 
+FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Width of a patch over that of the box. [1]
 WIDTH: Final = 1.25
 #: Largest displacement of an edge over the width of a patch: edges are outside the box. [1]
 BENT: Final = 0.5 - 0.5 / WIDTH
+#: Width of the band beside an edge in which patches mix, over the width of a patch. [1]
+MIXED: Final = 0.02
 #: Longest waves of an edge over the width of a patch, and exponent of its spectrum. [1]
 _LONGEST: Final = 0.2
 _SLOPE: Final = -3.0
@@ -40,7 +44,7 @@ class PatchEdges(NamedTuple):
     east, north : array, shape (rows, columns)
         Displacement of edges at the corners of cells over the width of a patch. [1]
     free : array, shape (rows, columns)
-        Distance from any point of a cell within which there is no edge. [m]
+        Distance from any point of a cell within which there is no band of an edge. [m]
     moved : array, shape (patches, patches, 2)
         Displacement of the periodic field in a patch to the east and to the north, 0 in that of the
         box. [m]
@@ -48,8 +52,8 @@ class PatchEdges(NamedTuple):
 
     east: Float32Array
     north: Float32Array
-    free: Float32Array
-    moved: Float32Array
+    free: FloatArray
+    moved: FloatArray
 
 
 @lru_cache(maxsize=8)
@@ -65,18 +69,18 @@ def patch_edges(width: float, length: float) -> PatchEdges:
 
     grid = CloudGrid(columns=_CELLS, levels=1, spacing=1.0 / _CELLS, depth=1.0)
     random = np.random.default_rng(1)
-    east, north = (power_law_field(grid, random, slope=_SLOPE, longest=_LONGEST) for _ in range(2))
+    waves = [power_law_field(grid, random, slope=_SLOPE, longest=_LONGEST) for _ in range(2)]
     east, north = (
-        np.asarray(0.99 * BENT * one / np.abs(one).max(), np.float32) for one in (east, north)
+        np.asarray(0.99 * (BENT - MIXED) * one / np.abs(one).max(), np.float32) for one in waves
     )
-    # patches at the corners of cells, and cells whose corners are in several
+    # patches at the corners of cells, and cells whose corners are in bands or in several patches
     places = np.arange(_CELLS + 1) / _CELLS
     wide = [np.pad(one, (0, 1), mode="wrap") for one in (east, north)]
-    column, row = np.floor(places + wide[0]), np.floor(places[:, None] + wide[1])
     several = np.zeros((_CELLS, _CELLS), bool)
-    for one in (column, row):
-        corners = np.stack([one[:-1, :-1], one[:-1, 1:], one[1:, :-1], one[1:, 1:]])
-        several |= np.ptp(corners, axis=0) > 0.0
+    for bent in (places + wide[0], places[:, None] + wide[1]):
+        corners = np.stack([bent[:-1, :-1], bent[:-1, 1:], bent[1:, :-1], bent[1:, 1:]])
+        several |= np.ptp(np.floor(corners), axis=0) > 0.0
+        several |= np.abs(corners - np.round(corners)).min(axis=0) < MIXED
     # between cells a column or a row less than between their middles
     near = np.pad(maximum_filter(several, size=3, mode="wrap"), _CELLS // 2, mode="wrap")
     steps = length * WIDTH / _CELLS, width * WIDTH / _CELLS
@@ -84,12 +88,35 @@ def patch_edges(width: float, length: float) -> PatchEdges:
     free = distance_transform_edt(~near, sampling=steps)[inner, inner]
     moved = random.random((_PATCHES, _PATCHES, 2)) * [width, length]
     moved[0, 0] = 0.0
-    return PatchEdges(east, north, *(np.asarray(one, np.float32) for one in (free, moved)))
+    return PatchEdges(east, north, np.ascontiguousarray(free), moved)
+
+
+class Patch(NamedTuple):
+    """Patch at a place.
+
+    Attributes
+    ----------
+    right, up : float
+        Displacement of the periodic field to the east and to the north. [m]
+    free : float
+        Distance within which it is the only one; 0 where there are two. [m]
+    share : float
+        Share of the neighbour, up to a half. [1]
+    other_right, other_up : float
+        Displacement of the neighbour. [m]
+    """
+
+    right: float
+    up: float
+    free: float
+    share: float
+    other_right: float
+    other_up: float
 
 
 @inlined
-def displaced_patch(east, north, width, length, edges):
-    """Displacement of the periodic field at a place, and a distance within which it is the same.
+def patch_at(east, north, width, length, edges):
+    """``Patch`` at a place.
 
     Parameters
     ----------
@@ -99,22 +126,34 @@ def displaced_patch(east, north, width, length, edges):
         Sides of the box to the east and to the north. [m]
     edges : PatchEdges
         Result of ``patch_edges``.
-
-    Returns
-    -------
-    right, up, free : float
-        Displacement to the east and to the north; distance. [m]
     """
     x, y = 0.5 + east / (WIDTH * width), 0.5 + north / (WIDTH * length)
     column, row = np.floor(x), np.floor(y)
     near_x, near_y = 0.5 - abs(x - column - 0.5), 0.5 - abs(y - row - 0.5)
     free = WIDTH * min((near_x - BENT) * width, (near_y - BENT) * length)
+    share, to_east, to_north = 0.0, 0, 0
     if free <= 0.0:
         rows, columns = edges.free.shape
         i, j = (x - column) * columns, (y - row) * rows
         free = edges.free[min(int(j), rows - 1), min(int(i), columns - 1)]
-        column = np.floor(x + plane_value(edges.east, i, j, True))
-        row = np.floor(y + plane_value(edges.north, i, j, True))
-    patches, _, _ = edges.moved.shape
-    i, j = int(column) & (patches - 1), int(row) & (patches - 1)
-    return edges.moved[j, i, 0], edges.moved[j, i, 1], free
+        x += plane_value(edges.east, i, j, True)
+        y += plane_value(edges.north, i, j, True)
+        column, row = np.floor(x), np.floor(y)
+        if free <= 0.0:
+            near_x, near_y = 0.5 - abs(x - column - 0.5), 0.5 - abs(y - row - 0.5)
+            share = max(0.5 - 0.5 * min(near_x, near_y) / MIXED, 0.0)
+            if near_x < near_y:
+                to_east = 1 if x - column > 0.5 else -1
+            else:
+                to_north = 1 if y - row > 0.5 else -1
+    last = edges.moved.shape[0] - 1
+    i, j = int(column) & last, int(row) & last
+    m, n = (int(column) + to_east) & last, (int(row) + to_north) & last
+    return Patch(
+        edges.moved[j, i, 0],
+        edges.moved[j, i, 1],
+        free,
+        share,
+        edges.moved[n, m, 0],
+        edges.moved[n, m, 1],
+    )
