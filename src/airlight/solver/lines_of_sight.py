@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,11 @@ class LinesOfSight:
     nu: FloatArray
     length: FloatArray
     to_ground: NDArray[np.bool_]
+
+    def __post_init__(self) -> None:
+        # a march is compiled for contiguous arrays, and would be again for strided ones
+        for one in fields(self):
+            object.__setattr__(self, one.name, np.ascontiguousarray(getattr(self, one.name)))
 
 
 def enter_shell(
