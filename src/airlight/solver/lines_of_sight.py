@@ -37,9 +37,10 @@ class LinesOfSight:
     to_ground: NDArray[np.bool_]
 
     def __post_init__(self) -> None:
-        # a march is compiled for contiguous arrays, and would be again for strided ones
+        # marches are compiled for contiguous writable arrays, and would be again for any other kind
         for one in fields(self):
-            object.__setattr__(self, one.name, np.ascontiguousarray(getattr(self, one.name)))
+            array = np.require(getattr(self, one.name), requirements=("C", "W"))
+            object.__setattr__(self, one.name, array)
 
 
 def enter_shell(
