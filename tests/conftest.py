@@ -29,7 +29,12 @@ _TOGETHER = (
     "engines/baking", "engines/environment", "geometry/mappings", "image", "physics/optics",
     "planets", "render", "scene", "studies/plots", "web",
 )  # fmt: skip
-#: Its tests share nothing, and take longest.
+#: Groups of tests that take longest, each above a minute, the longest first.
+_LONGEST = (
+    "web", "render", "tests/viewer/test_window.py", "tests/render/gpu/test_gpu_renderer.py",
+    "tests/docs/test_tutorials.py", "tests/reliability/test_processes.py",
+)  # fmt: skip
+#: Its tests share nothing, and take long.
 _APART = "tests/against/test_solvers_agree.py"
 
 
@@ -39,6 +44,9 @@ def pytest_configure(config: pytest.Config) -> None:
     # The first call of a kernel compiles, which takes seconds; and a run must be repeatable.
     settings.register_profile("airlight", deadline=None, derandomize=True, database=None)
     settings.load_profile("airlight")
+    # Mesa's software GPU compiles shaders for small pictures, which it then draws as fast: without
+    # LLVM's optimisation. Notebooks and browsers inherit it; other GPUs do not read it.
+    os.environ.setdefault("GALLIVM_PERF", "nopt")
     workers = os.environ.get("PYTEST_XDIST_WORKER_COUNT")
     if workers is not None:  # all workers together have as many threads as there are CPU cores
         threads = str(max(1, (os.cpu_count() or 1) // int(workers)))
@@ -63,6 +71,8 @@ def _longest_first(items: list[pytest.Item]) -> None:
         marked = [bool(item.get_closest_marker(name)) for name in ("browser", "slow", "gpu")]
         rank = marked.index(True) if any(marked) else len(marked)
         group = _group(item.nodeid)
+        if group in _LONGEST:
+            rank = _LONGEST.index(group) - len(_LONGEST)
         ranks[group] = min((rank, n), ranks.get(group, (rank, n)))
     items.sort(key=lambda item: ranks[_group(item.nodeid)])
 

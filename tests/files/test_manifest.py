@@ -57,6 +57,32 @@ def test_own_files_are_replaced_and_stale_ones_removed(tmp_path: Path) -> None:
     assert is_sealed(read_manifest(tmp_path / "out" / MANIFEST, FORM))
 
 
+@pytest.mark.parametrize("moves", range(4))
+def test_a_folder_whose_writer_is_killed_is_replaced_by_the_next(
+    moves: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # after any number of files the folder has a manifest, and no file that it does not list
+    class Killed(BaseException):
+        pass
+
+    folder, left = tmp_path / "out", iter(range(moves))
+    write(folder, ("a.bin", "b.bin", "stale.bin"))
+    replace = Path.replace
+
+    def killed(path: Path, target: Path) -> Path:
+        if target.parent == folder and next(left, None) is None:
+            raise Killed
+        return replace(path, target)
+
+    with monkeypatch.context() as patch, pytest.raises(Killed):
+        patch.setattr(Path, "replace", killed)
+        write(folder, ("a.bin", "b.bin", "code.js"))
+    listed = read_manifest(folder / MANIFEST, FORM)["files"]
+    assert set(contents(folder)) <= {*listed, MANIFEST}
+    write(folder, ("a.bin", "b.bin", "code.js"))
+    assert sorted(contents(folder)) == ["a.bin", "b.bin", "code.js", MANIFEST]
+
+
 @pytest.mark.parametrize("name", ["a.bin", "b.bin", "code.js"])
 def test_a_changed_or_foreign_file_stops_before_the_work_and_is_named(
     tmp_path: Path, name: str

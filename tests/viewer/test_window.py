@@ -24,7 +24,7 @@ from airlight.viewer.navigation.keys import FACTORS, HELD, ONCE
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 
 DRIVER = Path(__file__).with_name("window_driver.py")
-SIZE = (800, 480)
+SIZE = (640, 400)
 #: Number of random clicks; AIRLIGHT_CLICKS asks for more.
 CLICKS = int(os.environ.get("AIRLIGHT_CLICKS", "24"))
 DEPTH = "constituents[1].particles.optical_depth"
@@ -54,7 +54,8 @@ class Driven:
     """Window in its own process, with a mouse and keys on its display."""
 
     def __init__(self, display: str, folder: Path, by: str, **environment: str) -> None:
-        self.environment = {**os.environ, "DISPLAY": display, **environment}
+        # Shaders of a window, which draws for minutes, are optimised: see tests/conftest.py.
+        self.environment = {**os.environ, "GALLIVM_PERF": "", "DISPLAY": display, **environment}
         self.screen = folder / "Xvfb_screen0"
         self.log = folder / "stderr"
         self._errors = self.log.open("w")

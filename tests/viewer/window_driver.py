@@ -29,6 +29,18 @@ class Answers:
 
     def __init__(self, window: Window, canvas: DesktopCanvas) -> None:
         self.window, self.canvas = window, canvas
+        import glfw
+
+        self.reads_clipboard, self.copied = False, ""
+        draw = window.draw
+
+        def draw_and_read() -> None:
+            draw()
+            if self.reads_clipboard:
+                self.reads_clipboard = False
+                self.copied = (glfw.get_clipboard_string(canvas._window) or b"").decode()
+
+        window.draw = draw_and_read  # type: ignore[method-assign]
 
     def settled(self, seconds: float) -> bool:
         """Whether everything is shown in full quality within a time, and the window then rests."""
@@ -119,9 +131,10 @@ class Answers:
         return error
 
     def clipboard(self) -> str:
-        import glfw
-
-        return str((glfw.get_clipboard_string(self.canvas._window) or b"").decode())
+        """Text of the clipboard, read by the window's thread: GLFW in another may wait for ever."""
+        self.reads_clipboard = True
+        self.draws(2)
+        return self.copied
 
     def flight_speed(self) -> float:
         return self.window._flight.speed

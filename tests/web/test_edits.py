@@ -46,8 +46,8 @@ EDITS = {
 
 #: Edits whose reference takes a minute.
 CLOUDY = ("half the clouds of Venus", "twice the clouds of Venus")
-#: Edits that the check leaves out: it has more of some air, and less of it on another ground.
-LATER = ("three times the aerosol", "half the air and a brighter ground",
+#: Edits that the check leaves out: it has less of some air on another ground, and more of it below.
+LATER = ("twice the dust", "three times the aerosol", "half the air and a brighter ground",
          "twice the haze of Titan", *CLOUDY)  # fmt: skip
 
 
@@ -176,15 +176,16 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
 
 
 def test_an_edit_that_is_refused_says_so_and_leaves_the_picture(
-    plain: Callable[[str], MomentsSolution], opened: Callable[..., Any], tmp_path: Path
+    plain: Callable[[str], MomentsSolution], kept_open: Callable[..., Any], tmp_path: Path
 ) -> None:
     # the optical depth exceeds the passes' limit; the URL carries the edit nevertheless
     data = page_data(plain("earth"), "earth", "earth", {**DEFAULTS, **FIXED}, "three")
+    data["picture"]["sky"]["full"] = list(SKY)
     file = tmp_path / "page.html"
     file.write_text(page_text("earth", json.loads(json.dumps(data))), encoding="utf-8")
     edit = {"air.amounts[0]": 10.0, "air.amounts[1]": 10.0}
     fragment = "#" + json.dumps({"planet": "earth", "air": edit}, separators=(",", ":"))
-    page = opened(file, f"?device=webgl2{fragment}")
+    page = kept_open(file, f"?device=webgl2{fragment}")
     page.evaluate("airlight.settled()")
     said = page.evaluate("airlight.parts.message.textContent")
     assert said == "so much air is too thick to be solved here; the desktop viewer solves it"

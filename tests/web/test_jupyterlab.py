@@ -48,8 +48,8 @@ VIEWER = "document.querySelector('.airlight').parentElement.viewer"
 
 
 @pytest.fixture(scope="module")
-def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], str]]:
-    """``lab(name)``: URL of a new notebook in a running JupyterLab."""
+def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """URL of a new notebook in a running JupyterLab."""
     tmp_path = tmp_path_factory.mktemp("jupyterlab")
     cells = [
         {"cell_type": "code", "id": f"c{i}", "metadata": {}, "outputs": [], "source": text,
@@ -88,11 +88,8 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], st
             assert time.monotonic() < end
             time.sleep(0.2)
 
-        def written(name: str) -> str:
-            (room / f"{name}.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
-            return f"http://127.0.0.1:{port}/lab/tree/{name}.ipynb?reset"
-
-        yield written
+        (room / "viewer.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
+        yield f"http://127.0.0.1:{port}/lab/tree/viewer.ipynb?reset"
     finally:
         server.terminate()
         server.wait(PATIENCE)
@@ -123,14 +120,12 @@ def seen(page: Any) -> np.ndarray:
     return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"), float)
 
 
-@pytest.fixture
-def notebook(
-    lab: Callable[[str], str], chromium: Any, request: pytest.FixtureRequest
-) -> Iterator[Any]:
+@pytest.fixture(scope="module")
+def notebook(lab: str, chromium: Any) -> Iterator[Any]:
     """Notebook in JupyterLab, whose first cell shows the viewer's first picture."""
     page = chromium.new_page(viewport={"width": 1200, "height": 900})
     page.set_default_timeout(1e3 * PATIENCE)
-    page.goto(lab(request.node.originalname))
+    page.goto(lab)
     page.locator(".jp-Notebook .jp-CodeCell").first.wait_for()
     until(page, "!!document.querySelector('.jp-Notebook-ExecutionIndicator[data-status=idle]')")
     run_cell(page, 0)
@@ -138,6 +133,54 @@ def notebook(
     until(page, "!!document.querySelector('.airlight').parentElement.viewer.drawn")
     yield page
     page.close()
+
+
+#: What the first cell sets.
+SET = ["light.quality", "light.wavelengths", "display.automatic"]
+#: What the cells of the notebook hold.
+CELLS = "[...document.querySelectorAll('.jp-CodeCell .cm-content')].map((one) => one.textContent)"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [12, pytest.param(LONG, marks=pytest.mark.validation)])
+def test_random_clicks_leave_the_widget_alive(count: int, notebook: Any) -> None:
+    # a key that is pressed in the widget is none of the notebook's, whose letters edit cells
+    faults: list[str] = []
+    notebook.on("pageerror", lambda error: faults.append(str(error)))
+    notebook.on("console", lambda m: faults.append(m.text) if m.type == "error" else None)
+    notebook.evaluate(f"window.airlight = {VIEWER}")
+    cells = notebook.evaluate(CELLS)
+    start = notebook.evaluate("airlight.state.values")
+    Gestures(notebook, 5, host=True).by_mouse(count)
+    close_all(notebook)
+    notebook.locator("[data-action=reset]").click()
+    # reset brings back all but what the cell had set, which is set again
+    same = """([values, left]) => Object.entries(values).every(
+      ([path, value]) => left.includes(path) || airlight.state.get(path) === value)"""
+    end = time.monotonic() + PATIENCE
+    while not notebook.evaluate(same, [start, SET]):
+        assert time.monotonic() < end, notebook.evaluate("airlight.state.values")
+        notebook.wait_for_timeout(100)
+    for path in SET:
+        notebook.evaluate("([path, value]) => airlight.state.set({ [path]: value })",
+                          [path, start[path]])  # fmt: skip
+    while not notebook.evaluate(same, [start, []]):
+        assert time.monotonic() < end, notebook.evaluate("airlight.state.values")
+        notebook.wait_for_timeout(100)
+    until(notebook, "airlight.source.stale() === ''")
+    assert_sound(notebook)
+    folded = notebook.locator(".airlight details:not([open]) > summary:visible")
+    while folded.count():
+        folded.first.click()
+    before = seen(notebook)  # JupyterLab may have opened a panel of its own beside it
+    notebook.locator("[data-path='view.look_zenith'] input[type=text]").click()
+    for key in ("Control+a", "3", "0", "Enter"):
+        notebook.keyboard.press(key)
+    until(notebook, "airlight.state.get('view.look_zenith') === 30")
+    assert np.abs(seen(notebook) - before).mean() > 2.0
+    assert_sound(notebook)
+    assert notebook.evaluate(CELLS) == cells
+    assert faults == []
 
 
 @pytest.mark.slow
@@ -190,53 +233,8 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(
     while not (dimmed := seen(page)).mean() < 0.9 * bright.mean():
         assert time.monotonic() < end, (dimmed.mean(), bright.mean())
 
-    run_cell(page, 3)
-    until(page, "!document.querySelector('.airlight')")
-
-
-#: What the first cell sets.
-SET = ["light.quality", "light.wavelengths", "display.automatic"]
-#: What the cells of the notebook hold.
-CELLS = "[...document.querySelectorAll('.jp-CodeCell .cm-content')].map((one) => one.textContent)"
-
 
 @pytest.mark.slow
-@pytest.mark.parametrize("count", [12, pytest.param(LONG, marks=pytest.mark.validation)])
-def test_random_clicks_leave_the_widget_alive(count: int, notebook: Any) -> None:
-    # a key that is pressed in the widget is none of the notebook's, whose letters edit cells
-    faults: list[str] = []
-    notebook.on("pageerror", lambda error: faults.append(str(error)))
-    notebook.on("console", lambda m: faults.append(m.text) if m.type == "error" else None)
-    notebook.evaluate(f"window.airlight = {VIEWER}")
-    cells = notebook.evaluate(CELLS)
-    start = notebook.evaluate("airlight.state.values")
-    Gestures(notebook, 5, host=True).by_mouse(count)
-    close_all(notebook)
-    notebook.locator("[data-action=reset]").click()
-    # reset brings back all but what the cell had set, which is set again
-    same = """([values, left]) => Object.entries(values).every(
-      ([path, value]) => left.includes(path) || airlight.state.get(path) === value)"""
-    end = time.monotonic() + PATIENCE
-    while not notebook.evaluate(same, [start, SET]):
-        assert time.monotonic() < end, notebook.evaluate("airlight.state.values")
-        notebook.wait_for_timeout(100)
-    for path in SET:
-        notebook.evaluate("([path, value]) => airlight.state.set({ [path]: value })",
-                          [path, start[path]])  # fmt: skip
-    while not notebook.evaluate(same, [start, []]):
-        assert time.monotonic() < end, notebook.evaluate("airlight.state.values")
-        notebook.wait_for_timeout(100)
-    until(notebook, "airlight.source.stale() === ''")
-    assert_sound(notebook)
-    folded = notebook.locator(".airlight details:not([open]) > summary:visible")
-    while folded.count():
-        folded.first.click()
-    before = seen(notebook)  # JupyterLab may have opened a panel of its own beside it
-    notebook.locator("[data-path='view.look_zenith'] input[type=text]").click()
-    for key in ("Control+a", "3", "0", "Enter"):
-        notebook.keyboard.press(key)
-    until(notebook, "airlight.state.get('view.look_zenith') === 30")
-    assert np.abs(seen(notebook) - before).mean() > 2.0
-    assert_sound(notebook)
-    assert notebook.evaluate(CELLS) == cells
-    assert faults == []
+def test_a_closed_widget_leaves_the_page(notebook: Any) -> None:
+    run_cell(notebook, 3)
+    until(notebook, "!document.querySelector('.airlight')")

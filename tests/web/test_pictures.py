@@ -28,9 +28,9 @@ from airlight.viewer.browser.package import ground_map
 from airlight.viewer.browser.page import page_data, page_text
 from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, settings_of
 
-WIDTH, HEIGHT = 160, 90
+WIDTH, HEIGHT = 128, 72
 #: Coarser shape than usual, on both sides: software draws it in a second.
-SKY = (128, 64)
+SKY = (64, 32)
 WAVELENGTHS = (680.0, 550.0, 440.0)
 FIXED = {"display.automatic": False}
 #: A place without water.

@@ -99,9 +99,9 @@ def clicked(page: Any, act: Callable[[], None], press: Callable[[Any], None]) ->
 
 @pytest.mark.parametrize("count", COUNTS)
 def test_random_clicks_leave_the_page_of_a_planet_alive(
-    count: int, file: Path, opened: Callable[..., Any]
+    count: int, file: Path, opened_small: Callable[..., Any]
 ) -> None:
-    page = opened(file, "?device=webgl2")
+    page = opened_small(file, "?device=webgl2")
     clicked(page, lambda: Gestures(page, 12).by_mouse(count), lambda button: button.click())
 
 

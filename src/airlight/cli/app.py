@@ -54,8 +54,8 @@ COMMANDS: Final = {
 }
 
 
-#: Words of a registry, or help of a declared field, in a help text or a metavar:
-#: ``{module:NAME}``.
+#: Words of a registry, or help, choices and default of a declared field, in a help text or a
+#: metavar: ``{module:NAME}``.
 _REGISTRY: Final = re.compile(r"\{([\w.]+):(\w+)\}")
 
 
@@ -64,7 +64,12 @@ def with_words(text: str, between: str = ", ") -> str:
 
     def words(match: re.Match[str]) -> str:
         named = getattr(import_module(f"airlight.{match[1]}"), match[2])
-        return getattr(named, "help", "").rstrip(".") or between.join(named)
+        if not hasattr(named, "help"):
+            return between.join(named)
+        choices, default = named.choices(), named.initial
+        listed = f": {between.join(choices)}" if choices else ""
+        shown = f"{default:g}" if isinstance(default, float) else default
+        return f"{named.help.rstrip('.')}{listed}" + (f" ({shown})" if shown is not None else "")
 
     return _REGISTRY.sub(words, text)
 

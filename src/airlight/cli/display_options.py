@@ -6,7 +6,13 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Final, Literal
 
 from airlight.cli import options
-from airlight.cli.option_groups import OptionGroup, given_options, named_errors, option
+from airlight.cli.option_groups import (
+    OptionGroup,
+    given_options,
+    given_values,
+    named_errors,
+    option,
+)
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
@@ -21,7 +27,7 @@ class ToneOptions(OptionGroup):
     """Options of exposure, tone map and glare."""
 
     exposure: float | str | None = option(
-        "Exposure compensation, a power of 2; default auto, like an adapted eye.",
+        "{scene.display_fields:EXPOSURE}; default auto, like an adapted eye.",
         "EV|auto",
         read=options.exposure,
     )
@@ -32,19 +38,13 @@ class ToneOptions(OptionGroup):
     shutter: float | None = option(
         "Camera shutter time, e.g. 1/250s.", "TIME", read=options.shutter_time
     )
-    tone_map: str = option("Tone map: {image.tone_maps:TONE_MAPS}.", "NAME", "natural")
-    style: str = option(
-        "Contrast of the tone map natural: {image.natural:STYLES}.", "NAME", "neutral"
-    )
-    glare: float = option(
-        "Lens glare around the sun: 1 is a typical lens, 0 none, at most 10.", "NUMBER", 1.0
-    )
-    white_balance: str = option(
-        "Light that is shown white: daylight (5500 K), star (the star's own light), scene (the "
-        "mean of the picture), d65 (the display's white); auto: daylight under a star like the "
-        "sun, otherwise star.",
+    tone_map: str | None = option("{scene.display_fields:TONE_MAP}.", "NAME")
+    style: str | None = option("{scene.display_fields:STYLE}.", "NAME")
+    glare: float | None = option("{scene.display_fields:GLARE}; at most 10.", "NUMBER")
+    white_balance: str | None = option(
+        "{scene.display_fields:WHITE_BALANCE}; scene is the mean of the picture, d65 the display's "
+        "white.",
         "auto|daylight|star|scene|d65|KELVIN",
-        "auto",
     )
 
     @property
@@ -78,7 +78,7 @@ class ToneOptions(OptionGroup):
 
         names = {one.name for one in fields(DisplaySettings)} & set(vars(self))
         with named_errors(*names):
-            return DisplaySettings(**{name: getattr(self, name) for name in names})
+            return DisplaySettings(**given_values(self, *names))
 
     def given_settings(self) -> dict[str, Any]:
         """Display settings that differ from their defaults, by name."""

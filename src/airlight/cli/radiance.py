@@ -22,7 +22,6 @@ from airlight.cli.place_options import on_floor
 from airlight.cli.planet_options import LocalGroundOptions
 from airlight.cli.solve_options import DistributionOptions, SolveOptions, wavelengths_option
 from airlight.errors import ConflictError, ParameterError
-from airlight.files.input_files import LARGEST_CASES, check_input
 
 if TYPE_CHECKING:
     import numpy as np
@@ -162,8 +161,6 @@ def radiance(
     The observer may be on the ground, within the atmosphere or outside.
     """
     settings = solve.settings()
-    if observers.from_file:
-        check_input(str(observers.input_), LARGEST_CASES)
     long = observers.from_file and solve.solver == "moments" and not observers.labelled
     for given in () if long else given_options(distribution):
         raise ConflictError(given, "requires --input FILE, a .csv output and --solver moments")

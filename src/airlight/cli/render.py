@@ -112,7 +112,7 @@ def render(
     options.projection(camera.projection)
     # The lens spreads light into a window from outside, and metering uses the whole picture.
     whole = suffix == ".png" and picture.show is None
-    whole = whole and (display.glare > 0.0 or display.ev == "auto")
+    whole = whole and (display.settings().glare > 0.0 or display.ev == "auto")
     if is_scene_file(planet.planet):
         refused = {
             **given_options(picture, "show", "stokes", "ground"),

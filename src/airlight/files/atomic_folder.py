@@ -101,11 +101,12 @@ def _put(part: Path, target: Path, form: str, overwrite: bool) -> None:
     if not target.exists():
         part.rename(target)
         return
-    files = sorted(part.iterdir(), key=lambda path: path.name == MANIFEST)
     stale = own_files(target / MANIFEST, form, overwrite=overwrite)
+    files = sorted(part.iterdir(), key=lambda path: path.name != MANIFEST)
     names = [file.name for file in files]
     check_replaceable(target, names, (MANIFEST, *stale), overwrite=overwrite)
-    (target / MANIFEST).unlink(missing_ok=True)  # from here on the folder is marked as incomplete
+    # At each moment a manifest lists what is there: a process that is killed leaves files missing,
+    # which the same command replaces.
     for name in stale:
         (target / name).unlink(missing_ok=True)
     for file in files:

@@ -30,6 +30,27 @@ def fitting(projection: str, width: int, height: int) -> tuple[int, int]:
     return ratio * side, side
 
 
+def reduced(projection: str, width: int, height: int, most: int) -> tuple[int, int]:
+    """Size of the same shape, as far as the projection allows, of limited width. [pixel]
+
+    Parameters
+    ----------
+    projection : str
+        Name from ``PROJECTIONS``.
+    width, height : int
+        Size of the frame. [pixel]
+    most : int
+        Largest width. [pixel]
+
+    Examples
+    --------
+    >>> reduced("perspective", 1280, 720, 64), reduced("cubemap", 384, 64, 100)
+    ((64, 36), (96, 16))
+    """
+    part = min(1.0, most / width)
+    return fitting(projection, round(part * width), round(part * height))
+
+
 def resized(scene: Scene, width: int, height: int) -> Scene:
     """Scene with the largest frame that fits into a size.
 

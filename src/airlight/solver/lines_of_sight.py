@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,12 @@ class LinesOfSight:
     nu: FloatArray
     length: FloatArray
     to_ground: NDArray[np.bool_]
+
+    def __post_init__(self) -> None:
+        # marches are compiled for contiguous writable arrays, and would be again for any other kind
+        for one in fields(self):
+            array = np.require(getattr(self, one.name), requirements=("C", "W"))
+            object.__setattr__(self, one.name, array)
 
 
 def enter_shell(

@@ -44,7 +44,7 @@ from airlight.solver.moments.solution import MomentsSolution
 
 NM = (440.0, 500.0, 560.0, 620.0)
 #: Size of pictures of a camera. [px]
-WIDTH, HEIGHT = 64, 36
+WIDTH, HEIGHT = 48, 27
 Lit = Callable[..., MomentsSolution]
 Shows = Callable[..., GpuRenderer]
 
@@ -128,8 +128,8 @@ def scene_of(planet: Planet, name: str) -> Scene:
         "midnight": (0.2 * thick, 180.0, "perspective", 90.0, 0.0, None),
     }
     altitude, sun, projection, look, azimuth, fov = view[name]
-    width, height = {"perspective": (WIDTH, HEIGHT), "fisheye": (48, 48), "cubemap": (96, 16),
-                     "equirectangular": (64, 32)}[projection]  # fmt: skip
+    width, height = {"perspective": (WIDTH, HEIGHT), "fisheye": (36, 36), "cubemap": (72, 12),
+                     "equirectangular": (48, 24)}[projection]  # fmt: skip
     camera = Camera(
         projection=projection, width=width, height=height, look_zenith=look, look_azimuth=azimuth,
         field_of_view=fov,
@@ -213,7 +213,7 @@ def test_without_the_maps_the_ground_is_alike_all_round(device: Device, lit: Lit
     pictures, uneven = GpuRenderer(device), []
     for maps in (True, False):
         pictures.set_solution(lit(), maps=maps)
-        middle = pictures.render(seen, exact=True).rgb[14:22, 28:36]
+        middle = pictures.render(seen, exact=True).rgb[10:17, 20:28]
         uneven.append(np.abs(middle / middle[:, ::-1] - 1.0).max())
     assert uneven[0] > 0.05
     assert uneven[1] < 1e-3
@@ -357,7 +357,7 @@ def test_a_point_star_has_no_disc(device: Device, lit: Lit) -> None:
 def test_outside_the_circle_a_dome_is_black(shows: Shows) -> None:
     seen = scene_of(PLANETS["earth, with a map"](), "dome")
     outside = ~np.any(seen.camera.directions() != 0.0, axis=-1)
-    assert outside.sum() > 400
+    assert outside.mean() > 0.17
     for exact in (True, False):
         assert_array_equal(shows().render(seen, exact=exact).rgb[outside], 0.0)
 
@@ -393,7 +393,7 @@ def test_a_picture_in_strips_is_the_whole_one(
     said: list[tuple[int, int]] = []
     rgb = shows().render(seen, exact=exact, progress=lambda *one: said.append(one[:2])).rgb
     assert_array_equal(rgb.view(np.uint32), whole.view(np.uint32))
-    assert said == [(min(5 * (k + 1), HEIGHT), HEIGHT) for k in range(8)]
+    assert said == [(min(5 * (k + 1), HEIGHT), HEIGHT) for k in range(6)]
 
 
 def test_a_picture_can_be_cancelled_and_one_too_wide_is_refused(shows: Shows) -> None:

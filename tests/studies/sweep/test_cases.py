@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import os
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_array_equal
 
-from airlight.errors import AirlightError
+from airlight.errors import AirlightError, FileError
 from airlight.studies.sweep.cases import COLUMNS, Cases, read_cases, write_cases
 
 HEADER = "altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg"
@@ -152,3 +153,10 @@ def test_too_few_answers_never_leave_a_file(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="zip"):
         write_cases(str(tmp_path / "out.csv"), cases, [550.0], np.array([[1.0]]))
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes")
+def test_a_pipe_is_refused_and_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "in.csv")
+    with pytest.raises(FileError, match=r"in\.csv: is not a regular file, so it cannot be read"):
+        read_cases(str(tmp_path / "in.csv"))

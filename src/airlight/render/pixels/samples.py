@@ -19,7 +19,7 @@ from airlight.scene.projections import PROJECTIONS
 #: Samples per side of a pixel that an edge crosses.
 EDGE: Final = 3
 #: Index of the projection that is periodic horizontally.
-_PANORAMA: Final = list(PROJECTIONS).index("equirectangular")
+_PANORAMA: Final = [one.periodic for one in PROJECTIONS.values()].index(True)
 #: Distance of a pixel's corner from its centre, with a margin for its shape. [pixel]
 _CORNER: Final = 0.75
 

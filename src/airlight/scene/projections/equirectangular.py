@@ -51,6 +51,7 @@ EQUIRECTANGULAR = Projection(
     ray=panorama_ray,
     pixel_angle=pixel_angle,
     aspect=2,
+    periodic=True,
     shape="twice as wide as high",
     size=(2048, 1024),
     sized=lambda width: (width, width // 2),

@@ -42,6 +42,8 @@ class Projection:
         Whether the image is limited to the largest circle that fits.
     parallel : bool
         Whether lines of sight are parallel.
+    periodic : bool
+        Whether the right edge continues at the left.
     """
 
     name: str
@@ -54,6 +56,7 @@ class Projection:
     connected: bool = True
     circular: bool = False
     parallel: bool = False
+    periodic: bool = False
     shape: str = "any shape"
     size: tuple[int, int] = (1280, 720)
     sized: Callable[[int], tuple[int, int]] = lambda number: (number, number)

@@ -141,7 +141,7 @@ def history_optics(
         extinction=chosen,
         edges=density.edges,
         coefficients=density.coefficients,
-        scattering=np.ascontiguousarray(medium.scattering[:, wavelength]),
+        scattering=medium.scattering[:, wavelength].copy(),
         lobes=lobes(medium, wavelength),
         ground=medium.ground.at(slice(wavelength, wavelength + 1)),
         star_radius=medium.lights[0].angular_radius,

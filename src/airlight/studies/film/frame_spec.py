@@ -22,6 +22,7 @@ from airlight.render.star_points import add_catalogue
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.ground_overlay import lights_file, relief_file
+from airlight.scene.picture_size import reduced
 from airlight.scene.surface_map import map_file, water_file
 from airlight.scene.system import System
 from airlight.solver.moments.solve import solve_work
@@ -133,7 +134,7 @@ class PlanetFrameSpec:
             solution = solution.with_light(now.lights(solution.wavelengths)[0])
         if width is not None:
             camera = scene.camera
-            columns, rows = _reduced(camera.projection, camera.width, camera.height, width)
+            columns, rows = reduced(camera.projection, camera.width, camera.height, width)
             scene = replace(scene, camera=replace(camera, width=columns, height=rows))
         clouds = clouds_at(self.planet, scene, self.clouds, quality=self.how.quality)
         frame = render(
@@ -215,7 +216,7 @@ class SystemFrameSpec:
         """See ``FrameSpec``."""
         columns, rows = self.how.width, self.how.height
         if width is not None:
-            columns, rows = _reduced(self.system.view.projection, columns, rows, width)
+            columns, rows = reduced(self.system.view.projection, columns, rows, width)
         return self._render(columns, rows)
 
     def _render(self, width: int, height: int, progress: Progress | None = None) -> Frame:
@@ -245,7 +246,7 @@ class SystemFrameSpec:
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``FrameSpec``."""
         how, projection = self.how, self.system.view.projection
-        self._render(*_reduced(projection, how.width, how.height, _SMALL), progress)
+        self._render(*reduced(projection, how.width, how.height, _SMALL), progress)
 
     @property
     def solved_for(self) -> object:
@@ -286,19 +287,6 @@ def _planet_files(planet: Planet) -> tuple[Path, ...]:
             path = Path(one.file)
             found += sorted(path.rglob("*")) if path.is_dir() else [path]
     return tuple(file for file in found if file.is_file())
-
-
-def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, int]:
-    """Smaller frame size of the same shape that the projection supports."""
-    if width <= most:
-        return width, height
-    from airlight.scene.projections import PROJECTIONS
-
-    if projection == "perspective":
-        return most, max(1, round(height * most / width))
-    form = PROJECTIONS[projection]
-    columns, rows = form.sized(max(1, most * form.sized(64)[1] // form.sized(64)[0]))
-    return (columns, rows) if form.fits(columns, rows) else form.sized(most)
 
 
 def distinct_solutions(specs: Sequence[FrameSpec]) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 from airlight.errors import ParameterError
 from airlight.image.display_settings import DisplaySettings
@@ -17,13 +17,11 @@ from airlight.planets.reading.reader import (
     planet_text,
 )
 from airlight.planets.schema.toml_table import TomlTable, suggestion
+from airlight.scene.display_fields import DISPLAY_FIELDS
 from airlight.scene.system.reading import system_names, system_text
 from airlight.studies.film.film import Film
 from airlight.studies.film.plan import FilmPlan
 from airlight.studies.film.view import PlanetView
-
-#: Keys of the table ``[display]``; those of a file's format are options of its writer.
-DISPLAY: Final = ("tone_map", "style", "eye", "glare", "white_balance")
 
 
 def load_film(name_or_path: str | Path, changes: Mapping[str, Any] | None = None) -> Film:
@@ -127,8 +125,8 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
 def _display(table: Mapping[str, Any]) -> Mapping[str, Any]:
     """Validated table ``[display]``."""
     for name in table:
-        if name not in DISPLAY:
-            raise ParameterError("display", name, ", ".join(DISPLAY))
+        if name not in DISPLAY_FIELDS:
+            raise ParameterError("display", name, ", ".join(DISPLAY_FIELDS))
     try:
         DisplaySettings(**table)
     except ParameterError as error:

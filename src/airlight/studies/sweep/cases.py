@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.files.atomic_file import atomic_file, check_target
+from airlight.files.input_files import LARGEST_CASES, check_input
 from airlight.solver.stokes_frame import STOKES
 from airlight.studies.sweep.grid import AXES
 
@@ -140,6 +141,7 @@ def _opened(path: str) -> Iterator[TextIO]:
     if path == "-":
         yield sys.stdin
         return
+    check_input(path, LARGEST_CASES)  # a pipe without a writer would not even open
     with Path(path).open(encoding="utf-8-sig", newline="") as stream:
         yield stream
 

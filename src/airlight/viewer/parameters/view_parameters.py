@@ -7,16 +7,13 @@ heading minus the sun's bearing: see ``scene_of``.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, Final
 
 from airlight.image.display_settings import DisplaySettings
-from airlight.image.glare import MOST as MOST_GLARE
-from airlight.image.natural import STYLES
-from airlight.image.tone_maps import TONE_MAPS
-from airlight.image.white_balance import COLDEST, DAYLIGHT, HOTTEST, WHITE_BALANCES
 from airlight.planets.schema.field import Field
 from airlight.scene.camera import Camera
+from airlight.scene.display_fields import DISPLAY_FIELDS, EXPOSURE
 from airlight.scene.moon_light import MEAN_RADIUS
 from airlight.scene.picture_size import fitting
 from airlight.scene.projections import PROJECTIONS
@@ -74,7 +71,7 @@ def _of(
 ) -> ViewValue:
     """View value of a declared parameter of scenes."""
     (low, high), (least, most) = declared.ends, declared.limits
-    if declared.kind == "choice":
+    if declared.kind != "number":
         more |= {"options": declared.choices()}
     elif more.get("wraps"):
         more |= {"low": low, "high": high, "least": low, "most": high}
@@ -92,6 +89,18 @@ def _of(
         default=default,
         **more,
     )
+
+
+#: Steps of the arrow keys of the display's numbers.
+_DISPLAY_STEPS: Final = {"glare": 0.1, "white_temperature": 1.05}
+
+
+def _displayed(name: str, declared: Field) -> ViewValue:
+    """View value of a display setting; the shaders have it, but for the colour of white."""
+    uniform = "" if name.startswith("white") else name
+    step: dict[str, Any] = {"step": _DISPLAY_STEPS[name]} if name in _DISPLAY_STEPS else {}
+    return _of(f"display.{name}", "display", declared, declared.initial, part="display",
+               uniform=uniform, **step)  # fmt: skip
 
 
 def _choice(
@@ -173,35 +182,8 @@ VIEW_VALUES: Final = (
     ViewValue(path="display.locked", label="lock exposure", group="display", kind="switch",
               help="Lock of the automatic exposure.", default=False, part="display",
               synonyms=("hold", "fix", "brightness", "ae lock")),
-    ViewValue(path="display.exposure", label="exposure", group="display", unit="EV", low=-12.0,
-              high=20.0, least=-100.0, most=100.0, step=0.25, default=0.0, part="display",
-              help="Exposure compensation, a power of 2.",
-              synonyms=("brightness", "brighter", "darker", "stops", "ev", "light", "iso",
-                        "aperture", "shutter")),
-    ViewValue(path="display.eye", label="eye in the dark", group="display", kind="switch",
-              help="Mesopic vision: below 4 cd/m² colours fade and turn bluish.", default=True,
-              part="display", uniform="eye",
-              synonyms=("night vision", "mesopic", "purkinje", "blue night", "colour", "color")),
-    _choice("display.tone_map", "tone map", "display", tuple(TONE_MAPS),
-            "Tone curve that maps radiance to the display's range.", default="natural",
-            part="display", uniform="tone_map",
-            synonyms=("colour", "color", "contrast", "look", "film", "curve", "saturation")),
-    _choice("display.style", "style", "display", tuple(STYLES),
-            "Contrast of the tone map natural.", default="neutral", part="display",
-            uniform="style", synonyms=("contrast", "look", "punchy", "soft", "flat", "shadows")),
-    ViewValue(path="display.glare", label="glare", group="display", low=0.0, high=4.0, least=0.0,
-              most=MOST_GLARE, step=0.1, default=1.0, part="display", uniform="glare",
-              help="Lens glare around the sun: 1 is a typical lens, 0 none.",
-              synonyms=("bloom", "glow", "halo", "lens", "flare", "sun")),
-    _choice("display.white_balance", "white balance", "display", WHITE_BALANCES,
-            "Light that is shown white: auto is daylight under a sun, else the star.",
-            default="auto", part="display",
-            synonyms=("colour", "color", "temperature", "kelvin", "warm", "cool", "tint", "awb")),
-    ViewValue(path="display.white_temperature", label="white temperature", group="display",
-              unit="K", low=2500.0, high=10000.0, least=COLDEST, most=HOTTEST, scale="log",
-              step=1.05, default=DAYLIGHT, part="display",
-              help="Colour temperature of the white balance kelvin.",
-              synonyms=("white balance", "kelvin", "colour", "color", "warm", "cool")),
+    _of("display.exposure", "display", EXPOSURE, 0.0, step=0.25, part="display"),
+    *(_displayed(name, declared) for name, declared in DISPLAY_FIELDS.items()),
     _choice("light.orders", "orders of scattering", "light", ORDERS,
             "All light, that scattered or reflected once, or that scattered more often.",
             default="all", synonyms=("single scattering", "multiple scattering", "bounces")),
@@ -273,8 +255,7 @@ def settings_of(view: Mapping[str, Value]) -> DisplaySettings:
     >>> settings_of({**DEFAULTS, "display.tone_map": "agx"}).tone_map
     'agx'
     """
-    paths = {one.name: f"display.{one.name}" for one in fields(DisplaySettings)}
-    values = {name: view[path] for name, path in paths.items() if path in VIEW_VALUE}
+    values = {name: view[f"display.{name}"] for name in DISPLAY_FIELDS}
     return DisplaySettings(**values)  # type: ignore[arg-type]
 
 
