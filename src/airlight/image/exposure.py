@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.image.adaptation import KEY, NIGHT, adapted_key, shown_key
+from airlight.image.lamp_exposure import brightest_light, lamps_shorter
 from airlight.image.xyz import luminance, luminance_of
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.large_arrays import release
@@ -303,6 +304,8 @@ def exposure_of(bright, weight, black, white):
     if white > 0.0:
         dimmed = min(dimmed, full_light_factor(exposure + log2(white)))
     exposure += log2(dimmed)
+    if longer > 1.0:
+        exposure -= lamps_shorter(brightest_light(bright, weight, black) / key, longer)
     limited = min(exposure, log2(longer * shown / KEY * _BRIGHT / quarter))
     if white > 0.0:
         exposure = max(exposure, -log2(white))
