@@ -46,7 +46,7 @@ def lamps_shorter(contrast, longer):
     contrast : float
         Light of the brightest hundredth over that of the key. [1]
     longer : float
-        Displayed key over that of the adapted eye: 1 by day and at dusk. [1]
+        Displayed key over that of the adapted eye: 1 by day and at dusk, 1.3 by full moon. [1]
 
     Examples
     --------
@@ -54,4 +54,4 @@ def lamps_shorter(contrast, longer):
     (1.5, 0.0, 0.0)
     """
     part = min(max((log2(contrast) - _LAMPLIT) / _LAMPS_ALONE, 0.0), 1.0)
-    return _SHORTER * part * min(longer - 1.0, 1.0)
+    return _SHORTER * part * min(max(2.0 * longer - 3.0, 0.0), 1.0)
