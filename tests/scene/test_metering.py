@@ -117,13 +117,13 @@ def test_through_a_telescope_the_moon_is_exposed_as_in_photographs():
 
 def test_a_zoom_to_the_sun_darkens_without_a_leap():
     # a law: a factor of 1.1 in the field of view is 0.28 EV of the picture's solid angle, by which
-    # the glow changes; and for the disc 12 stops are taken away over the 5.3 stops from 1/1200 to
-    # 1/30 of the picture, 2.3 times that; the pixels of the rim add to it
+    # the glow changes; and for the disc 12 stops are taken away over the 4.3 stops from 1/1200 to
+    # 1/60 of the picture, 2.8 times that; the pixels of the rim add to it
     views = 0.8 * 1.1 ** np.arange(39)
     found = [scene_exposure(*lit_picture(one, 7.0, 1.8e6, width=640), RADIUS) for one in views]
     assert found[-1] - found[0] > 10.0
     assert np.all(np.diff(found) > -0.1)
-    assert np.max(np.diff(found)) < 3.3 * 0.28 + 0.2
+    assert np.max(np.diff(found)) < 3.8 * 0.28 + 0.2
 
 
 def test_a_telephoto_lens_shows_the_limb_darkening_of_the_sun():

@@ -16,8 +16,8 @@ _GLOW: Final = 0.04
 #: Darkening of a star's surroundings from which on the star is the subject. [EV]
 _SURROUNDINGS: Final = 2.0
 #: Shares of the picture of a disc that begins to be the subject, as the sun in a field of view of
-#: 20°, and that is it alone, as in one of 3°. [1]
-_SMALL, _LARGE = 1.0 / 1200.0, 1.0 / 30.0
+#: 20°, and that is it alone, as in one of 4°. [1]
+_SMALL, _LARGE = 1.0 / 1200.0, 1.0 / 60.0
 #: Displayed level of the brightest part of a disc that is the subject, on a black sky. [1]
 _DISC: Final = 0.8
 #: Least contrast of a disc that is not one with its sky. [1]
@@ -35,7 +35,7 @@ def star_limited(exposure, brightest, irradiance, picture):
     .. math:: 2^\mathrm{EV} \le \frac{1.5 \cdot 0.04\, Ω}{π a E}.
 
     If that darkens the surroundings by two stops, the star becomes the subject: the exposure passes
-    to that which shows its disc as 0.8 of white while the disc grows from 1/1200 to 1/30 of the
+    to that which shows its disc as 0.8 of white while the disc grows from 1/1200 to 1/60 of the
     picture, as photographers stop down until they see its edge, and then its limb darkening.
 
     Parameters
