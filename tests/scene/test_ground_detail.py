@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 from airlight.geometry.vectors import Vec3
 from airlight.image.encoding import srgb_encode
 from airlight.scene.ground_detail import (
+    CLOUD_EDGE,
     OCTAVES,
     STEP,
     GroundNoise,
@@ -53,7 +54,9 @@ def test_clouds_between_texels_have_the_cover_of_the_map(footprint: float) -> No
     places = np.random.default_rng(9).normal(size=(1500, 3)) * 4e5
     noise = [noise_at(place, footprint) for place in places]
     for cover in (0.05, 0.2, 0.5, 0.8, 0.95):
-        covers = [grained_cover(cover, 0.05, one.cloud, one.cloud_variance) for one in noise]
+        covers = [
+            grained_cover(cover, 0.05, one.cloud, one.cloud_variance, CLOUD_EDGE) for one in noise
+        ]
         assert abs(np.mean(covers) - cover) < 0.03
         assert 0.0 <= min(covers) < max(covers) <= 1.0
     assert np.std([one.cloud for one in noise]) ** 2 == pytest.approx(

@@ -145,6 +145,10 @@ CASES: dict[str, tuple[Any, ...]] = {
         np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500),
         RNG.integers(0, 90, COUNT),
     ),
+    "brightest_light": (
+        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500), numbers(0.0, 200.0),
+    ),
+    "lamps_shorter": (POSITIVE, numbers(1.0, 4.0)),
     "unlit_exposure": (numbers(0.0, 60.0) * RNG.integers(0, 2, COUNT),),
     "star_limited": (numbers(-20.0, 20.0), POSITIVE, POSITIVE[::-1], numbers(0.1, 10.0)),
     "weighted_index": (

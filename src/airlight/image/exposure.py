@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.image.adaptation import KEY, NIGHT, adapted_key, shown_key
+from airlight.image.lamp_exposure import brightest_light, lamps_shorter
 from airlight.image.xyz import luminance, luminance_of
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.large_arrays import release
@@ -52,10 +53,11 @@ _UNSEEN: Final = 5e-4
 _LOW_KEY: Final = 0.5
 _LIT_POWER: Final = 0.5
 #: Largest reduction of the key of a picture that consists of dark things in full light, such as
-#: blue sky, grass and the sea from above, and how much darker than white they are then: a camera
-#: exposes them nearer to "sunny 16". [EV]
+#: blue sky, grass and the sea from above, how much darker than white they are then [EV], and the
+#: powers up to there and beyond [1]: a camera exposes them nearer to "sunny 16".
 _FULL_LIGHT: Final = 0.8
-_DARKER: Final = 2.4
+_DARKER: Final = 2.25
+_RISE, _FALL = 7.0, 3.0
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768
 #: Rows that are sampled before the memory of a large picture is released.
@@ -88,8 +90,7 @@ def exposure_factor(exposure: float) -> float:
     >>> exposure_factor(-2.0)
     0.25
     """
-    limits = -MOST_EXPOSURE <= exposure <= MOST_EXPOSURE if _is_number(exposure) else False
-    if not limits:
+    if not (_is_number(exposure) and -MOST_EXPOSURE <= exposure <= MOST_EXPOSURE):
         raise ParameterError("exposure", exposure, '-100 to 100 EV, or "auto"')
     return math.pow(2.0, float(exposure))
 
@@ -154,11 +155,12 @@ def metered_light(red, green, blue):
 def full_light_factor(stops):
     r"""Factor of the key of a picture whose things are darker than white in the star's light. [1]
 
-    .. math:: \log_2 f = -0.8\,u^3 e^{1.5 (1 - u^2)}, \quad u = x / 2.4
+    .. math:: \log_2 f = -0.8\,u^p e^{p (1 - u^2) / 2}, \quad u = x / 2.25
 
-    Where the key alone would show white as 2^x, x about 2.4, things are dark and not their light,
-    and are shown darker than the key. Near a low sun x is about 1, at dusk above 5: there light is
-    what is bright, or less.
+    Where the key alone would show white as 2^x, x about 2.25, things are dark and not their light,
+    and are shown darker than the key. Near a low sun x is about 1, in haze 1.4, and at dusk above
+    5: there light is what is bright, or less. The exponent p is 7 below 2.25 and 3 above, where
+    a step of less light may change the exposure by half again at most.
 
     Parameters
     ----------
@@ -167,11 +169,12 @@ def full_light_factor(stops):
 
     Examples
     --------
-    >>> full_light_factor(-1.0), round(full_light_factor(2.4), 2), round(full_light_factor(6.0), 2)
+    >>> full_light_factor(-1.0), round(full_light_factor(2.25), 2), round(full_light_factor(6.0), 2)
     (1.0, 0.57, 1.0)
     """
     x = max(stops, 0.0) / _DARKER
-    return 2.0 ** (-_FULL_LIGHT * x * x * x * exp(1.5 * (1.0 - x * x)))
+    power = _RISE if x < 1.0 else _FALL
+    return 2.0 ** (-_FULL_LIGHT * x**power * exp(0.5 * power * (1.0 - x * x)))
 
 
 @kernel
@@ -303,6 +306,8 @@ def exposure_of(bright, weight, black, white):
     if white > 0.0:
         dimmed = min(dimmed, full_light_factor(exposure + log2(white)))
     exposure += log2(dimmed)
+    if longer > 1.0:
+        exposure -= lamps_shorter(brightest_light(bright, weight, black) / key, longer)
     limited = min(exposure, log2(longer * shown / KEY * _BRIGHT / quarter))
     if white > 0.0:
         exposure = max(exposure, -log2(white))

@@ -13,11 +13,11 @@ from airlight.kernel import compiled_loop, kernel
 #: Displayed level that the glare of a star may have on a fraction of the picture. [1]
 _GLARING: Final = 1.5
 _GLOW: Final = 0.04
-#: Darkening of a star's surroundings from which on the star is the subject, further reduction of
-#: the exposure per stop of it, and the largest one. [EV]
+#: Darkening of a star's surroundings from which on the star is the subject. [EV]
 _SURROUNDINGS: Final = 2.0
-_PER_STOP: Final = 1.25
-_SUBJECT: Final = 8.0
+#: Shares of the picture of a disc that begins to be the subject, as the sun in a field of view of
+#: 20°, and that is it alone, as in one of 4°. [1]
+_SMALL, _LARGE = 1.0 / 1200.0, 1.0 / 60.0
 #: Displayed level of the brightest part of a disc that is the subject, on a black sky. [1]
 _DISC: Final = 0.8
 #: Least contrast of a disc that is not one with its sky. [1]
@@ -34,8 +34,9 @@ def star_limited(exposure, brightest, irradiance, picture):
 
     .. math:: 2^\mathrm{EV} \le \frac{1.5 \cdot 0.04\, Ω}{π a E}.
 
-    If that darkens the surroundings by more than two stops, the star becomes the subject: for each
-    further stop 1.25 more are subtracted, at most eight, until its disc is 0.8 of white.
+    If that darkens the surroundings by two stops, the star becomes the subject: the exposure passes
+    to that which shows its disc as 0.8 of white while the disc grows from 1/1200 to 1/60 of the
+    picture, as photographers stop down until they see its edge, and then its limb darkening.
 
     Parameters
     ----------
@@ -57,8 +58,10 @@ def star_limited(exposure, brightest, irradiance, picture):
     lost = exposure - glow
     if lost <= 0.0:
         return exposure
-    darker = min(_PER_STOP * max(lost - _SURROUNDINGS, 0.0), _SUBJECT)
-    return min(glow, max(glow - darker, log2(_DISC / brightest)))
+    share = irradiance / (brightest * picture)
+    part = min(max(log2(share / _SMALL) / log2(_LARGE / _SMALL), 0.0), 1.0)
+    part *= min(lost / _SURROUNDINGS, 1.0)
+    return glow + part * min(log2(_DISC / brightest) - glow, 0.0)
 
 
 @compiled_loop

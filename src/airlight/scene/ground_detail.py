@@ -222,7 +222,7 @@ def sharper_share(share, width):
 
 
 @kernel
-def grained_cover(cover, width, noise, variance):
+def grained_cover(cover, width, noise, variance, edge):
     """Cover of a cloud layer with noise between texels: clouds and gaps whose mean is the map's.
 
     Normal noise n of variance σ² above a threshold, with an edge of the width 1/g, has the mean
@@ -237,15 +237,17 @@ def grained_cover(cover, width, noise, variance):
         Result of ``pixel_width``. [texel]
     noise, variance : float
         ``cloud`` and ``cloud_variance`` of ``GroundNoise``. [1]
+    edge : float
+        Reciprocal of the width of edges, such as ``CLOUD_EDGE``. [1]
 
     Examples
     --------
-    >>> round(grained_cover(0.3, 1.0, 1.0, 1.0), 9), grained_cover(1.0, 0.1, 1.0, 1.0)
+    >>> round(grained_cover(0.3, 1.0, 1.0, 1.0, 1.2), 9), grained_cover(1.0, 0.1, 1.0, 1.0, 1.2)
     (0.3, 1.0)
     """
     if cover <= 0.0 or cover >= 1.0:
         return min(max(cover, 0.0), 1.0)
-    sharp = CLOUD_EDGE * (1.0 - width)
+    sharp = edge * (1.0 - width)
     level = sqrt(1.0 + sharp * sharp * variance) * log(cover / (1.0 - cover))
     return 1.0 / (1.0 + exp(min(max(-level - _LOGISTIC * sharp * noise, -60.0), 60.0)))
 

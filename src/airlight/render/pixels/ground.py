@@ -38,6 +38,7 @@ from airlight.render.pixels.sea_surface import (
     spread_glint,
 )
 from airlight.scene.ground_detail import (
+    CLOUD_EDGE,
     STEP,
     GroundNoise,
     displacement,
@@ -55,7 +56,7 @@ from airlight.scene.ground_place import (
     map_level,
     moved_on,
 )
-from airlight.scene.lamps import lamp_pattern
+from airlight.scene.lamps import BENT, lamps_at
 from airlight.scene.land_texture import (
     FINEST_OF_MAP,
     GRAZING,
@@ -196,22 +197,21 @@ def ground_color(ray, sine, angle, frame, color):
             shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
         if shown > 0.0:
             cloud_cover(end, ray, cosine, level, north, east, frame, color)
-            color[9] = shown * grained_cover(color[9], width, noise.cloud, noise.cloud_variance)
+            color[9] = shown * grained_cover(
+                color[9], width, noise.cloud, noise.cloud_variance, CLOUD_EDGE
+            )
             color[10] *= shown
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
             color[11] *= relief_light(end, latitude, longitude, level, frame)
         lamps = map_channel(
-            view.over_texels,
-            view.over_rows,
-            view.over_columns,
-            view.over_levels,
-            latitude + north,
-            longitude + east,
-            level,
-            0,
-        )
+            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
+            latitude + BENT * north, longitude + BENT * east, level, 0,
+        )  # fmt: skip
         if view.detailed and lamps > 0.0 and mu_s < DAYLIGHT:
-            lamps *= lamp_pattern(place, footprint, view.detail_cell, view.whole, view.part)
+            lamps = lamps_at(
+                lamps, width, cosine, place, texture_footprint(footprint, cosine),
+                view.detail_cell, view.whole, view.part,
+            )  # fmt: skip
         color[4] = lamps * (1.0 - color[9] * plane_albedo(cosine, tables.ground.layer))
         color[5] = color[4]
         color[6] = color[4]
