@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from airlight.validation.boxes import box_consensus
+from airlight.validation.cloudy_pictures import cloudy_pictures
 from airlight.validation.finite_cloud_light import PIXEL_ERROR, finite_cloud_light
 from airlight.validation.monte_carlo_consensus import (
     COLUMN_ERROR,
@@ -22,18 +23,20 @@ def clouds(run: SuiteRun) -> Suite:
     of_boxes, boxes = box_consensus(run)
     of_histories, histories = monte_carlo_consensus(run)
     of_finite, finite = finite_cloud_light(run)
-    thresholds = [*of_boxes, *of_histories, *of_finite]
+    of_pictures, pictures = cloudy_pictures(run)
+    thresholds = [*of_boxes, *of_histories, *of_finite, *of_pictures]
     met = sum(threshold.passed for threshold in thresholds)
     return Suite(
         summary=(
             "A step cloud and a field from a cloud radar, periodic and infinite in one direction, "
             "as in the Intercomparison of 3D Radiation Codes, whose consensus is the mean of many "
-            "Monte Carlo and discrete-ordinate codes; and a finite cloud over a plane by "
-            f"Mitsuba 3: {met} of {len(thresholds)} thresholds are met. Light is "
-            "unpolarised; there are no gases."
+            "Monte Carlo and discrete-ordinate codes; a finite cloud over a plane by Mitsuba 3; "
+            "and pixels of pictures past cumuli in spherical air beside Monte Carlo: "
+            f"{met} of {len(thresholds)} thresholds are met. Light is unpolarised; there are no "
+            "gases but in the last."
         ),
         thresholds=thresholds,
-        parts=[boxes, histories, finite],
+        parts=[boxes, histories, finite, pictures],
         settings=[
             "I3RC phase I, cases 1 and 2, all experiments with published results",
             (

@@ -1,31 +1,47 @@
-"""Lines of sight on which solvers of three-dimensional clouds are compared: 60 radiances."""
+"""Lines of sight past cumuli in spherical air: 60 radiances by Monte Carlo."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_layer import CloudLayer
+from airlight.clouds.cloud_optics import CloudOptics
+from airlight.clouds.planet_clouds import Box, clouds_of
+from airlight.planets import Medium, Planet, load_planet
 from airlight.solver.montecarlo.cloudy_air import CloudyAir
 from airlight.solver.montecarlo.estimate import Estimate
+from airlight.solver.montecarlo.settings import MonteCarloSettings
+from airlight.solver.montecarlo.solution import MonteCarloSolution
+from airlight.validation.reference_files import packaged_table
 
 FloatArray = NDArray[np.float64]
 
+#: File of this package with radiances of Monte Carlo, made by ``builders/cloudy_lines.py``.
+FILE: Final = "data/cloudy-lines.csv"
+#: Place of the field. [deg]
+LATITUDE, LONGITUDE = 10.0, 20.0
+#: Wavelength. [nm]
+WAVELENGTH: Final = 550.0
 #: Zenith angles of the sun, which is in the east. [deg]
 SUNS: Final = (20.0, 45.0, 60.0, 75.0, 85.0)
-_SUN_AZIMUTH: Final = 90.0
+SUN_AZIMUTH: Final = 90.0
 #: Altitude of the observer above the place of the field, view zenith angle, and azimuth from the
-#: sun: on the ground, at 3 km, in an airliner and in orbit. [m], [deg]
+#: sun: on the ground, at 3 km, in an airliner and in orbit. Lines end within the box of the field,
+#: beyond which pictures do not repeat it. [m], [deg]
 VIEWS: Final = (
     (0.0, 20.0, 0.0),
     (0.0, 45.0, 90.0),
     (0.0, 60.0, 180.0),
     (0.0, 80.0, 45.0),
-    (3e3, 95.0, 90.0),
+    (3e3, 100.0, 90.0),
     (3e3, 120.0, 0.0),
     (3e3, 150.0, 180.0),
-    (11e3, 110.0, 30.0),
+    (11e3, 130.0, 30.0),
     (11e3, 140.0, 135.0),
     (11e3, 180.0, 0.0),
     (400e3, 180.0, 0.0),
@@ -33,32 +49,53 @@ VIEWS: Final = (
 )
 
 
-def cloudy_lines(latitude: float, longitude: float) -> dict[str, FloatArray]:
-    """Keyword arguments of ``CloudyAir.radiance`` for the 60 lines of sight at a place.
+def cumuli_over_sea() -> Planet:
+    """Earth with cumuli above a ground as dark as the sea, without refraction."""
+    clouds = [{"kind": "cumulus"}]
+    earth = load_planet("earth", {"refraction": "none", "ground.albedo": 0.06, "clouds": clouds})
+    plain = replace(earth.ground, map=None, relief=None, clouds_from_space=None, lights=None)
+    return replace(earth, ground=plain)
+
+
+def field_at(wavelengths: ArrayLike) -> tuple[CloudField, CloudOptics]:
+    """Field, and optical properties of its droplets at wavelengths [nm]."""
+    box = Box(latitude=LATITUDE, longitude=LONGITUDE)
+    return clouds_of(cumuli_over_sea(), wavelengths, box)[0]
+
+
+def traced(relative_error: float) -> Estimate:
+    """Radiances of all lines by Monte Carlo, those of the first sun first, in scalar transfer.
 
     Parameters
     ----------
-    latitude, longitude : float
-        Place of the field. [deg]
-
-    Examples
-    --------
-    >>> cloudy_lines(10.0, 20.0)["sun_zenith"].shape
-    (60,)
+    relative_error : float
+        Standard error over each radiance. [1]
     """
+    settings = MonteCarloSettings(
+        relative_error=relative_error, polarisation=False, exact_first_order=False
+    )
+    medium = Medium.from_planet(cumuli_over_sea().without_clouds, [WAVELENGTH])
+    air = CloudyAir(MonteCarloSolution(medium, settings), [CloudLayer(*field_at([WAVELENGTH]))])
     views = np.tile(np.array(VIEWS), (len(SUNS), 1))
-    return {
-        "latitude": np.full(len(views), latitude),
-        "longitude": np.full(len(views), longitude),
-        "altitude": views[:, 0],
-        "view_zenith": views[:, 1],
-        "azimuth": np.mod(views[:, 2] + _SUN_AZIMUTH, 360.0),
-        "sun_zenith": np.repeat(SUNS, len(VIEWS)),
-        "sun_azimuth": np.full(len(views), _SUN_AZIMUTH),
-    }
+    return air.radiance(
+        latitude=LATITUDE,
+        longitude=LONGITUDE,
+        altitude=views[:, 0],
+        view_zenith=views[:, 1],
+        azimuth=views[:, 2] + SUN_AZIMUTH,
+        sun_zenith=np.repeat(SUNS, len(VIEWS)),
+        sun_azimuth=SUN_AZIMUTH,
+    )
 
 
-def cloudy_radiances(air: CloudyAir) -> Estimate:
-    """Monte Carlo radiances of those lines at the place of the first field."""
-    first = air.fields[0]
-    return air.radiance(**cloudy_lines(first.latitude, first.longitude))
+def reference() -> tuple[FloatArray, FloatArray]:
+    """Radiances by Monte Carlo and their standard errors. [sr⁻¹]
+
+    Returns
+    -------
+    radiance, error : array, shape (suns, views)
+        Per irradiance of the sun.
+    """
+    table = packaged_table(FILE)
+    radiance, error = table[:, 2:4].T.reshape(2, len(SUNS), len(VIEWS))
+    return radiance, error

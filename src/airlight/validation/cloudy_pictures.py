@@ -1,0 +1,95 @@
+"""Pixels of pictures past cumuli beside radiances of Monte Carlo."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.render.clouds.clouds_around import CloudsAround
+from airlight.render.render import render
+from airlight.scene import Camera, Scene
+from airlight.validation.cloudy_lines import (
+    LATITUDE,
+    LONGITUDE,
+    SUN_AZIMUTH,
+    SUNS,
+    VIEWS,
+    WAVELENGTH,
+    cumuli_over_sea,
+    field_at,
+    reference,
+)
+from airlight.validation.suite import ReportTable, SuiteRun, Threshold
+
+FloatArray = NDArray[np.float64]
+
+#: Largest median and 95 % of the differences, in which the noise of Monte Carlo is contained. [%]
+MEDIAN, MOST = 3.0, 12.0
+#: Wavelengths, so close that their colour is the radiance of one. [nm]
+_WAVELENGTHS: Final = WAVELENGTH + np.array([-1.0, 0.0, 1.0])
+#: Width of a pixel. [deg]
+_PIXEL: Final = 0.002
+
+
+def pixels(run: SuiteRun, quality: str = "preview") -> FloatArray:
+    """Radiance of the lines of sight per irradiance of the sun, shape (suns, views). [sr⁻¹]
+
+    Parameters
+    ----------
+    quality : str
+        Quality of planet and boxes.
+    """
+    solution = run.solve(
+        cumuli_over_sea().without_clouds, _WAVELENGTHS, quality, polarisation=False
+    )
+    field, _ = field_at(_WAVELENGTHS)
+    clouds = CloudsAround(field, lambda nm: field_at(nm)[1], quality=quality, cache=False)
+    green = solution.lights[0].colors()[:, 1].sum()
+    found = np.zeros((len(SUNS), len(VIEWS)))
+    for i, sun in enumerate(SUNS):
+        for k, (altitude, zenith, azimuth) in enumerate(VIEWS):
+            run.step(len(VIEWS) * i + k, found.size, "pixels past cumuli")
+            scene = Scene(
+                altitude=altitude,
+                sun_zenith=sun,
+                sun_azimuth=SUN_AZIMUTH,
+                latitude=LATITUDE,
+                longitude=LONGITUDE,
+                camera=Camera(
+                    width=1, height=1, field_of_view=_PIXEL,
+                    look_zenith=zenith, look_azimuth=azimuth,
+                ),
+            )  # fmt: skip
+            frame = render(solution, scene, exact=True, disc=False, clouds=clouds)
+            found[i, k] = frame.rgb[0, 0, 1] / green
+    return found
+
+
+def cloudy_pictures(run: SuiteRun) -> tuple[list[Threshold], ReportTable]:
+    """Thresholds, and table by view."""
+    known, error = reference()
+    off = 100.0 * (pixels(run) / known - 1.0)
+    noise = 100.0 * error / known
+    typical, most = np.quantile(np.abs(off), [0.5, 0.95])
+    name, source = "cumuli in air", "Monte Carlo"
+    thresholds = [
+        Threshold(f"{name}: median error", float(typical), MEDIAN, "%", source),
+        Threshold(f"{name}: 95 % of errors", float(most), MOST, "%", source),
+    ]
+    rows = [
+        [
+            f"{altitude / 1e3:g} km, {zenith:g}°, {azimuth:g}°",
+            *(f"{off[i, k]:+.1f} ± {noise[i, k]:.1f}" for i in range(len(SUNS))),
+        ]
+        for k, (altitude, zenith, azimuth) in enumerate(VIEWS)
+    ]
+    table = ReportTable(
+        title="Pixels past cumuli in spherical air",
+        columns=["observer, view zenith, azimuth from the sun", *(f"sun {sun:g}°" for sun in SUNS)],
+        rows=rows,
+        note="Preview, 550 nm, ground of albedo 0.06: difference from Monte Carlo and its standard "
+        "error. [%]",
+    )
+    return thresholds, table
