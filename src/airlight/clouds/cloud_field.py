@@ -85,14 +85,20 @@ class CloudField:
         object.__setattr__(self, "extinction", cells)
 
     @property
+    def sides(self) -> tuple[float, float]:
+        """Widths to the east and to the north. [m]"""
+        east, north, _ = self.extinction.shape
+        return float(east) * self.spacing[0], float(north) * self.spacing[1]
+
+    @property
     def west(self) -> float:
         """Coordinate of the western faces. [m]"""
-        return self.drift[0] - 0.5 * float(self.extinction.shape[0]) * self.spacing[0]
+        return self.drift[0] - 0.5 * self.sides[0]
 
     @property
     def south(self) -> float:
         """Coordinate of the southern faces. [m]"""
-        return self.drift[1] - 0.5 * float(self.extinction.shape[1]) * self.spacing[1]
+        return self.drift[1] - 0.5 * self.sides[1]
 
     @property
     def top(self) -> float:

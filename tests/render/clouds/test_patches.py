@@ -1,24 +1,28 @@
 """Patches in which a periodic field continues."""
 
 import numpy as np
+import pytest
 
 from airlight.kernel import compiled_loop
-from airlight.render.clouds.patches import STEEPEST, WIDTH, displaced_patch
+from airlight.render.clouds.patches import WIDTH, displaced_patch, patch_edges
 
 BOX = 25.6e3
 
 
 @compiled_loop
-def _every(east, north, width, length, out):
+def _every(east, north, sides, edges, out):
     for k in range(east.size):
-        out[k, 0], out[k, 1], out[k, 2] = displaced_patch(east[k], north[k], width, length)
+        out[k, 0], out[k, 1], out[k, 2] = displaced_patch(
+            east[k], north[k], sides[0], sides[1], edges
+        )
 
 
-def patches(east, north):
+def patches(east, north, sides=(BOX, BOX)):
     """Displacements and distances. [m]"""
     east, north = np.broadcast_arrays(east, north)
     out = np.empty((east.size, 3))
-    _every(np.ravel(east).astype(float), np.ravel(north).astype(float), BOX, BOX, out)
+    places = np.ravel(east).astype(float), np.ravel(north).astype(float)
+    _every(*places, sides, patch_edges(*sides), out)
     return out.reshape(*east.shape, 3)
 
 
@@ -42,14 +46,24 @@ def test_patches_beyond_have_displacements_of_their_own():
         assert np.quantile(np.hypot(apart[..., 0], apart[..., 1]), 0.05) > 0.05
 
 
-def test_a_patch_goes_as_far_as_it_says():
+@pytest.mark.parametrize("sides", [(BOX, BOX), (BOX, 0.4 * BOX)])
+def test_a_patch_goes_as_far_as_it_says(sides):
     random = np.random.default_rng(5)
-    start = random.uniform(-4.0, 4.0, (40_000, 2)) * BOX
-    here = patches(start[:, 0], start[:, 1])
+    start = random.uniform(-4.0, 4.0, (40_000, 2)) * sides
+    here = patches(start[:, 0], start[:, 1], sides)
     turn = random.uniform(0.0, 2.0 * np.pi, len(start))
     there = start + here[:, 2:] * random.uniform(0.0, 1.0, (len(start), 1)) * np.stack(
         [np.cos(turn), np.sin(turn)], axis=1
     )
-    np.testing.assert_array_equal(patches(there[:, 0], there[:, 1])[:, :2], here[:, :2])
-    assert STEEPEST > 1.0
-    assert np.mean(here[:, 2] < 100.0) < 0.1
+    np.testing.assert_array_equal(patches(there[:, 0], there[:, 1], sides)[:, :2], here[:, :2])
+    # an edge is longer than the side of a square, and its cells and theirs on both sides are few
+    assert np.mean(here[:, 2] <= 0.0) < 0.1
+    assert np.mean(here[:, 2] > 0.05 * min(sides)) > 0.5
+
+
+def test_edges_meet_at_the_sides_of_squares():
+    """Beside the side of a square, a patch is the same but for cells that an edge crosses there."""
+    east = np.arange(-0.5, 0.5, 1e-3) * WIDTH * BOX
+    side = 0.5 * WIDTH * BOX
+    left, right = (patches(side + step, east)[:, :2] for step in (-1e-3, 1e-3))
+    assert np.mean(np.any(left != right, axis=1)) < 0.01

@@ -117,6 +117,18 @@ def cell_value(cells, x, y, z, periodic):
 
 
 @inlined
+def plane_value(cells, x, y, periodic):
+    """``cell_value`` of cells of one level, shape (ny, nx)."""
+    ny, nx = cells.shape
+    i, e = cell_before(x, nx, periodic)
+    j, f = cell_before(y, ny, periodic)
+    right, back = cell_after(i, nx, periodic), cell_after(j, ny, periodic)
+    low = (1.0 - e) * cells[j, i] + e * cells[j, right]
+    high = (1.0 - e) * cells[back, i] + e * cells[back, right]
+    return (1.0 - f) * low + f * high
+
+
+@inlined
 def cell_before(place, count, periodic):
     """Index of the cell before a place, and the fraction of the step to the next one. [1]"""
     if not periodic:

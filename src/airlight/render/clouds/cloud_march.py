@@ -52,7 +52,8 @@ STEP_LEVEL = 1.0
 MOST_STEPS = 6000
 #: Share of the distance after which light is attenuated by the air together. [1]
 TOGETHER = 0.02
-#: Points of an interval of the table of air at which the beam is followed.
+#: Largest number of points of an interval of the table of air at which the beam is followed, a
+#: cell apart.
 SHADOWS = 8
 
 
@@ -85,11 +86,13 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
         middle = 0.5 * (so_far + distance)
         above = middle < extent.leaves or middle > extent.enters
         if node > 0 and distance > so_far:
-            for k in range(SHADOWS):
-                s = so_far + (k + 0.5) / SHADOWS * (distance - so_far)
+            points = min(max(int((distance - so_far) / clouds.step_x), 1), SHADOWS)
+            gap = (distance - so_far) / points
+            for k in range(points):
+                s = so_far + (k + 0.5) * gap
                 point = plus(Vec3(0.0, 0.0, clouds.eye), scaled(ray, s))
-                width = max((distance - so_far) / SHADOWS, s * clouds.pixel_angle)
-                shade += (1.0 - visibility(point, width, clouds)) / SHADOWS
+                width = max(gap, s * clouds.pixel_angle)
+                shade += (1.0 - visibility(point, width, clouds)) / points
         for at in range(0, tables.lanes, LANES):
             air, kept = lane_view(clouds.air, at), lane_view(work.before, at)
             phases, lost = lane_view(tables.phase, at), lane_view(work.light, at)

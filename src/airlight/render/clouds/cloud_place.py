@@ -6,7 +6,7 @@ from math import exp, sqrt
 
 from airlight.geometry.vectors import dot, plus, scaled
 from airlight.kernel import inlined
-from airlight.render.clouds.beam_depth import cell_after, cell_before, cell_value
+from airlight.render.clouds.beam_depth import cell_before, cell_value, plane_value
 from airlight.render.clouds.patches import displaced_patch
 
 
@@ -51,7 +51,9 @@ def patch_place(point, clouds):
     scale *= scale
     free = 1e9
     if clouds.periodic:
-        right, up, free = displaced_patch(east, north, nx * clouds.step_x, ny * clouds.step_y)
+        right, up, free = displaced_patch(
+            east, north, nx * clouds.step_x, ny * clouds.step_y, clouds.edges
+        )
         east += right
         north += up
     return (
@@ -90,23 +92,18 @@ def beam_depth_at(point, clouds):
     clouds : CloudTables
         Clouds.
     """
-    x, y, z = box_place(point, clouds)
     nz, ny, nx = clouds.extinction.shape
+    radius = sqrt(dot(point, point))
     depth = 0.0
-    if z < -0.5:
-        radius = sqrt(dot(point, point))
+    if radius < clouds.base:
         rising = dot(point, clouds.sun)
         gap = (clouds.base - radius) * (clouds.base + radius)
         way = gap / (sqrt(rising * rising + gap) + max(rising, 0.0))
-        x, y, z = box_place(plus(point, scaled(clouds.sun, way)), clouds)
+        x, y, _ = box_place(plus(point, scaled(clouds.sun, way)), clouds)
         if clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
-            i, e = cell_before(x, nx, clouds.periodic)
-            j, f = cell_before(y, ny, clouds.periodic)
-            right, back = cell_after(i, nx, clouds.periodic), cell_after(j, ny, clouds.periodic)
-            low = (1.0 - e) * clouds.base_depth[j, i] + e * clouds.base_depth[j, right]
-            high = (1.0 - e) * clouds.base_depth[back, i] + e * clouds.base_depth[back, right]
-            depth = (1.0 - f) * low + f * high
-    elif z < nz - 0.5:
+            depth = plane_value(clouds.base_depth, x, y, clouds.periodic)
+    elif radius < clouds.top:
+        x, y, z = box_place(point, clouds)
         depth = cell_value(clouds.depth, x, y, z, clouds.periodic)
         # half a cell below the highest face the depth falls to that of the face
         depth *= min(2.0 * (nz - 0.5 - z), 1.0)
@@ -116,6 +113,8 @@ def beam_depth_at(point, clouds):
 @inlined
 def visibility(point, footprint, clouds):
     """Transmittance of the beam by clouds, its mean where a footprint is as wide as the box. [1]"""
-    seen = exp(-beam_depth_at(point, clouds) * clouds.scaled[0, 0])
+    depth, seen = beam_depth_at(point, clouds), 1.0
+    if depth > 0.0:
+        seen = exp(-depth * clouds.scaled[0, 0])
     wide = min(2.0 * footprint / (clouds.step_x * clouds.extinction.shape[2]), 1.0)
     return seen + wide * (clouds.mean_visibility - seen)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.vectors import Vec3
+from airlight.render.clouds.patches import PatchEdges
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 
 FloatArray = NDArray[np.float64]
@@ -48,6 +49,8 @@ class CloudTables(NamedTuple):
         Extinction coefficient at 550 nm in the middle of cells. [m⁻¹]
     clear : array, shape (nz, ny, nx)
         Distance from any point of a cell in which there is nothing; 0 if unknown. [m]
+    edges : PatchEdges
+        Edges of the patches in which the box continues.
     depth : array, shape (nz, ny, nx)
         Optical depth at 550 nm from the middle of a cell to the sun. [1]
     base_depth : array, shape (ny, nx)
@@ -101,6 +104,7 @@ class CloudTables(NamedTuple):
     mean_visibility: float
     extinction: Float32Array
     clear: Float32Array
+    edges: PatchEdges
     depth: Float32Array
     base_depth: Float32Array
     source: Float32Array

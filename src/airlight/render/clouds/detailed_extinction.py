@@ -6,6 +6,7 @@ from airlight.clouds.cloud_detail import cloud_detail
 from airlight.clouds.fibres import TURN
 from airlight.kernel import inlined
 from airlight.render.clouds.beam_depth import cell_value
+from airlight.render.clouds.cloud_place import clear_distance
 
 #: Change of detail along trails of crystals over that across them. [1]
 ALONG_TRAIL = 0.1
@@ -26,6 +27,8 @@ def detailed_extinction(x, y, z, width, clouds):
     """
     nz, ny, nx = clouds.extinction.shape
     found = 0.0
+    if clear_distance(x, y, z, clouds) > 0.0:
+        return found
     if clouds.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
         factor = 1.0
         cell = min(clouds.step_x, clouds.step_y)

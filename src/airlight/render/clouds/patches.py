@@ -1,47 +1,94 @@
 """Patches in which a periodic field continues beyond its box, so that it does not seem to repeat.
 
-The plane is divided into squares a quarter wider than the box, with edges of fractal noise. The one
-in the middle holds the box; each other one is the periodic field displaced at random, with its own
-light. Edges cut through clouds; they are never inside the box.
+The plane is divided into squares a quarter wider than the box, with rough edges. The one in the
+middle holds the box; each other one is the periodic field displaced at random, with its own light.
+Edges cut through clouds; they are never inside the box, and all patches have the same.
 """
 
 from __future__ import annotations
 
-from math import floor
-from typing import Final
+from functools import lru_cache
+from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import below_289, gradient_noise, shuffled
-from airlight.kernel import inlined, kernel
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.clouds.cloud_grid import CloudGrid
+from airlight.clouds.power_law_field import power_law_field
+from airlight.kernel import inlined
+from airlight.render.clouds.beam_depth import plane_value
+
+Float32Array = NDArray[np.float32]
 
 #: Width of a patch over that of the box. [1]
 WIDTH: Final = 1.25
 #: Largest displacement of an edge over the width of a patch: edges are outside the box. [1]
 BENT: Final = 0.5 - 0.5 / WIDTH
-#: Displacement of an edge by gradient noise, and wavelength, both over the width of a patch. [1]
-COARSE: Final = (0.26, 0.2)
-FINE: Final = (0.074, 0.06)
-#: Change of the place across an edge over the way, at most.
-STEEPEST: Final = 1.0 + COARSE[0] / COARSE[1] + FINE[0] / FINE[1]
+#: Longest waves of an edge over the width of a patch, and exponent of its spectrum. [1]
+_LONGEST: Final = 0.2
+_SLOPE: Final = -3.0
+#: Columns and rows of a patch, and of patches with displacements of their own: a power of 2.
+_CELLS: Final = 256
+_PATCHES: Final = 64
 
 
-@kernel
-def edge_noise(x, y, other):
-    """Displacement of an edge over the width of a patch, at most ``BENT``. [1]
+class PatchEdges(NamedTuple):
+    """Edges of patches, on columns and rows of a patch.
+
+    Attributes
+    ----------
+    east, north : array, shape (rows, columns)
+        Displacement of edges at the corners of cells over the width of a patch. [1]
+    free : array, shape (rows, columns)
+        Distance from any point of a cell within which there is no edge. [m]
+    moved : array, shape (patches, patches, 2)
+        Displacement of the periodic field in a patch to the east and to the north, 0 in that of the
+        box. [m]
+    """
+
+    east: Float32Array
+    north: Float32Array
+    free: Float32Array
+    moved: Float32Array
+
+
+@lru_cache(maxsize=8)
+def patch_edges(width: float, length: float) -> PatchEdges:
+    """Edges of the patches of a box.
 
     Parameters
     ----------
-    x, y : float
-        Place over the width of a patch. [1]
-    other : float
-        Number of the edge's direction, 0.5 or 1.5.
+    width, length : float
+        Sides of the box to the east and to the north. [m]
     """
-    found = COARSE[0] * gradient_noise(x / COARSE[1], y / COARSE[1], other)
-    found += FINE[0] * gradient_noise(x / FINE[1], y / FINE[1], other)
-    return min(max(found, -BENT), BENT)
+    from scipy.ndimage import distance_transform_edt, maximum_filter
+
+    grid = CloudGrid(columns=_CELLS, levels=1, spacing=1.0 / _CELLS, depth=1.0)
+    random = np.random.default_rng(1)
+    east, north = (power_law_field(grid, random, slope=_SLOPE, longest=_LONGEST) for _ in range(2))
+    east, north = (
+        np.asarray(0.99 * BENT * one / np.abs(one).max(), np.float32) for one in (east, north)
+    )
+    # patches at the corners of cells, and cells whose corners are in several
+    places = np.arange(_CELLS + 1) / _CELLS
+    wide = [np.pad(one, (0, 1), mode="wrap") for one in (east, north)]
+    column, row = np.floor(places + wide[0]), np.floor(places[:, None] + wide[1])
+    several = np.zeros((_CELLS, _CELLS), bool)
+    for one in (column, row):
+        corners = np.stack([one[:-1, :-1], one[:-1, 1:], one[1:, :-1], one[1:, 1:]])
+        several |= np.ptp(corners, axis=0) > 0.0
+    # between cells a column or a row less than between their middles
+    near = np.pad(maximum_filter(several, size=3, mode="wrap"), _CELLS // 2, mode="wrap")
+    steps = length * WIDTH / _CELLS, width * WIDTH / _CELLS
+    inner = slice(_CELLS // 2, _CELLS // 2 + _CELLS)
+    free = distance_transform_edt(~near, sampling=steps)[inner, inner]
+    moved = random.random((_PATCHES, _PATCHES, 2)) * [width, length]
+    moved[0, 0] = 0.0
+    return PatchEdges(east, north, *(np.asarray(one, np.float32) for one in (free, moved)))
 
 
 @inlined
-def displaced_patch(east, north, width, length):
+def displaced_patch(east, north, width, length, edges):
     """Displacement of the periodic field at a place, and a distance within which it is the same.
 
     Parameters
@@ -50,6 +97,8 @@ def displaced_patch(east, north, width, length):
         Place from the middle of the box. [m]
     width, length : float
         Sides of the box to the east and to the north. [m]
+    edges : PatchEdges
+        Result of ``patch_edges``.
 
     Returns
     -------
@@ -57,18 +106,15 @@ def displaced_patch(east, north, width, length):
         Displacement to the east and to the north; distance. [m]
     """
     x, y = 0.5 + east / (WIDTH * width), 0.5 + north / (WIDTH * length)
-    column, row = floor(x), floor(y)
+    column, row = np.floor(x), np.floor(y)
     near_x, near_y = 0.5 - abs(x - column - 0.5), 0.5 - abs(y - row - 0.5)
-    nearest = min(near_x * width, near_y * length) * WIDTH
-    free = nearest - BENT * WIDTH * max(width, length)
+    free = WIDTH * min((near_x - BENT) * width, (near_y - BENT) * length)
     if free <= 0.0:
-        bent_x, bent_y = x + edge_noise(x, y, 0.5), y + edge_noise(x, y, 1.5)
-        column, row = floor(bent_x), floor(bent_y)
-        near_x, near_y = 0.5 - abs(bent_x - column - 0.5), 0.5 - abs(bent_y - row - 0.5)
-        free = min(near_x * width, near_y * length) * WIDTH / STEEPEST
-    right, up = 0.0, 0.0
-    if column != 0 or row != 0:
-        i, j = below_289(float(column)), below_289(float(row))
-        right = width / 289.0 * shuffled(below_289(shuffled(i) + j))
-        up = length / 289.0 * shuffled(below_289(shuffled(below_289(j + 53.0)) + i))
-    return right, up, free
+        rows, columns = edges.free.shape
+        i, j = (x - column) * columns, (y - row) * rows
+        free = edges.free[min(int(j), rows - 1), min(int(i), columns - 1)]
+        column = np.floor(x + plane_value(edges.east, i, j, True))
+        row = np.floor(y + plane_value(edges.north, i, j, True))
+    patches, _, _ = edges.moved.shape
+    i, j = int(column) & (patches - 1), int(row) & (patches - 1)
+    return edges.moved[j, i, 0], edges.moved[j, i, 1], free

@@ -13,6 +13,7 @@ from airlight.render.clouds.air_table import DIRECTIONS, air_table
 from airlight.render.clouds.cloud_light import CloudLight, field_axes, sun_in_frame
 from airlight.render.clouds.cloud_tables import SOLVED, CloudTables
 from airlight.render.clouds.directions import harmonic_norms
+from airlight.render.clouds.patches import patch_edges
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.render.pixels.sky_view_window import coarse_window
 from airlight.scene import Scene
@@ -89,6 +90,7 @@ def cloud_tables(
         mean_visibility=float(np.exp(-nothing * scaled.mean()).mean()),
         extinction=np.ascontiguousarray(field.extinction.transpose(2, 1, 0)),
         clear=light.clear,
+        edges=patch_edges(*field.sides),
         depth=light.depth,
         base_depth=light.base_depth,
         source=_in_pairs(source),

@@ -16,6 +16,7 @@ from airlight.render.clouds.cloud_light import field_axes
 from airlight.render.clouds.cloud_march import add_clouds
 from airlight.render.clouds.cloud_tables import SOLVED, CloudTables, new_cloud_work
 from airlight.render.clouds.directions import harmonic_norms
+from airlight.render.clouds.patches import patch_edges
 from airlight.render.clouds.sight_extent import sight_extent
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.scene import Scene
@@ -108,6 +109,7 @@ def _dark_tables(
         mean_visibility=1.0,
         extinction=cells,
         clear=clear_distances(field),
+        edges=patch_edges(*field.sides),
         depth=cells,
         base_depth=cells[0],
         source=np.zeros((1, 1, 1, 1, 2 * SOLVED), np.float32),

@@ -12,6 +12,8 @@ import re
 from collections.abc import Sequence
 from typing import Any, ClassVar, Final
 
+import numpy as np
+
 from airlight.kernel.cube_root import cube_root
 from airlight.render.gpu.emit.dialect import Dialect, Named
 from airlight.render.gpu.emit.shader_types import (
@@ -44,8 +46,8 @@ class JavaScript(Dialect):
     mathematics: ClassVar[dict[Any, str]] = {
         one: f"Math.{one.__name__}" for one in (
             math.sqrt, math.exp, math.log, math.log2, math.sin, math.cos, math.tan, math.acos,
-            math.asin, math.atan, math.atan2, math.floor, math.hypot, math.expm1, abs, min, max,
-            pow,
+            math.asin, math.atan, math.atan2, math.floor, np.floor, math.hypot, math.expm1, abs,
+            min, max, pow,
         )
     } | {math.isfinite: "Number.isFinite", cube_root: "Math.cbrt"}  # fmt: skip
     unrolls = False

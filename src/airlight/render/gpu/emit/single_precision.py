@@ -11,6 +11,8 @@ import math
 from collections.abc import Callable
 from typing import Any, Final
 
+import numpy as np
+
 from airlight.kernel.cube_root import cube_root
 
 
@@ -100,7 +102,7 @@ def third_power_root(x):
 #: Python's mathematics in single precision: names in shaders, and functions of this file.
 MATHEMATICS: Final[dict[Any, str | Callable[..., Any]]] = {
     math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2", math.tan: "tan",
-    math.floor: "floor", abs: "abs", min: "min", max: "max", pow: "pow",
+    math.floor: "floor", np.floor: "floor", abs: "abs", min: "min", max: "max", pow: "pow",
     math.sin: sine, math.cos: cosine, math.acos: arc_cosine, math.asin: arc_sine,
     math.atan: arc_tangent, math.atan2: angle_of, cube_root: third_power_root,
 }  # fmt: skip
