@@ -52,8 +52,8 @@ STEP_LEVEL = 1.0
 MOST_STEPS = 6000
 #: Share of the distance after which light is attenuated by the air together. [1]
 TOGETHER = 0.02
-#: Largest number of points of an interval of the table of air at which the beam is followed, a
-#: cell apart.
+#: Points of an interval of the table of air at which the beam is followed; below the bases they are
+#: a cell apart at least.
 SHADOWS = 8
 
 
@@ -86,7 +86,9 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
         middle = 0.5 * (so_far + distance)
         above = middle < extent.leaves or middle > extent.enters
         if node > 0 and distance > so_far:
-            points = min(max(int((distance - so_far) / clouds.step_x), 1), SHADOWS)
+            points = SHADOWS
+            if so_far >= extent.leaves and distance <= extent.enters:
+                points = min(max(int((distance - so_far) / clouds.step_x), 1), SHADOWS)
             gap = (distance - so_far) / points
             for k in range(points):
                 s = so_far + (k + 0.5) * gap

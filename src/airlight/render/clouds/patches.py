@@ -65,10 +65,8 @@ def patch_edges(width: float, length: float) -> PatchEdges:
 
     grid = CloudGrid(columns=_CELLS, levels=1, spacing=1.0 / _CELLS, depth=1.0)
     random = np.random.default_rng(1)
-    east, north = (power_law_field(grid, random, slope=_SLOPE, longest=_LONGEST) for _ in range(2))
-    east, north = (
-        np.asarray(0.99 * BENT * one / np.abs(one).max(), np.float32) for one in (east, north)
-    )
+    fields = [power_law_field(grid, random, slope=_SLOPE, longest=_LONGEST) for _ in range(2)]
+    east, north = (np.asarray(0.99 * BENT * one / np.abs(one).max(), np.float32) for one in fields)
     # patches at the corners of cells, and cells whose corners are in several
     places = np.arange(_CELLS + 1) / _CELLS
     wide = [np.pad(one, (0, 1), mode="wrap") for one in (east, north)]
