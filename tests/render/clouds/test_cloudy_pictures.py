@@ -92,7 +92,7 @@ def overcast(thick):
     ("altitude", "zenith", "within"),
     [
         (2.0, 0.0, 0.06),
-        (2.0, 60.0, 0.04),
+        (2.0, 60.0, 0.045),
         (2.0, 80.0, 0.11),
         (500.0, 180.0, 0.06),  # the ground below the layer
         (1e4, 180.0, 0.06),

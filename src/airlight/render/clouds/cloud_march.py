@@ -93,7 +93,7 @@ def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
             for k in range(points):
                 s = so_far + (k + 0.5) * gap
                 point = plus(Vec3(0.0, 0.0, clouds.eye), scaled(ray, s))
-                width = max(gap, s * clouds.pixel_angle)
+                width = max((distance - so_far) / SHADOWS, s * clouds.pixel_angle)
                 shade += (1.0 - visibility(point, width, clouds)) / points
         for at in range(0, tables.lanes, LANES):
             air, kept = lane_view(clouds.air, at), lane_view(work.before, at)
