@@ -236,8 +236,14 @@ def solve_clouds(
         unit = np.ones(chosen.size)
     else:
         box, unit = box_under(light), light.unit[chosen]
+    nothing = clear_distances(field)
     depth, base_depth = beam_depths(
-        field, light.towards, solution.medium.bottom_radius, progress=progress, cancel=cancel
+        field,
+        nothing,
+        light.towards,
+        solution.medium.bottom_radius,
+        progress=progress,
+        cancel=cancel,
     )
     spectrum = box_spectrum(nm, chosen, light.beam, light.sky)
     cloudy, clear = _hemispheres(solution, box, unit, spectrum, light)
@@ -252,7 +258,7 @@ def solve_clouds(
         diffuse=np.maximum(_ratio(cloudy, clear), 0.0),
         depth=depth,
         base_depth=base_depth,
-        clear=clear_distances(field),
+        clear=nothing,
     )
 
 
