@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.image.encoding import srgb_curve, srgb_curve_inverse
+from airlight.image.encoding import srgb_curve_inverse
 from airlight.kernel import inlined
 
 #: Channels of a texel.
@@ -21,9 +21,8 @@ DECODED: Final = np.array([_COLOR, _COLOR, _COLOR, [v / 255.0 for v in range(256
 #: Number of entries of the table for encoding linear values: a step is less than a sixth of the
 #: smallest difference between two values of sRGB, 1/3295.
 _STEPS: Final = 20_000
-_CODES: Final = np.array(
-    [round(255.0 * srgb_curve.py_func(i / _STEPS)) for i in range(_STEPS + 1)], np.uint8
-)
+_LIMITS: Final = [srgb_curve_inverse.py_func((code + 0.5) / 255.0) for code in range(255)]
+_CODES: Final = np.searchsorted(_LIMITS, np.arange(_STEPS + 1) / _STEPS).astype(np.uint8)
 
 
 @inlined

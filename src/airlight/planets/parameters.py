@@ -145,9 +145,14 @@ def numbers(value: Any, field: str, low: float, high: float, unit: str = "") -> 
         raise ParameterError(
             field, value, f"a list of numbers, {low:g} to {high:g} {unit}".rstrip()
         )
+    items = tuple(value)
+    if all(type(item) is float for item in items):  # at once
+        array = np.array(items)
+        if np.all((array >= low) & (array <= high) & np.isfinite(array)):
+            return items
     return tuple(
         inside(item, f"{field}[{index}]", low, high, unit, above=False, below=False)
-        for index, item in enumerate(value)
+        for index, item in enumerate(items)
     )
 
 

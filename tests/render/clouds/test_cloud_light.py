@@ -31,7 +31,8 @@ def layer(cells=(4, 4, 8), extinction=0.01, beyond="periodic"):
 @pytest.mark.parametrize("zenith", [0.0, 40.0, 75.0])
 def test_depth_of_an_even_layer_is_that_of_its_slant_path(zenith):
     mu, sine = np.cos(np.radians(zenith)), np.sin(np.radians(zenith))
-    depth, below = beam_depths(layer(), (float(sine), 0.0, float(mu)), RADIUS)
+    field = layer()
+    depth, below = beam_depths(field, clear_distances(field), (float(sine), 0.0, float(mu)), RADIUS)
     np.testing.assert_allclose(below, 0.01 * 400.0 / mu, rtol=0.06)
     np.testing.assert_allclose(depth[0], 0.01 * 375.0 / mu, rtol=0.06)
     assert np.all(np.diff(depth[:, 0, 0]) < 0.0)
@@ -43,11 +44,28 @@ def test_sun_below_the_horizon_lights_clouds_from_below():
         extinction=np.full((200, 1, 8), 1e-4, np.float32), spacing=(1e3, 1e3, 50.0), base=1000.0
     )
     mu = -0.01
-    depth, below = beam_depths(field, ((1.0 - mu * mu) ** 0.5, 0.0, mu), RADIUS)
+    towards = ((1.0 - mu * mu) ** 0.5, 0.0, mu)
+    depth, below = beam_depths(field, clear_distances(field), towards, RADIUS)
     middle = depth[:, 0, 100]
     assert np.all(np.diff(middle) >= 0.0)
     assert below[0, 100] < 0.05 * middle[-1]
     assert middle[0] < 0.1 * middle[-1]
+
+
+@pytest.mark.parametrize("height", [0.5, 0.05])
+def test_steps_through_clear_air_change_no_depth(height):
+    cells = np.zeros((24, 24, 12), np.float32)
+    cells[5:9, 3:6, 4:9], cells[17, 20, 6] = 0.01, 0.1
+    field = CloudField(
+        extinction=cells, spacing=(100.0, 100.0, 50.0), base=500.0, beyond="periodic"
+    )
+    towards, clear = ((1.0 - height * height) ** 0.5, 0.0, height), clear_distances(field)
+    assert clear.max() > 300.0
+    found, small = (
+        beam_depths(field, one, towards, RADIUS) for one in (clear, np.zeros_like(clear))
+    )
+    for one, other in zip(found, small, strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-5, atol=1e-6)
 
 
 def test_nothing_is_in_the_clear_distance():

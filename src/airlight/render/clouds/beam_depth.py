@@ -21,6 +21,7 @@ _STEP = 0.5
 
 def beam_depths(
     field: CloudField,
+    clear: Float32Array,
     towards: tuple[float, float, float],
     radius: float,
     *,
@@ -31,6 +32,8 @@ def beam_depths(
 
     Parameters
     ----------
+    clear : array, shape (nz, ny, nx)
+        Result of ``clear_distances``. [m]
     towards : tuple of three float
         Unit vector to the sun: east, north, up; it may be below the horizon. [1]
     radius : float
@@ -48,14 +51,14 @@ def beam_depths(
     periodic = field.beyond == "periodic"
 
     def fill(k: int) -> None:
-        _fill(levels[k], cells, box, np.asarray(towards), periodic, out[k])
+        _fill(levels[k], cells, clear, box, np.asarray(towards), periodic, out[k])
 
     run_blocks(fill, levels.size, progress=progress, cancel=cancel, message="shadows of clouds")
     return out[:-1], out[-1]
 
 
 @compiled_loop
-def _fill(level, cells, box, towards, periodic, out):
+def _fill(level, cells, clear, box, towards, periodic, out):
     nz, ny, nx = cells.shape
     step = _STEP * min(box[0], box[1], box[2])
     flat = 1.0 - towards[2] * towards[2]
@@ -84,6 +87,12 @@ def _fill(level, cells, box, towards, periodic, out):
                 x, y = i + s * towards[0] / box[0], j + s * towards[1] / box[1]
                 if not periodic and (x < -0.5 or y < -0.5 or x > nx - 0.5 or y > ny - 0.5):
                     break
+                nearest, _ = cell_before(x + 0.5, nx, periodic)
+                beside, _ = cell_before(y + 0.5, ny, periodic)
+                free = clear[min(max(int(z + 0.5), 0), nz - 1), beside, nearest]
+                if free > 0.0:
+                    s += step * (1.0 + floor(free / step))
+                    continue
                 depth += step * cell_value(cells, x, y, z, periodic)
                 s += step
             out[j, i] = depth

@@ -283,8 +283,14 @@ def solve_clouds(
         unit = np.ones(chosen.size)
     else:
         box, unit = box_under(light), light.unit[chosen]
+    nothing = clear_distances(field)
     depth, base_depth = beam_depths(
-        field, light.towards, solution.medium.bottom_radius, progress=progress, cancel=cancel
+        field,
+        nothing,
+        light.towards,
+        solution.medium.bottom_radius,
+        progress=progress,
+        cancel=cancel,
     )
     spectrum = box_spectrum(nm, chosen, light.beam, light.sky)
     without = incident(solution, field, light.towards, OtherClouds())
@@ -300,7 +306,7 @@ def solve_clouds(
         diffuse=np.maximum(cloudy / np.maximum(clear, 1e-30), 0.0),
         depth=depth,
         base_depth=base_depth,
-        clear=clear_distances(field),
+        clear=nothing,
     )
 
 

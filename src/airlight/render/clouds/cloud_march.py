@@ -56,8 +56,8 @@ STEP_PIXEL = 2.0
 STEP_LEVEL = 1.0
 #: Largest number of steps.
 MOST_STEPS = 6000
-#: Largest number of points of an interval of the table of air at which the beam is followed, a
-#: cell apart.
+#: Points of an interval of the table of air at which the beam is followed; below the bases they are
+#: a cell apart at least.
 SHADOWS = 8
 #: Share of the distance after which light is attenuated by the air together. [1]
 TOGETHER = 0.02
@@ -152,12 +152,15 @@ def shade_line(ray, extent, layer, clouds, work):
     for node in range(1, nodes):
         distance = node_distance(node, nodes, extent)
         if distance > so_far:
-            points = min(max(int((distance - so_far) / layer.step_x), 1), SHADOWS)
+            points = SHADOWS
+            if so_far >= extent.leaves and distance <= extent.enters:
+                points = min(max(int((distance - so_far) / layer.step_x), 1), SHADOWS)
             gap, lit = (distance - so_far) / points, 0.0
             for k in range(points):
                 s = so_far + (k + 0.5) * gap
                 point = plus(Vec3(0.0, 0.0, clouds.eye), scaled(ray, s))
-                lit += visibility(point, max(gap, s * clouds.pixel_angle), layer)
+                width = max((distance - so_far) / SHADOWS, s * clouds.pixel_angle)
+                lit += visibility(point, width, layer)
             work.lit[node] *= lit / points
         so_far = distance
 
