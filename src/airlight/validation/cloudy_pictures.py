@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.render import render
 from airlight.scene import Camera, Scene
@@ -45,7 +46,8 @@ def pixels(run: SuiteRun, quality: str = "preview") -> FloatArray:
         cumuli_over_sea().without_clouds, _WAVELENGTHS, quality, polarisation=False
     )
     field, _ = field_at(_WAVELENGTHS)
-    clouds = CloudsAround(field, lambda nm: field_at(nm)[1], quality=quality, cache=False)
+    deck = CloudDeck(field, lambda nm: field_at(nm)[1])
+    clouds = CloudsAround((deck,), quality=quality, cache=False)
     green = solution.lights[0].colors()[:, 1].sum()
     found = np.zeros((len(SUNS), len(VIEWS)))
     for i, sun in enumerate(SUNS):
