@@ -24,7 +24,7 @@ from airlight.viewer.navigation.keys import FACTORS, HELD, ONCE
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 
 DRIVER = Path(__file__).with_name("window_driver.py")
-SIZE = (640, 400)
+SIZE = (800, 480)
 #: Number of random clicks; AIRLIGHT_CLICKS asks for more.
 CLICKS = int(os.environ.get("AIRLIGHT_CLICKS", "24"))
 DEPTH = "constituents[1].particles.optical_depth"
