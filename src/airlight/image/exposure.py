@@ -157,10 +157,9 @@ def full_light_factor(stops):
 
     .. math:: \log_2 f = -0.8\,u^p e^{p (1 - u^2) / 2}, \quad u = x / 2.25
 
-    Where the key alone would show white as 2^x, x about 2.25, things are dark and not their light,
-    and are shown darker than the key. Near a low sun x is about 1, in haze 1.4, and at dusk above
-    5: there light is what is bright, or less. The exponent p is 7 below 2.25 and 3 above, where
-    a step of less light may change the exposure by half again at most.
+    Where the key alone would show white as 2^x, x about 2.25, things are dark and not their light:
+    they are shown darker. Near a low sun x is about 1, in haze 1.4, at dusk above 5. The exponent p
+    is 7 below 2.25 and 3 above, where less light lengthens the exposure by half again at most.
 
     Parameters
     ----------
