@@ -42,3 +42,11 @@ def test_displacements_stay_below_a_cell():
 def test_steps_through_the_detail_are_continuous():
     there = np.array([cloud_detail(x, 40.0, 900.0, 1.0, 100.0)[0] for x in np.arange(0, 300, 0.05)])
     assert np.abs(np.diff(there)).max() < 0.05
+
+
+def test_an_octave_appears_without_a_leap():
+    """As an observer comes nearer, all parts of the detail are continuous."""
+    width = np.geomspace(0.5, 60.0, 4000)
+    seen = np.array([cloud_detail(1234.0, 567.0, 890.0, one, 100.0) for one in width])
+    leaps = np.abs(np.diff(seen, axis=0)).max(axis=0)
+    assert np.all(leaps < [0.02, 0.4, 0.4, 0.2]), leaps

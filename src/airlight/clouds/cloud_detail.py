@@ -60,7 +60,7 @@ def cloud_detail(east, north, altitude, width, cell):
         Horizontal width of a cell of the field. [m]
     """
     total, variance, first, second, third = 0.0, 0.0, 0.0, 0.0, 0.0
-    size, contrast, moved = cell, CONTRAST, DISPLACED * cell
+    size, contrast, moved, sign = cell, CONTRAST, DISPLACED * cell, 1.0
     for _octave in range(OCTAVES):
         shown = min(0.5 * size / width - 1.0, 1.0)
         if shown > 0.0:
@@ -69,9 +69,10 @@ def cloud_detail(east, north, altitude, width, cell):
             total += contrast * noise
             variance += contrast * contrast * shown * shown
             first += moved * noise
-            second = moved * noise - second
+            second += sign * moved * noise
             third = third - moved * noise
         size *= 0.5
         contrast *= FALL
         moved *= DISPLACED_FALL
+        sign = -sign
     return CloudDetail(exp(total - 0.5 * variance), first, second, 0.5 * third)
