@@ -11,7 +11,9 @@ import numba
 import numpy as np
 
 from airlight import Camera, Scene, load_planet
-from airlight.render.background_compilation import _arguments
+from airlight.render.background_compilation import _arguments, empty_clouds
+from airlight.render.clouds.cloud_tables import new_cloud_work
+from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.solver.moments.march_tables import new_workspace
 
@@ -44,6 +46,21 @@ def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any])
     read = frame.window, frame.observer, frame.tables, work
     for made in (fill, mirrored):
         assert [numba.typeof(one) for one in made[2:6]] == [numba.typeof(one) for one in read]
+
+
+def test_empty_clouds_have_the_types_of_a_picture(solved: Callable[..., Any]) -> None:
+    planet = load_planet("earth", {"clouds": [{"kind": "cumulus"}]})
+    solution = solved(planet.without_clouds, quality="preview")
+    camera = Camera(width=320, height=180)
+    scene = Scene(altitude=2.0, camera=camera)
+    around = CloudsAround.of(planet, scene)
+    assert around is not None
+    renderer = CpuRenderer(solution, scene, clouds=around.lit(solution, scene))
+    renderer.fill_sky_view()
+    real, made = renderer._clouds, empty_clouds()
+    assert real is not None
+    assert numba.typeof(made) == numba.typeof(real)
+    assert numba.typeof(new_cloud_work(made)) == numba.typeof(new_cloud_work(real))
 
 
 def test_the_count_of_a_solve_knows_the_loops_that_it_runs() -> None:

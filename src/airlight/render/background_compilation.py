@@ -7,10 +7,12 @@ tables of these types and zero pixels compiles it.
 from __future__ import annotations
 
 from collections import defaultdict
-from typing import Any, Final, get_args
+from typing import TYPE_CHECKING, Any, Final, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.lanes import LANES
 from airlight.kernel.shader_fields import InTexture, shader_fields
@@ -22,6 +24,11 @@ from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.view_uniforms import cpu_view_uniforms, observer_from
 from airlight.scene import Camera
 from airlight.solver.moments.march_tables import MarchTables, new_workspace, quadratures
+
+if TYPE_CHECKING:
+    from airlight.render.clouds.cloud_tables import CloudTables
+
+Float32Array = NDArray[np.float32]
 
 #: Loops of a frame with a sky-view LUT, in the order of use; and of a frame without.
 SKY_VIEW_LOOPS: Final = (fill_texels, fill_mirrored, render_pixels)
@@ -36,6 +43,63 @@ def start_render_compiler() -> BackgroundCompiler:
 def start_sky_view_compiler() -> BackgroundCompiler:
     """Start to compile the loops with a sky-view LUT only."""
     return BackgroundCompiler(f"{__name__}:compile_sky_view_loops", SKY_VIEW_LOOPS)
+
+
+def cloudy_loops() -> tuple[Any, ...]:
+    """Loops of a frame with a sky-view LUT and clouds of one kind, in the order of use."""
+    from airlight.render.clouds.cloudy_pixel import render_cloudy
+
+    return fill_texels, fill_mirrored, render_cloudy
+
+
+def start_cloudy_compiler() -> BackgroundCompiler:
+    """Start to compile the loops with clouds."""
+    return BackgroundCompiler(f"{__name__}:compile_cloudy_loops", cloudy_loops())
+
+
+def compile_cloudy_loops() -> None:
+    """Compile or load the loops with clouds."""
+    from airlight.render.clouds.cloud_tables import new_cloud_work
+    from airlight.render.clouds.cloudy_pixel import CloudyWorkspace
+
+    texels, mirrored, pixels, _ = _arguments()
+    px, py, frame, work, weights, rgb = pixels
+    clouds = empty_clouds()
+    cloudy = px, py, frame, CloudyWorkspace(work, clouds, new_cloud_work(clouds)), weights, rgb
+    for loop, arguments in zip(cloudy_loops(), (texels, mirrored, cloudy), strict=True):
+        loop(*arguments)
+
+
+def empty_clouds() -> CloudTables:
+    """Tables of clouds of one kind, with one cell."""
+    from airlight.render.clouds.cloud_tables import CloudTables, LayerTables
+    from airlight.render.clouds.patches import PatchEdges
+
+    def table(rank: int, last: int = 1) -> Float32Array:
+        return np.zeros((1,) * (rank - 1) + (last,), np.float32)
+
+    norms, number = np.zeros((1, 1)), 1.0
+    lanes, cells, up = table(2, LANES), table(3), Vec3(0.0, 0.0, 1.0)
+    edges = PatchEdges(table(2), table(2), np.zeros((1, 1)), np.zeros((1, 1, 2)))
+    layer = LayerTables(
+        radius=number, base=number, top=number, corner_x=number, corner_y=number,
+        step_x=number, step_y=number, step_z=number, periodic=False, detailed=False, trail=number,
+        east=up, north=up, up=up, sun=up, edges=edges, extinction=cells, clear=cells, depth=cells,
+        base_depth=table(2), mean_visibility=number, source=table(5, 8), down=table(3, 8),
+        solved_extinction=table(2, 8), spectrum=lanes, scaled=lanes, whole=lanes, single=lanes,
+        phase=table(3, LANES), norms=norms, beam=table(3, LANES), beam_low=number, beam_high=number,
+    )  # fmt: skip
+    return CloudTables(
+        radius=number,
+        eye=number,
+        base=number,
+        top=number,
+        pixel_angle=number,
+        layers=(layer,),
+        window=SkyViewWindow.whole(2, 2),
+        air=table(4, LANES),
+        beyond=lanes,
+    )
 
 
 def compile_loops() -> None:

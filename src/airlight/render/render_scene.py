@@ -21,7 +21,13 @@ from airlight.planets.picture_wavelengths import (
 )
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render import render
-from airlight.render.background_compilation import SKY_VIEW_LOOPS, start_sky_view_compiler
+from airlight.render.background_compilation import (
+    SKY_VIEW_LOOPS,
+    cloudy_loops,
+    start_cloudy_compiler,
+    start_sky_view_compiler,
+)
+from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.render.pixels.sky_view_window import is_always_read
 from airlight.render.rendering_gpu import Choice, rendering_gpu
 from airlight.render.solve_planet import solve_planet
@@ -155,7 +161,8 @@ class Renderer:
             requested = scene.altitude
             planet, scene = scene.on_basin_floor(planet)
             metadata["solved_floor"] = f"ground lowered to {requested - scene.altitude:.10g} m"
-        with _compiling(device is None and not self.exact and is_always_read(camera), cancel):
+        reads_table = device is None and not self.exact and is_always_read(camera)
+        with _compiling(reads_table, clouds, cancel):
             solution = solve_planet(
                 planet,
                 nm,
@@ -166,6 +173,10 @@ class Renderer:
                 progress=progress,
                 cancel=cancel,
             )
+            if clouds is not None and len(scene.lights) == 1:
+                # kept for the picture, while its loops are compiled
+                seen, lit, _, _ = scenes_by_light(scene, solution)[0]
+                clouds.lit(lit, seen, progress=progress, cancel=cancel)
         names = ("exact", "orders", "disc", "samples", *(["stokes"] if self.stokes else []))
         options = {name: getattr(self, name) for name in names}
         if clouds is not None:
@@ -295,20 +306,25 @@ def render_solution(
 
 
 @contextmanager
-def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
+def _compiling(
+    reads_table: bool, clouds: CloudsAround | None, cancel: Cancel | None
+) -> Iterator[None]:
     """Compile the rendering loops in another process meanwhile, unless they are on disk.
 
     The first frame on a machine takes longer to compile than to solve and render. Numba compiles
     one function at a time per process, so a second core needs a second process.
     """
-    if not reads_table or thread_count() < 2:
+    if not reads_table or thread_count() < 2 or (clouds is not None and len(clouds.decks) > 1):
         yield
         return
-    compiler = start_sky_view_compiler()
+    if clouds is None:
+        loops, compiler = SKY_VIEW_LOOPS, start_sky_view_compiler()
+    else:
+        loops, compiler = cloudy_loops(), start_cloudy_compiler()
     try:
-        with FIRST_COMPILATION.elsewhere(SKY_VIEW_LOOPS):
+        with FIRST_COMPILATION.elsewhere(loops):
             yield
-            for loop in SKY_VIEW_LOOPS:
+            for loop in loops:
                 if not compiler.wait(loop, cancel or (lambda: False)):
                     raise Cancelled("cancelled")
     finally:
