@@ -19,9 +19,10 @@ from airlight.kernel.prebuilt_cache import PREBUILT, copy_machine_code, target
 
 #: Code of pictures that are drawn, and that a window draws.
 LOOPS = (
-    "from airlight.render.background_compilation import compile_loops\n"
+    "from airlight.render.background_compilation import compile_cloudy_loops, compile_loops\n"
     "from airlight.image.exposure import eased\n"
     "compile_loops()\n"
+    "compile_cloudy_loops()\n"
     "eased(0.0, 1.0, 0.1, 0.4)\n"
 )
 #: Commands, of small size, whose code is shipped.
@@ -32,6 +33,7 @@ COMMANDS = (
     "render titan --size 32x18 --quality preview -o a.png",
     "render venus --size 32x18 --quality preview -o a.png",
     "render earth-hazy --size 32x18 --quality preview --polariser 30 -o a.png",
+    "render earth --size 32x18 --clouds cumulus --altitude 2m -o a.png",
     "plot earth sky-profile --quality preview -o a.png",
     "export-page earth --quality preview -o a.html",
     "radiance earth --quality preview --sun-zenith 60 --view-zenith 30 --stokes",
