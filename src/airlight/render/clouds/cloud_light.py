@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
-from airlight.clouds.columns import reflecting_depth
 from airlight.geometry.vectors import Vec3
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.clouds.beam_depth import beam_depths
+from airlight.render.clouds.box_air import box_air, with_deck
 from airlight.render.clouds.clear_distance import clear_distances
 from airlight.render.clouds.cloud_deck import CloudDeck, solved_wavelengths
 from airlight.render.clouds.cloud_tables import SOLVED
@@ -39,9 +39,6 @@ MOST_SOLVED: Final = 640_000
 FEWEST_LEVELS: Final = 8
 #: Zenith angles and azimuths of the light of the ground.
 _AROUND: Final = (4, 8)
-#: Levels of air in a box, and highest degree of their phase functions.
-_LEVELS: Final = 6
-_DEGREE: Final = 8
 #: Singular value over the largest below which spectra of beam and sky count as alike. [1]
 _ALIKE: Final = 1e-6
 
@@ -261,7 +258,7 @@ def solve_clouds(
     field, optics_at, nm = deck.field, deck.optics_at, solution.medium.wavelengths
     chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
     light = incident(solution, field, sun_over(field, scene), around)
-    air = _box_air(solution, field.top, chosen)
+    air = box_air(solution, field.top, chosen)
     for other in around.below:
         air = with_deck(air, other, nm[chosen])
 
@@ -450,53 +447,3 @@ def _hemispheres(
     cloudy = np.array([[below, albedo * (below + direct)], [light.sky, up]])
     clear = np.array([[sky, albedo * (sky + sun)], [without.sky, rising]])
     return np.stack([cloudy, clear])
-
-
-def _box_air(solution: MomentsSolution, top: float, chosen: NDArray[np.int64]) -> BoxAir:
-    """Air of a planet below an altitude [m], in layers."""
-    medium = solution.medium
-    edges = np.linspace(0.0, top, _LEVELS + 1)
-    density = medium.density.at(0.5 * (edges[1:] + edges[:-1]))  # (nc, levels)
-    extinction = density.T @ medium.extinction[:, chosen]
-    scattering = density.T @ medium.scattering[:, chosen]
-    moments = medium.phase_moments(_DEGREE)[:, chosen]
-    moments = moments / np.maximum(moments[..., :1], 1e-30)
-    mixed = np.einsum("ck,cw,cwl->kwl", density, medium.scattering[:, chosen], moments)
-    mixed = mixed / np.maximum(scattering, 1e-30)[..., None]
-    mixed[..., 0] = 1.0
-    albedo = np.minimum(scattering / np.maximum(extinction, 1e-30), 1.0)
-    return BoxAir(edges=edges, extinction=extinction, albedo=albedo, moments=mixed)
-
-
-def with_deck(air: BoxAir, deck: CloudDeck, wavelengths: FloatArray) -> BoxAir:
-    """Air of a box with the mean layer of clouds below those of the box.
-
-    Parameters
-    ----------
-    air : BoxAir
-        Air.
-    deck : CloudDeck
-        Clouds, of which the part below the top of the air counts.
-    wavelengths : array, shape (w,)
-        Wavelengths. [nm]
-    """
-    field, optics = deck.field, deck.optics_at(wavelengths)
-    top = min(field.top, float(air.edges[-1]))
-    if field.base >= top:
-        return air
-    edges = np.union1d(air.edges, [field.base, top])
-    middles = 0.5 * (edges[1:] + edges[:-1])
-    inside = (middles > field.base) & (middles < top)
-    old = np.searchsorted(air.edges, middles) - 1
-    moments = np.asarray(optics.phase.moments(wavelengths, air.moments.shape[2] - 1))
-    moments = moments / moments[:, :1]
-    depth = reflecting_depth(field.column_optical_depth, float(moments[:, 1].mean()))
-    added = inside[:, None] * np.asarray(optics.extinction) * (depth / (field.top - field.base))
-    scattered = added * np.asarray(optics.albedo)
-    before = air.extinction[old] * air.albedo[old]
-    scattering, extinction = before + scattered, air.extinction[old] + added
-    mixed = before[..., None] * air.moments[old] + scattered[..., None] * moments
-    mixed = mixed / np.maximum(scattering, 1e-30)[..., None]
-    mixed[..., 0] = 1.0
-    albedo = np.minimum(scattering / np.maximum(extinction, 1e-30), 1.0)
-    return BoxAir(edges=edges, extinction=extinction, albedo=albedo, moments=mixed)
