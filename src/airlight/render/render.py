@@ -128,11 +128,12 @@ def render(
                 samples=samples,
                 air=air,
                 stokes=stokes,
-                clouds=() if clouds is None or not air
+                clouds=()
+                if clouds is None or not air
                 else clouds.lit(
                     lit, seen, light=scene.lights.index(light), progress=progress, cancel=cancel
                 ),
-            )  # fmt: skip
+            )
             share = None if progress is None else _shared(progress, number, len(pictures))
             add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
     return Frame.seen_by(

@@ -19,11 +19,23 @@ from airlight.planets.schema.field import Field
 _PLAIN: Final = DisplaySettings()
 
 EXPOSURE: Final = Field(
-    label="exposure", help="Exposure compensation, a power of 2.", unit="EV",
-    range=(-100.0, 100.0), slider=(-12.0, 20.0),
-    synonyms=("brightness", "brighter", "darker", "stops", "ev", "light", "iso", "aperture",
-              "shutter"),
-)  # fmt: skip
+    label="exposure",
+    help="Exposure compensation, a power of 2.",
+    unit="EV",
+    range=(-100.0, 100.0),
+    slider=(-12.0, 20.0),
+    synonyms=(
+        "brightness",
+        "brighter",
+        "darker",
+        "stops",
+        "ev",
+        "light",
+        "iso",
+        "aperture",
+        "shutter",
+    ),
+)
 #: Fields of ``DisplaySettings`` that views and films have, by name, in display order.
 DISPLAY_FIELDS: Final[Mapping[str, Field]] = {
     "eye": Field(

@@ -60,10 +60,13 @@ def pixels(run: SuiteRun, quality: str = "preview") -> FloatArray:
                 latitude=LATITUDE,
                 longitude=LONGITUDE,
                 camera=Camera(
-                    width=1, height=1, field_of_view=_PIXEL,
-                    look_zenith=zenith, look_azimuth=azimuth,
+                    width=1,
+                    height=1,
+                    field_of_view=_PIXEL,
+                    look_zenith=zenith,
+                    look_azimuth=azimuth,
                 ),
-            )  # fmt: skip
+            )
             frame = render(solution, scene, exact=True, disc=False, clouds=clouds)
             found[i, k] = frame.rgb[0, 0, 1] / green
     return found

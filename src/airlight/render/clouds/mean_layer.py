@@ -34,9 +34,14 @@ ENERGY_TOLERANCE: Final = 0.1
 MOST_LIGHT: Final = 1000.0
 #: Tables of the march with a coefficient of each constituent on the first axis.
 _BY_CONSTITUENT: Final = (
-    "strongest", "brightest", "scaled_extinction", "extinction", "scattering", "moments",
+    "strongest",
+    "brightest",
+    "scaled_extinction",
+    "extinction",
+    "scattering",
+    "moments",
     "polarised_moments",
-)  # fmt: skip
+)
 
 
 class MeanColumn(NamedTuple):

@@ -204,14 +204,26 @@ def ground_color(ray, sine, angle, frame, color):
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
             color[11] *= relief_light(end, latitude, longitude, level, frame)
         lamps = map_channel(
-            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
-            latitude + BENT * north, longitude + BENT * east, level, 0,
-        )  # fmt: skip
+            view.over_texels,
+            view.over_rows,
+            view.over_columns,
+            view.over_levels,
+            latitude + BENT * north,
+            longitude + BENT * east,
+            level,
+            0,
+        )
         if view.detailed and lamps > 0.0 and mu_s < DAYLIGHT:
             lamps = lamps_at(
-                lamps, width, cosine, place, texture_footprint(footprint, cosine),
-                view.detail_cell, view.whole, view.part,
-            )  # fmt: skip
+                lamps,
+                width,
+                cosine,
+                place,
+                texture_footprint(footprint, cosine),
+                view.detail_cell,
+                view.whole,
+                view.part,
+            )
         color[4] = lamps * (1.0 - color[9] * plane_albedo(cosine, tables.ground.layer))
         color[5] = color[4]
         color[6] = color[4]
