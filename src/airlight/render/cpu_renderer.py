@@ -60,7 +60,7 @@ class CpuRenderer:
     stokes : bool
         Whether Stokes Q and U can be rendered too.
     clouds : sequence of CloudLight, optional
-        Light of three-dimensional clouds, by ascending bases.
+        Light of three-dimensional clouds, by ascending tops.
 
     Attributes
     ----------

@@ -1,5 +1,6 @@
 """Pictures with even layers of cloud."""
 
+from dataclasses import replace
 from functools import lru_cache
 from importlib.resources import files
 
@@ -159,3 +160,21 @@ def test_two_decks_one_above_the_other_are_one_layer(air, altitude, zenith):
     two = CloudsAround(decks, quality="default")
     found = look(air, zenith, two, altitude)
     np.testing.assert_allclose(found, look(air, zenith, layer(4.0), altitude), rtol=0.05)
+
+
+@pytest.mark.parametrize(
+    "upper", [deck(2.0), deck(2.0, base=1250.0, levels=4)], ids=["the same heights", "upper half"]
+)
+@pytest.mark.parametrize(("altitude", "zenith"), [(2.0, 60.0), (3000.0, 150.0)])
+def test_decks_at_the_same_heights_add_up(air, upper, altitude, zenith):
+    """Two even layers, of which one is in the other, against one that has both extinctions."""
+    extinction = np.full(8, 2.0 / 500.0, np.float32)
+    extinction[8 - upper.field.extinction.shape[2] :] += upper.field.extinction[0, 0]
+    lower = deck(2.0)
+    cells = np.broadcast_to(extinction, (4, 4, 8)).copy()
+    both = CloudDeck(replace(lower.field, extinction=cells), lower.optics_at)
+    found, expected = (
+        look(air, zenith, CloudsAround(decks, quality="default"), altitude)
+        for decks in ((lower, upper), (both,))
+    )
+    np.testing.assert_allclose(found, expected, rtol=0.02)

@@ -134,7 +134,7 @@ def diffuse_of(lights: Sequence[CloudLight]) -> FloatArray:
     Parameters
     ----------
     lights : sequence of CloudLight
-        Light of each of the clouds, by ascending bases.
+        Light of each of the clouds, by ascending tops.
     """
     highest = max(lights, key=lambda light: light.field.top)
     return np.stack([lights[0].diffuse[0], highest.diffuse[1]])

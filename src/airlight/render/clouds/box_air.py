@@ -1,4 +1,4 @@
-"""Air in a box of clouds, and clouds below as an even layer of it."""
+"""Air in a box of clouds, and other clouds as even layers of it."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def box_air(solution: MomentsSolution, top: float, chosen: NDArray[np.int64]) ->
 
 
 def with_deck(air: BoxAir, deck: CloudDeck, wavelengths: FloatArray) -> BoxAir:
-    """Air of a box with the mean layer of clouds below those of the box.
+    """Air of a box with other clouds as an even layer.
 
     Parameters
     ----------

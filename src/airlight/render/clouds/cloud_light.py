@@ -91,10 +91,11 @@ class CloudLight:
         truncated = np.clip(moments[:, -1] / moments[:, 0], 0.0, 1.0)
         return np.asarray(optics.extinction * (1.0 - optics.albedo * truncated))
 
-    @property
-    def visibility(self) -> FloatArray:
-        """Mean transmittance of the beam below the clouds, shape (nl,). [1]"""
-        depth = self.base_depth.astype(np.float64).ravel()
+    def visibility(self, altitude: float) -> FloatArray:
+        """Mean transmittance of the beam by the clouds above an altitude [m], shape (nl,). [1]"""
+        field = self.field
+        share = (field.top - max(field.base, altitude)) / (field.top - field.base)
+        depth = max(share, 0.0) * self.base_depth.astype(np.float64).ravel()
         return np.array([np.exp(-depth * one).mean() for one in self.scaled])
 
 
@@ -120,15 +121,15 @@ class OtherClouds(NamedTuple):
     ----------
     layer : MeanLayer or None
         Mean layer of all clouds.
-    above : sequence of CloudLight
-        Clouds above.
-    below : sequence of CloudDeck
-        Clouds below.
+    higher : sequence of CloudLight
+        Those with higher tops, which dim the beam.
+    decks : sequence of CloudDeck
+        All of them; parts below the top of the box are even layers in it.
     """
 
     layer: MeanLayer | None = None
-    above: Sequence[CloudLight] = ()
-    below: Sequence[CloudDeck] = ()
+    higher: Sequence[CloudLight] = ()
+    decks: Sequence[CloudDeck] = ()
 
 
 class Incident(NamedTuple):
@@ -206,8 +207,8 @@ def incident(
 
     sky, layer = solution.relative_sky_irradiance(top, mu_s), around.layer
     beam = solution.relative_normal_irradiance(top, mu_s)[0]
-    for one in around.above:
-        beam = beam * one.visibility
+    for one in around.higher:
+        beam = beam * one.visibility(field.top)
     return Incident(
         towards,
         beam,
@@ -259,7 +260,7 @@ def solve_clouds(
     chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
     light = incident(solution, field, sun_over(field, scene), around)
     air = box_air(solution, field.top, chosen)
-    for other in around.below:
+    for other in around.decks:
         air = with_deck(air, other, nm[chosen])
 
     def box_under(one: Incident) -> BoxSolution:

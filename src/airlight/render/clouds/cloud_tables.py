@@ -121,7 +121,7 @@ class CloudTables(NamedTuple):
     pixel_angle : float
         Angle of a pixel. [rad]
     layers : tuple of LayerTables
-        Clouds by ascending bases.
+        Clouds by ascending tops.
     window : SkyViewWindow
         Directions of ``air``.
     air : array, shape (directions, distances, 6, w)
@@ -152,9 +152,11 @@ class CloudWork(NamedTuple):
         Path radiance [sr⁻¹] and transmittance [1] of the air on a line of sight.
     lit : array, shape (distances,)
         Transmittance of the beam by clouds between a node and the one before. [1]
-    first, passed : array, shape (2, w)
-        Radiance of the clouds in the first order, of the part of the line that is not yet
-        attenuated by air and of the whole line; transmittance at its start and now.
+    first : array, shape (1, w)
+        First order of the clouds in the part of the line that is not yet attenuated by air.
+        [sr⁻¹]
+    passed : array, shape (2, w)
+        Transmittance of the clouds at the start of that part and now. [1]
     solved : array, shape (layers + 1, 8)
         Higher orders of each layer in that part, and transmittance, at the solved wavelengths.
     extents : array, shape (layers, 4)
@@ -191,7 +193,7 @@ def new_cloud_work(clouds: CloudTables) -> CloudWork:
         before=np.zeros((nodes, lanes), np.float32),
         through=np.zeros((nodes, lanes), np.float32),
         lit=np.ones(nodes),
-        first=np.zeros((2, lanes), np.float32),
+        first=np.zeros((1, lanes), np.float32),
         solved=np.zeros((count + 1, 8), np.float32),
         passed=np.zeros((2, lanes), np.float32),
         extents=np.zeros((count, 4)),

@@ -40,7 +40,7 @@ class CloudsAround:
     Parameters
     ----------
     decks : tuple of CloudDeck
-        Clouds by ascending bases.
+        Clouds by ascending tops.
     quality : str
         Quality of ``solve_box``.
     cache : bool
@@ -94,7 +94,7 @@ class CloudsAround:
 
         decks = [deck(number, field) for number, (field, _) in enumerate(at(550.0))]
         return cls(
-            tuple(sorted(decks, key=lambda deck: deck.field.base)),
+            tuple(sorted(decks, key=lambda deck: deck.field.top)),
             quality="high" if quality == "high" else "preview",
             cache=cache,
         )
@@ -129,11 +129,12 @@ class CloudsAround:
             )
             found: list[CloudLight] = []
             for number in range(len(self.decks) - 1, -1, -1):
+                others = [deck for deck in self.decks if deck is not self.decks[number]]
                 one = solve_clouds(
                     solution,
                     scene,
                     self.decks[number],
-                    OtherClouds(layer, tuple(found), self.decks[:number]),
+                    OtherClouds(layer, tuple(found), tuple(others)),
                     solved_at=nodes,
                     quality=self.quality,
                     cache=self.cache,

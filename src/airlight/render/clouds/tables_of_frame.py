@@ -47,7 +47,7 @@ def cloud_tables(
     Parameters
     ----------
     lights : sequence of CloudLight
-        Light of each of the clouds, by ascending bases.
+        Light of each of the clouds, by ascending tops.
     solution, scene : MomentsSolution, Scene
         Solution and scene under the same light.
     tables, observer : MarchTables, Observer
@@ -101,7 +101,7 @@ def _layer(
         clear=light.clear,
         depth=light.depth,
         base_depth=light.base_depth,
-        mean_visibility=float(light.visibility.mean()),
+        mean_visibility=float(light.visibility(light.field.base).mean()),
         source=_in_pairs(source),
         down=_twice(box.down.transpose(1, 0, 2) * (factor * light.unit).astype(np.float32)),
         solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], missing=1.0),
