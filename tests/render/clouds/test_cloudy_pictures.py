@@ -46,7 +46,7 @@ def layer(depth):
     return CloudsAround((deck(depth),), quality="default")
 
 
-def look(air, zenith, clouds=None, altitude=2.0, azimuth=90.0, field_of_view=0.3):
+def look(air, zenith, clouds=None, altitude=2.0, azimuth=90.0, field_of_view=0.3, sun=40.0):
     camera = Camera(
         width=4,
         height=3,
@@ -54,7 +54,7 @@ def look(air, zenith, clouds=None, altitude=2.0, azimuth=90.0, field_of_view=0.3
         look_zenith=zenith,
         look_azimuth=azimuth,
     )
-    scene = Scene(altitude=altitude, sun_zenith=40.0, camera=camera)
+    scene = Scene(altitude=altitude, sun_zenith=sun, camera=camera)
     return render(air, scene, clouds=clouds).rgb.mean((0, 1))
 
 
@@ -102,6 +102,7 @@ def overcast(thick):
         (500.0, 180.0, 0.025),  # the ground below the layer
         (1e4, 180.0, 0.025),
         (1e4, 120.0, 0.02),
+        (5000.0, 60.0, 0.02),  # air above the tops; chosen before
         (4e5, 180.0, 0.025),
     ],
 )
@@ -178,3 +179,23 @@ def test_decks_at_the_same_heights_add_up(air, upper, altitude, zenith):
         for decks in ((lower, upper), (both,))
     )
     np.testing.assert_allclose(found, expected, rtol=0.02)
+
+
+@pytest.mark.parametrize("sun", [0.0, 80.0])
+@pytest.mark.parametrize(
+    ("altitude", "zenith"), [(2.0, 60.0), (5000.0, 120.0), (5000.0, 60.0), (4e5, 180.0)]
+)
+def test_a_deck_without_depth_above_others_is_not_there(air, altitude, zenith, sun):
+    """Also for the air above the tops, which is in the light of the clouds below."""
+    decks = deck(2.0), deck(1e-6, base=8000.0)
+    found, expected = (
+        look(air, zenith, CloudsAround(some, quality="default"), altitude, sun=sun)
+        for some in (decks, decks[:1])
+    )
+    np.testing.assert_allclose(found, expected, rtol=4e-3)
+
+
+def test_sky_above_an_overcast_is_brighter(air):
+    """By the light that the clouds reflect, as in the solution with the layer."""
+    clear, found = (look(air, 60.0, clouds, 5000.0) for clouds in (None, layer(10.0)))
+    assert np.all(found > 1.05 * clear)

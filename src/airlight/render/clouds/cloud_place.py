@@ -140,6 +140,8 @@ def beam_depth_at(point, layer):
 @inlined
 def visibility(point, footprint, layer):
     """Transmittance of the beam by clouds, its mean where a footprint is as wide as the box. [1]"""
+    if dot(point, point) >= layer.top * layer.top:
+        return 1.0
     depth, seen = beam_depth_at(point, layer), 1.0
     if depth > 0.0:
         seen = exp(-depth * layer.scaled[0, 0])

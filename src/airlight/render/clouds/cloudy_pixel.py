@@ -66,11 +66,13 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
         light = lane_view(front.light, at)
         light[0], light[1], light[2], light[3] = splat(0.0), splat(1.0), splat(1.0), splat(0.0)
     extent = sight_extents(ray, found.sine, found.to_ground, clouds, front)
-    if found.through_air and view.draws_air and extent.last > extent.first:
+    if found.through_air and view.draws_air:
         half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
         place = sky_view_place(ray, found, clouds.window)
+        # also above the tops, where the air is in the light of the clouds
         line_of_air(ray, half_sine, place, extent, clouds, tables, front)
-        add_clouds(ray, half_sine, extent, clouds, tables, front)
+        if extent.last > extent.first:
+            add_clouds(ray, half_sine, extent, clouds, tables, front)
     seen = seen_line(ray, found, exact, frame, air_work, color)
     if seen.through_air and seen.to_ground:
         mu_s, _, _ = ground_angles(ray.x, ray.z, found.sine, seen.refraction, observer, tables)
