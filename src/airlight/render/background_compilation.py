@@ -98,6 +98,8 @@ def empty_clouds() -> CloudTables:
         up=up,
         sun=up,
         edges=edges,
+        levels=np.ones((1, 3), np.int64),
+        source_levels=np.ones((1, 3), np.int64),
         extinction=cells,
         clear=cells,
         depth=cells,

@@ -93,29 +93,32 @@ def _fill(level, cells, clear, box, towards, periodic, out):
                 if free > 0.0:
                     s += step * (1.0 + floor(free / step))
                     continue
-                depth += step * cell_value(cells, x, y, z, periodic)
+                depth += step * cell_value(cells, (nx, ny, 0), x, y, z, periodic)
                 s += step
             out[j, i] = depth
 
 
 @inlined
-def cell_value(cells, x, y, z, periodic):
+def cell_value(cells, level, x, y, z, periodic):
     """Linear interpolation between the middles of cells, whose places are whole numbers.
 
     Parameters
     ----------
-    cells : array, shape (nz, ny, nx)
+    cells : array, shape (nz, rows, columns)
         Values.
+    level : (int, int, int)
+        Number of columns and of rows, and the first row, see ``CellLevel``.
     x, y, z : float
         Place. [cells]
     periodic : bool
         Whether cells repeat themselves along x and y.
     """
-    nz, ny, nx = cells.shape
+    nz, (nx, ny, first) = cells.shape[0], level
     i, e = cell_before(x, nx, periodic)
     j, f = cell_before(y, ny, periodic)
     k, g = cell_before(z, nz, False)
     right, back, up = cell_after(i, nx, periodic), cell_after(j, ny, periodic), min(k + 1, nz - 1)
+    j, back = first + j, first + back
     low = (1.0 - f) * ((1.0 - e) * cells[k, j, i] + e * cells[k, j, right]) + f * (
         (1.0 - e) * cells[k, back, i] + e * cells[k, back, right]
     )
@@ -126,12 +129,13 @@ def cell_value(cells, x, y, z, periodic):
 
 
 @inlined
-def plane_value(cells, x, y, periodic):
-    """``cell_value`` of cells of one level, shape (ny, nx)."""
-    ny, nx = cells.shape
+def plane_value(cells, level, x, y, periodic):
+    """``cell_value`` of cells of one altitude, shape (rows, columns)."""
+    nx, ny, first = level
     i, e = cell_before(x, nx, periodic)
     j, f = cell_before(y, ny, periodic)
     right, back = cell_after(i, nx, periodic), cell_after(j, ny, periodic)
+    j, back = first + j, first + back
     low = (1.0 - e) * cells[j, i] + e * cells[j, right]
     high = (1.0 - e) * cells[back, i] + e * cells[back, right]
     return (1.0 - f) * low + f * high

@@ -194,7 +194,7 @@ def _at_points(points, clouds, tables, beam, up):
         up[k] = min(max(height, 0.0), 1.0)
         for n in range(len(clouds.layers)):
             layer = tuple_item(clouds.layers, n)
-            depth = np.float32(beam_depth_at(point, layer))
+            depth = np.float32(beam_depth_at(point, 0, layer))
             for at in range(0, tables.lanes, LANES):
                 kept = exponential(load(layer.scaled[0], at) * -depth)
                 store(beam[k], at, load(beam[k], at) * kept)

@@ -29,6 +29,7 @@ from airlight.kernel.lanes import (
 )
 from airlight.kernel.tuple_item import tuple_item
 from airlight.render.clouds.beam_depth import cell_after, cell_before
+from airlight.render.clouds.cell_level import cell_level, level_number
 from airlight.render.clouds.cloud_place import (
     beam_depth_at,
     box_place,
@@ -200,8 +201,9 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
         for n in range(count):
             layer = tuple_item(clouds.layers, n)
             clear = way_to_layer(s, n, work)
+            work.numbers[n] = level_number(s * clouds.pixel_angle, climb, layer)
             if clear == 0.0:
-                clear = clear_way(box_place(point, layer), layer)
+                clear = clear_way(box_place(point, layer), work.numbers[n], layer)
                 finest = STEP_CELL * min(layer.step_x, layer.step_y, layer.step_z)
                 coarse = max(finest, min(footprint, STEP_LEVEL * layer.step_z / climb))
                 if clear <= coarse:
@@ -220,7 +222,7 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
             for n in range(count):
                 layer, found = tuple_item(clouds.layers, n), 0.0
                 if way_to_layer(s + 0.5 * step, n, work) == 0.0:
-                    found = extinction_at(box_place(point, layer), width, layer)
+                    found = extinction_at(box_place(point, layer), width, work.numbers[n], layer)
                 work.found[n] = found
                 any_found = any_found or found > 0.0
             # the first step inside a cloud is as short as those that follow
@@ -232,7 +234,8 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
         if not any_found:
             continue
         for n in range(count):
-            work.beams[n] = beam_depth_at(point, tuple_item(clouds.layers, n))
+            layer = tuple_item(clouds.layers, n)
+            work.beams[n] = beam_depth_at(point, work.numbers[n], layer)
         now = 1.0
         for n in range(count):
             layer = tuple_item(clouds.layers, n)
@@ -296,7 +299,7 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
     )
     place = box_place(point, layer)
     x, y, z = place.x, place.y, place.z
-    nz, ny, nx = layer.extinction.shape
+    nz, (nx, ny, _) = layer.extinction.shape[0], cell_level(0, layer.levels)
     radius = sqrt(dot(point, point))
     height = dot(point, layer.sun) / radius
     angle = (height - layer.beam_low) / (layer.beam_high - layer.beam_low)
@@ -340,7 +343,8 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
     fill_harmonics(
         -dot(ray, eastern), -dot(ray, northern), -dot(ray, upward), layer.norms, work.harmonics
     )
-    mz, my, mx, _, _ = layer.source.shape
+    mz = layer.source.shape[0]
+    mx, my, first_row = cell_level(work.numbers[number], layer.source_levels)
     i, ex = cell_before((x + 0.5) * mx / nx - 0.5, mx, layer.periodic)
     j, ey = cell_before((y + 0.5) * my / ny - 0.5, my, layer.periodic)
     # linear also in the outer halves of the lowest and the highest levels
@@ -348,6 +352,7 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
     k = min(max(int(level_z), 0), max(mz - 2, 0))
     ez = level_z - k
     right, back = cell_after(i, mx, layer.periodic), cell_after(j, my, layer.periodic)
+    j, back = first_row + j, first_row + back
     above = min(k + 1, mz - 1)
     source = lane_view(layer.source)
     total = splat(0.0)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from airlight.geometry.vectors import dot, plus, scaled
 from airlight.kernel import inlined
 from airlight.render.clouds.beam_depth import cell_before, cell_value, plane_value
+from airlight.render.clouds.cell_level import cell_level, level_number, place_in_level
 from airlight.render.clouds.patches import MIXED, Patch, patch_at
 
 
@@ -53,7 +54,7 @@ def box_place(point, layer):
     radius = sqrt(dot(point, point))
     factor = layer.radius / max(height, 1e-3 * layer.radius)
     east, north = factor * dot(point, layer.east), factor * dot(point, layer.north)
-    ny, nx = layer.base_depth.shape
+    nx, ny, _ = cell_level(0, layer.levels)
     scale = min(max(height / radius, 1e-3), 1.0)
     scale *= scale
     patch = Patch(0.0, 0.0, 1e9, 0.0, 0.0, 0.0)
@@ -73,52 +74,60 @@ def box_place(point, layer):
 
 
 @inlined
-def clear_way(place, layer):
+def clear_way(place, number, layer):
     """Distance from a place within which there are no clouds, in its patch and the other; or 0. [m]
 
     Parameters
     ----------
     place : BoxPlace
         Place.
+    number : int
+        Number of the level of detail.
     layer : LayerTables
         Clouds.
     """
-    clear = place.scale * clear_distance(place.x, place.y, place.z, layer)
+    clear = place.scale * clear_distance(place.x, place.y, place.z, number, layer)
     if place.free > 0.0:
         return min(clear, place.free)
-    other = place.scale * clear_distance(place.other_x, place.other_y, place.z, layer)
+    other = place.scale * clear_distance(place.other_x, place.other_y, place.z, number, layer)
     # not beyond the band, where there may be a third patch
-    return min(min(clear, other), place.scale * MIXED * layer.step_x * layer.base_depth.shape[1])
+    width = layer.step_x * layer.levels[0, 0]
+    return min(min(clear, other), place.scale * MIXED * width)
 
 
 @inlined
-def clear_distance(x, y, z, layer):
+def clear_distance(x, y, z, number, layer):
     """Distance in the box from a place in which there are no clouds; 0 if unknown. [m]"""
-    nz, ny, nx = layer.clear.shape
+    nx, ny, _ = cell_level(0, layer.levels)
     if not layer.periodic:
         beyond_x = max(-0.5 - x, x - nx + 0.5) * layer.step_x
         beyond_y = max(-0.5 - y, y - ny + 0.5) * layer.step_y
         beyond = max(beyond_x, beyond_y)
         if beyond > 0.0:
             return 0.9 * beyond + 0.1 * layer.step_x
-    i, _ = cell_before(x + 0.5, nx, layer.periodic)
-    j, _ = cell_before(y + 0.5, ny, layer.periodic)
-    k = min(max(int(z + 0.5), 0), nz - 1)
-    return layer.clear[k, j, i]
+    level = cell_level(number, layer.levels)
+    x, y = place_in_level(x, nx, level.columns), place_in_level(y, ny, level.rows)
+    i, _ = cell_before(x + 0.5, level.columns, layer.periodic)
+    j, _ = cell_before(y + 0.5, level.rows, layer.periodic)
+    k = min(max(int(z + 0.5), 0), layer.clear.shape[0] - 1)
+    return layer.clear[k, level.first + j, i]
 
 
 @inlined
-def beam_depth_at(point, layer):
+def beam_depth_at(point, number, layer):
     """Optical depth of clouds at 550 nm between a point and the sun. [1]
 
     Parameters
     ----------
     point : Vec3
         From the centre, in the observer's frame. [m]
+    number : int
+        Number of the level of detail.
     layer : LayerTables
         Clouds.
     """
-    nz, ny, nx = layer.extinction.shape
+    nx, ny, _ = cell_level(0, layer.levels)
+    level = cell_level(number, layer.levels)
     radius = sqrt(dot(point, point))
     depth = 0.0
     if radius < layer.base:
@@ -128,12 +137,14 @@ def beam_depth_at(point, layer):
         place = box_place(plus(point, scaled(layer.sun, way)), layer)
         x, y = place.x, place.y
         if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
-            depth = plane_value(layer.base_depth, x, y, layer.periodic)
+            x, y = place_in_level(x, nx, level.columns), place_in_level(y, ny, level.rows)
+            depth = plane_value(layer.base_depth, level, x, y, layer.periodic)
     elif radius < layer.top:
         place = box_place(point, layer)
-        depth = cell_value(layer.depth, place.x, place.y, place.z, layer.periodic)
+        x, y = place_in_level(place.x, nx, level.columns), place_in_level(place.y, ny, level.rows)
+        depth = cell_value(layer.depth, level, x, y, place.z, layer.periodic)
         # half a cell below the highest face the depth falls to that of the face
-        depth *= min(2.0 * (nz - 0.5 - place.z), 1.0)
+        depth *= min(2.0 * (layer.depth.shape[0] - 0.5 - place.z), 1.0)
     return depth
 
 
@@ -142,8 +153,8 @@ def visibility(point, footprint, layer):
     """Transmittance of the beam by clouds, its mean where a footprint is as wide as the box. [1]"""
     if dot(point, point) >= layer.top * layer.top:
         return 1.0
-    depth, seen = beam_depth_at(point, layer), 1.0
+    depth, seen = beam_depth_at(point, level_number(footprint, 1.0, layer), layer), 1.0
     if depth > 0.0:
         seen = exp(-depth * layer.scaled[0, 0])
-    wide = min(2.0 * footprint / (layer.step_x * layer.extinction.shape[2]), 1.0)
+    wide = min(2.0 * footprint / (layer.step_x * layer.levels[0, 0]), 1.0)
     return seen + wide * (layer.mean_visibility - seen)

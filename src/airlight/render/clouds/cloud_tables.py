@@ -41,22 +41,25 @@ class LayerTables(NamedTuple):
         Axes of the box's place in the observer's frame. [1]
     sun : Vec3
         Direction to the sun in the observer's frame. [1]
-    extinction : array, shape (nz, ny, nx)
+    levels, source_levels : array of int, shape (levels, 3)
+        ``CellLevel`` of each level of detail, of the field and of multiple scattering; their rows
+        are stacked in the arrays that follow.
+    extinction : array, shape (nz, rows, nx)
         Extinction coefficient at 550 nm in the middle of cells. [m⁻¹]
-    clear : array, shape (nz, ny, nx)
+    clear : array, shape (nz, rows, nx)
         Distance from any point of a cell in which there is nothing; 0 if unknown. [m]
     edges : PatchEdges
         Edges of the patches in which the box continues.
-    depth : array, shape (nz, ny, nx)
+    depth : array, shape (nz, rows, nx)
         Optical depth at 550 nm from the middle of a cell to the sun. [1]
-    base_depth : array, shape (ny, nx)
+    base_depth : array, shape (rows, nx)
         The same from the lowest face of a column. [1]
     mean_visibility : float
         Mean transmittance of the beam below the clouds. [1]
-    source : array, shape (mz, my, mx, pairs, 8)
+    source : array, shape (mz, rows, mx, pairs, 8)
         Multiple scattering by a cloud of extinction 1, as harmonics of the direction of light:
         pairs of terms at the solved wavelengths, per irradiance of the star. [sr⁻¹]
-    down : array, shape (my, mx, 8)
+    down : array, shape (rows, mx, 8)
         Diffuse irradiance of the ground at the solved wavelengths, twice. [1]
     solved_extinction : array, shape (1, 8)
         Scaled extinction at the solved wavelengths, twice, over that at 550 nm. [1]
@@ -89,6 +92,8 @@ class LayerTables(NamedTuple):
     north: Vec3
     up: Vec3
     sun: Vec3
+    levels: NDArray[np.int64]
+    source_levels: NDArray[np.int64]
     extinction: Float32Array
     clear: Float32Array
     edges: PatchEdges
@@ -164,6 +169,8 @@ class CloudWork(NamedTuple):
     found, beams, depths : array, shape (layers,)
         Extinction of each layer at a point [m⁻¹], its optical depth to the sun, and its depth so
         far [1], at 550 nm.
+    numbers : array of int, shape (layers,)
+        Level of detail of each layer at a point.
     light : array, shape (4, w)
         Result: radiance [sr⁻¹], scaled and unscaled transmittance [1] of the clouds, and the light
         of clear sky less that with shadows, in the light of the mean layer [sr⁻¹].
@@ -181,6 +188,7 @@ class CloudWork(NamedTuple):
     found: FloatArray
     beams: FloatArray
     depths: FloatArray
+    numbers: NDArray[np.int64]
     light: Float32Array
     harmonics: FloatArray
 
@@ -200,6 +208,7 @@ def new_cloud_work(clouds: CloudTables) -> CloudWork:
         found=np.zeros(count),
         beams=np.zeros(count),
         depths=np.zeros(count),
+        numbers=np.zeros(count, np.int64),
         light=np.zeros((4, lanes), np.float32),
         harmonics=np.zeros(2 * max(layer.source.shape[3] for layer in clouds.layers)),
     )

@@ -6,15 +6,17 @@ shadow, and with the diffuse light below them.
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
 
-from airlight.geometry.vectors import Vec3, plus, scaled
+from airlight.geometry.vectors import Vec3, dot, plus, scaled
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, lane_view, load, maximum, splat, store
 from airlight.kernel.tuple_item import tuple_item
 from airlight.render.clouds.beam_depth import cell_after, cell_before
+from airlight.render.clouds.cell_level import cell_level, level_number
 from airlight.render.clouds.cloud_march import add_clouds, line_of_air
 from airlight.render.clouds.cloud_place import beam_depth_at, box_place
 from airlight.render.clouds.cloud_tables import CloudTables, CloudWork
@@ -110,23 +112,25 @@ def shade_ground(ray, distance, orders, clouds, tables, work, front):
         Workspace of the clouds.
     """
     point = plus(Vec3(0.0, 0.0, clouds.eye), scaled(ray, distance))
+    climb = max(-dot(ray, point) / sqrt(dot(point, point)), 1e-3)
     lowest = -1
     for n in range(len(clouds.layers) - 1, -1, -1):
         layer = tuple_item(clouds.layers, n)
-        front.beams[n] = beam_depth_at(point, layer)
+        number = level_number(distance * clouds.pixel_angle, climb, layer)
+        front.beams[n] = beam_depth_at(point, number, layer)
         place = box_place(point, layer)
         x, y = place.x, place.y
-        ny, nx = layer.base_depth.shape
+        nx, ny, _ = cell_level(0, layer.levels)
         if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
             lowest = n
-            lane_view(front.solved)[0] = ground_below(x, y, layer)
+            lane_view(front.solved)[0] = ground_below(x, y, number, layer)
     for at in range(0, tables.lanes, LANES):
         received, behind = lane_view(work.irradiance, at), lane_view(work.radiance, at)
         before = maximum(received[0] + received[1], splat(1e-30))
         sky_before = maximum(received[1], splat(1e-30))
         for n in range(len(clouds.layers)):
             layer = tuple_item(clouds.layers, n)
-            width = 0.5 * layer.step_x * layer.base_depth.shape[1]
+            width = 0.5 * layer.step_x * layer.levels[0, 0]
             wide = np.float32(min(distance * clouds.pixel_angle / width, 1.0))
             seen = exponential(load(layer.scaled[0], at) * np.float32(-front.beams[n]))
             received[0] = received[0] * (seen + (splat(layer.mean_visibility) - seen) * wide)
@@ -143,21 +147,24 @@ def shade_ground(ray, distance, orders, clouds, tables, work, front):
 
 
 @inlined
-def ground_below(x, y, layer):
+def ground_below(x, y, number, layer):
     """Diffuse irradiance of the ground at the solved wavelengths, twice. [1]
 
     Parameters
     ----------
     x, y : float
         Place from ``box_place``. [cells]
+    number : int
+        Number of the level of detail.
     layer : LayerTables
         Clouds above.
     """
-    ny, nx = layer.base_depth.shape
-    my, mx, _ = layer.down.shape
+    nx, ny, _ = cell_level(0, layer.levels)
+    mx, my, first = cell_level(number, layer.source_levels)
     i, e = cell_before((x + 0.5) * mx / nx - 0.5, mx, layer.periodic)
     j, f = cell_before((y + 0.5) * my / ny - 0.5, my, layer.periodic)
     right, back = cell_after(i, mx, layer.periodic), cell_after(j, my, layer.periodic)
+    j, back = first + j, first + back
     down = lane_view(layer.down)
     return (
         down[j, i] * np.float32((1.0 - e) * (1.0 - f))

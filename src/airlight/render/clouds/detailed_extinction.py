@@ -6,6 +6,7 @@ from airlight.clouds.cloud_detail import cloud_detail
 from airlight.clouds.fibres import TURN
 from airlight.kernel import inlined
 from airlight.render.clouds.beam_depth import cell_value
+from airlight.render.clouds.cell_level import cell_level, place_in_level
 from airlight.render.clouds.cloud_place import clear_distance
 
 #: Change of detail along trails of crystals over that across them. [1]
@@ -13,26 +14,26 @@ ALONG_TRAIL = 0.1
 
 
 @inlined
-def extinction_at(place, width, layer):
+def extinction_at(place, width, number, layer):
     """Extinction at 550 nm with detail, of the patches at a place by their shares. [m⁻¹]
 
     Parameters
     ----------
     place : BoxPlace
         Place.
-    width, layer : float, LayerTables
+    width, number, layer : float, int, LayerTables
         Arguments of ``detailed_extinction``.
     """
     total, share, x, y = 0.0, 1.0 - place.share, place.x, place.y
     for _ in range(2):
         if share > 0.0:
-            total += share * detailed_extinction(x, y, place.z, width, layer)
+            total += share * detailed_extinction(x, y, place.z, width, number, layer)
         share, x, y = place.share, place.other_x, place.other_y
     return total
 
 
 @inlined
-def detailed_extinction(x, y, z, width, layer):
+def detailed_extinction(x, y, z, width, number, layer):
     """Extinction at 550 nm with detail below the cells. [m⁻¹]
 
     Parameters
@@ -41,12 +42,14 @@ def detailed_extinction(x, y, z, width, layer):
         Place of ``BoxPlace``. [cells]
     width : float
         Width of the pixel's footprint. [m]
+    number : int
+        Number of the level of detail.
     layer : LayerTables
         Clouds.
     """
-    nz, ny, nx = layer.extinction.shape
+    nz, (nx, ny, _) = layer.extinction.shape[0], cell_level(0, layer.levels)
     found = 0.0
-    if clear_distance(x, y, z, layer) > 0.0:
+    if clear_distance(x, y, z, number, layer) > 0.0:
         return found
     if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
         factor = 1.0
@@ -64,5 +67,7 @@ def detailed_extinction(x, y, z, width, layer):
             y += detail.north / layer.step_y
             z += along * detail.up / layer.step_z
         if -0.5 <= z < nz - 0.5:
-            found = factor * cell_value(layer.extinction, x, y, z, layer.periodic)
+            level = cell_level(number, layer.levels)
+            x, y = place_in_level(x, nx, level.columns), place_in_level(y, ny, level.rows)
+            found = factor * cell_value(layer.extinction, level, x, y, z, layer.periodic)
     return found

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from airlight.clouds.cloud_field import CloudField
 from airlight.render.clouds.cloud_light import field_axes
 from airlight.render.clouds.patches import patch_edges
@@ -42,5 +40,4 @@ def layer_geometry(field: CloudField, scene: Scene, radius: float) -> dict[str, 
         "north": north,
         "up": up,
         "edges": patch_edges(*field.sides),
-        "extinction": np.ascontiguousarray(field.extinction.transpose(2, 1, 0)),
     }

@@ -136,8 +136,8 @@ def patch_at(east, north, width, length, edges):
         rows, columns = edges.free.shape
         i, j = (x - column) * columns, (y - row) * rows
         free = edges.free[min(int(j), rows - 1), min(int(i), columns - 1)]
-        x += plane_value(edges.east, i, j, True)
-        y += plane_value(edges.north, i, j, True)
+        x += plane_value(edges.east, (columns, rows, 0), i, j, True)
+        y += plane_value(edges.north, (columns, rows, 0), i, j, True)
         column, row = np.floor(x), np.floor(y)
         if free <= 0.0:
             near_x, near_y = 0.5 - abs(x - column - 0.5), 0.5 - abs(y - row - 0.5)

@@ -13,6 +13,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.render.clouds.air_table import DIRECTIONS, air_table
 from airlight.render.clouds.cloud_light import CloudLight, sun_in_frame
 from airlight.render.clouds.cloud_tables import SOLVED, CloudTables, LayerTables
+from airlight.render.clouds.detail_levels import Cells, detail_levels, stacked
 from airlight.render.clouds.directions import harmonic_norms
 from airlight.render.clouds.layer_geometry import layer_geometry
 from airlight.render.pixels.sky_view_lut import Observer
@@ -95,15 +96,24 @@ def _layer(
     scaled = light.scaled
     nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, _PHASES) ** 2
     phase = optics.phase.values(nu, optics.wavelengths)
-    return LayerTables(
-        **layer_geometry(light.field, scene, solution.medium.bottom_radius),
-        sun=sun_in_frame(scene),
+    finest = Cells(
+        extinction=np.ascontiguousarray(light.field.extinction.transpose(2, 1, 0)),
         clear=light.clear,
         depth=light.depth,
         base_depth=light.base_depth,
-        mean_visibility=float(light.visibility(light.field.base).mean()),
         source=_in_pairs(source),
         down=_twice(box.down.transpose(1, 0, 2) * (factor * light.unit).astype(np.float32)),
+    )
+    radius, eye = solution.medium.bottom_radius, solution.medium.bottom_radius + scene.altitude
+    base, top = radius + light.field.base, radius + light.field.top
+    # lines of sight leave the clouds beyond the horizon at most
+    reach = math.sqrt(max(eye**2 - radius**2, 0.0)) + math.sqrt(top**2 - radius**2)
+    width = reach * float(scene.camera.pixel_angle)
+    return LayerTables(
+        **stacked(detail_levels(light, finest, width, eye > 0.5 * (base + top))),
+        **layer_geometry(light.field, scene, solution.medium.bottom_radius),
+        sun=sun_in_frame(scene),
+        mean_visibility=float(light.visibility(light.field.base).mean()),
         solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], missing=1.0),
         spectrum=pack(light.spectrum),
         scaled=pack(scaled[None]),

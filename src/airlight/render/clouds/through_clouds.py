@@ -20,6 +20,7 @@ from airlight.render.clouds.cloud_tables import (
     LayerTables,
     new_cloud_work,
 )
+from airlight.render.clouds.detail_levels import Cells, stacked
 from airlight.render.clouds.directions import harmonic_norms
 from airlight.render.clouds.layer_geometry import layer_geometry
 from airlight.render.clouds.sight_extent import sight_extents
@@ -99,19 +100,23 @@ def _dark_layer(deck: CloudDeck, solution: MomentsSolution, scene: Scene) -> Lay
     """Tables of one of the clouds."""
     nl = solution.wavelengths.size
     geometry = layer_geometry(deck.field, scene, solution.medium.bottom_radius)
-    cells = geometry["extinction"]
+    cells = np.ascontiguousarray(deck.field.extinction.transpose(2, 1, 0))
     whole = pack(np.asarray(deck.optics_at(solution.wavelengths).extinction)[None])
-    dark = np.zeros((2, 2 * SOLVED), np.float32)
-    return LayerTables(
-        **geometry,
-        sun=Vec3(0.0, 0.0, 1.0),
+    dark = np.zeros((1, 2 * SOLVED), np.float32)
+    finest = Cells(
+        extinction=cells,
         clear=clear_distances(deck.field),
         depth=cells,
         base_depth=cells[0],
-        mean_visibility=1.0,
-        source=np.zeros((1, 1, 1, 1, 2 * SOLVED), np.float32),
+        source=dark[None, None, None],
         down=dark[None],
-        solved_extinction=dark[:1] + np.float32(1.0),
+    )
+    return LayerTables(
+        **geometry,
+        sun=Vec3(0.0, 0.0, 1.0),
+        **stacked([finest]),
+        mean_visibility=1.0,
+        solved_extinction=dark + np.float32(1.0),
         spectrum=pack(np.zeros((SOLVED, nl))),
         scaled=whole,
         whole=whole,
