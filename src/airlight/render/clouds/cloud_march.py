@@ -298,7 +298,7 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
         len(clouds.layers),
     )
     place = box_place(point, layer)
-    x, y, z = place.x, place.y, place.z
+    z = place.z
     nz, (nx, ny, _) = layer.extinction.shape[0], cell_level(0, layer.levels)
     radius = sqrt(dot(point, point))
     height = dot(point, layer.sun) / radius
@@ -345,34 +345,37 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
     )
     mz = layer.source.shape[0]
     mx, my, first_row = cell_level(work.numbers[number], layer.source_levels)
-    i, ex = cell_before((x + 0.5) * mx / nx - 0.5, mx, layer.periodic)
-    j, ey = cell_before((y + 0.5) * my / ny - 0.5, my, layer.periodic)
     # linear also in the outer halves of the lowest and the highest levels
     level_z = (z + 0.5) * mz / nz - 0.5
     k = min(max(int(level_z), 0), max(mz - 2, 0))
     ez = level_z - k
-    right, back = cell_after(i, mx, layer.periodic), cell_after(j, my, layer.periodic)
-    j, back = first_row + j, first_row + back
     above = min(k + 1, mz - 1)
     source = lane_view(layer.source)
     total = splat(0.0)
-    for corner in range(8):
-        column = right if corner & 1 else i
-        line = back if corner & 2 else j
-        row = above if corner & 4 else k
-        weight = (
-            (ex if corner & 1 else 1.0 - ex)
-            * (ey if corner & 2 else 1.0 - ey)
-            * (ez if corner & 4 else 1.0 - ez)
-        )
-        if weight != 0.0:
-            part = splat(0.0)
-            for n in range(layer.source.shape[3]):
-                factor = pair(
-                    np.float32(work.harmonics[2 * n]), np.float32(work.harmonics[2 * n + 1])
-                )
-                part = part + factor * source[row, line, column, n]
-            total = total + part * np.float32(weight)
+    share, x, y = 1.0 - place.share, place.x, place.y
+    for _ in range(2):
+        i, ex = cell_before((x + 0.5) * mx / nx - 0.5, mx, layer.periodic)
+        j, ey = cell_before((y + 0.5) * my / ny - 0.5, my, layer.periodic)
+        right, back = cell_after(i, mx, layer.periodic), cell_after(j, my, layer.periodic)
+        for corner in range(8):
+            column = right if corner & 1 else i
+            line = first_row + (back if corner & 2 else j)
+            row = above if corner & 4 else k
+            weight = (
+                share
+                * (ex if corner & 1 else 1.0 - ex)
+                * (ey if corner & 2 else 1.0 - ey)
+                * (ez if corner & 4 else 1.0 - ez)
+            )
+            if weight != 0.0:
+                part = splat(0.0)
+                for n in range(layer.source.shape[3]):
+                    factor = pair(
+                        np.float32(work.harmonics[2 * n]), np.float32(work.harmonics[2 * n + 1])
+                    )
+                    part = part + factor * source[row, line, column, n]
+                total = total + part * np.float32(weight)
+        share, x, y = place.share, place.other_x, place.other_y
     total = maximum(folded(total), 0.0)
     solved = lane_view(work.solved)
     scaled_extinction = load(layer.solved_extinction[0], 0)

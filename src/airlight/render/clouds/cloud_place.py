@@ -115,7 +115,7 @@ def clear_distance(x, y, z, number, layer):
 
 @inlined
 def beam_depth_at(point, number, layer):
-    """Optical depth of clouds at 550 nm between a point and the sun. [1]
+    """Optical depth of clouds at 550 nm between a point and the sun, mean of its patches. [1]
 
     Parameters
     ----------
@@ -134,17 +134,21 @@ def beam_depth_at(point, number, layer):
         rising = dot(point, layer.sun)
         gap = (layer.base - radius) * (layer.base + radius)
         way = gap / (sqrt(rising * rising + gap) + max(rising, 0.0))
-        place = box_place(plus(point, scaled(layer.sun, way)), layer)
-        x, y = place.x, place.y
-        if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
-            x, y = place_in_level(x, nx, level.columns), place_in_level(y, ny, level.rows)
-            depth = plane_value(layer.base_depth, level, x, y, layer.periodic)
-    elif radius < layer.top:
+        point = plus(point, scaled(layer.sun, way))
+    if radius < layer.top:
         place = box_place(point, layer)
-        x, y = place_in_level(place.x, nx, level.columns), place_in_level(place.y, ny, level.rows)
-        depth = cell_value(layer.depth, level, x, y, place.z, layer.periodic)
-        # half a cell below the highest face the depth falls to that of the face
-        depth *= min(2.0 * (layer.depth.shape[0] - 0.5 - place.z), 1.0)
+        share, x, y = 1.0 - place.share, place.x, place.y
+        for _ in range(2):
+            inside = layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5)
+            x, y = place_in_level(x, nx, level.columns), place_in_level(y, ny, level.rows)
+            if share > 0.0 and radius >= layer.base:
+                # half a cell below the highest face the depth falls to that of the face
+                lower = min(2.0 * (layer.depth.shape[0] - 0.5 - place.z), 1.0)
+                value = cell_value(layer.depth, level, x, y, place.z, layer.periodic)
+                depth += share * lower * value
+            elif share > 0.0 and inside:
+                depth += share * plane_value(layer.base_depth, level, x, y, layer.periodic)
+            share, x, y = place.share, place.other_x, place.other_y
     return depth
 
 
