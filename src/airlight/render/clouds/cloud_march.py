@@ -10,7 +10,7 @@ attenuation (TMS; Nakajima & Tanaka 1988, JQSRT 40, 51); higher orders come from
 
 from __future__ import annotations
 
-from math import exp, sqrt
+from math import exp, floor, sqrt
 
 import numpy as np
 
@@ -189,7 +189,7 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
     solved[count] = splat(1.0)
     eye = Vec3(0.0, 0.0, clouds.eye)
     s, start, weight, middle = extent.first, extent.first, 0.0, 0.0
-    previous = 1.0
+    previous, entry = 1.0, dither(ray)
     for _ in range(MOST_STEPS):
         if s >= extent.last or previous < OPAQUE:
             break
@@ -213,9 +213,10 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
         if not near:
             s += most
             work.found[:] = 0.0
+            entry = dither(ray)
             continue
         most = min(most, extent.last - s)
-        step = min(most, largest_step(least, clouds, work))
+        step = min(most, largest_step(least, clouds, work)) * entry
         for _again in range(2):
             point = plus(eye, scaled(ray, s + 0.5 * step))
             width, any_found = max(s, 1.0) * clouds.pixel_angle, False
@@ -231,6 +232,7 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
                 break
             step = shorter
         s += step
+        entry = 1.0
         if not any_found:
             continue
         for n in range(count):
@@ -260,6 +262,16 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
                 -work.depths[n]
             )
         light[2] = exponential(depth)
+
+
+@inlined
+def dither(ray):
+    """Length of the first step of a line over that of the others: even between 1/4 and 1. [1]
+
+    Lines side by side would else meet detail at the same distances, in streaks.
+    """
+    place = 43758.5453 * (12.9898 * ray.x + 78.233 * ray.y + 37.719 * ray.z)
+    return 0.25 + 0.75 * (place - floor(place))
 
 
 @inlined
