@@ -88,7 +88,7 @@ def _layer(
     moments = box.moments[:, :, box.below :]
     per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
     factor = 0.0 if observer.orders == 1 else 1.0
-    source = moments * (factor * per_degree * light.unit).astype(np.float32)
+    source = moments * (factor * per_degree).astype(np.float32)
     beam, low, high = _beam(light, solution, scene)
     if observer.orders == 0:
         beam = np.zeros_like(beam)
@@ -103,7 +103,7 @@ def _layer(
         base_depth=light.base_depth,
         mean_visibility=float(light.visibility(light.field.base).mean()),
         source=_in_pairs(source),
-        down=_twice(box.down.transpose(1, 0, 2) * (factor * light.unit).astype(np.float32)),
+        down=_twice(box.down.transpose(1, 0, 2) * np.float32(factor)),
         solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], missing=1.0),
         spectrum=pack(light.spectrum),
         scaled=pack(scaled[None]),
