@@ -54,6 +54,20 @@ def test_fields_have_no_seam(kind):
         assert steps[-1] < 3.0 * steps[:-1].mean()
 
 
+def test_a_field_that_ends_has_whole_clouds_the_largest_in_its_middle():
+    periodic, field = (
+        cloud_field(CumulusHumilis(cover=0.1, seed=2.0, beyond=one))
+        for one in ("periodic", "clear")
+    )
+    columns = field.column_optical_depth
+    for side in (columns[0], columns[-1], columns[:, 0], columns[:, -1]):
+        assert not side.any()
+    assert columns[96:160, 96:160].max() == periodic.column_optical_depth.max()
+    assert 0.7 < (columns > 0.0).sum() / (periodic.column_optical_depth > 0.0).sum() < 1.0
+    overcast = cloud_field(CumulusHumilis(cover=1.0, beyond="clear"), size=6400.0)
+    assert np.all(overcast.column_optical_depth > 0.0)
+
+
 def test_cumuli_have_flat_bases_and_grow_with_height():
     field = cloud_field(CumulusHumilis())
     low, high = (field.extinction[:, :, k] for k in (0, 8))

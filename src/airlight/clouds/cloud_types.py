@@ -49,9 +49,9 @@ def cloud_field(
     latitude: float = 0.0,
     longitude: float = 0.0,
 ) -> CloudField:
-    """Field of generated clouds in a periodic box; the same for the same parameters.
+    """Field of generated clouds; the same for the same parameters.
 
-    Cover and mean optical depth of the cloudy columns are those of the clouds.
+    Cover and mean optical depth of the cloudy columns of a periodic box are those of the clouds.
 
     Parameters
     ----------
@@ -74,13 +74,14 @@ def cloud_field(
     if clouds.cover > 0.0:
         parts = {"cell": clouds.cell, "cover": clouds.cover, "shear": clouds.shear}
         relative = GENERATORS[type(clouds)](grid, random, **parts)
+    extinction = scaled(relative, grid, clouds.optical_depth)
     return CloudField(
-        extinction=scaled(relative, grid, clouds.optical_depth),
+        extinction=extinction if clouds.beyond == "periodic" else isolated(extinction),
         spacing=(step, step, grid.level),
         base=clouds.base,
         latitude=latitude,
         longitude=longitude,
-        beyond="periodic",
+        beyond=clouds.beyond,
         trail=trail(clouds.shear) if isinstance(clouds, Cirrus) else 0.0,
     )
 
@@ -92,3 +93,24 @@ def scaled(relative: FloatArray, grid: CloudGrid, optical_depth: float) -> NDArr
     if not cloudy.any():
         return np.zeros(grid.shape, np.float32)
     return np.asarray(relative * (optical_depth / columns[cloudy].mean()), np.float32)
+
+
+def isolated(extinction: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Periodic field moved so that its largest cloud is in the middle, without those at the sides.
+
+    Parameters
+    ----------
+    extinction : array, shape (nx, ny, nz)
+        Extinction. [m⁻¹]
+    """
+    from scipy.ndimage import gaussian_filter, label
+
+    depth = extinction.sum(axis=2)
+    smooth = gaussian_filter(depth, 0.05 * depth.shape[0], mode="wrap")
+    peak = np.unravel_index(int(smooth.argmax()), smooth.shape)
+    shift = [count // 2 - int(at) for count, at in zip(depth.shape, peak, strict=True)]
+    found = np.roll(extinction, shift, axis=(0, 1))
+    clouds, _ = label(found.any(axis=2))
+    cut = np.unique(np.concatenate([clouds[0], clouds[-1], clouds[:, 0], clouds[:, -1]]))
+    whole = ~np.isin(clouds, cut)
+    return found * whole[..., None] if (clouds * whole).any() else found

@@ -120,6 +120,12 @@ _WIND_DIRECTION: Final = Field(
     slider=(0.0, 360.0),
     offered=always,
 )
+_BEYOND: Final = Field(
+    label="beyond",
+    help="What is beyond the four sides of the field.",
+    choices=lambda: ("clear", "periodic"),
+    offered=always,
+)
 _PARTICLES: Final = Field(
     label="particles",
     help="Droplets of water by Mie theory, or crystals of ice by a bulk phase function.",
@@ -201,6 +207,9 @@ class CloudType(Clouds):
         Increase of the eastward wind with height. [s⁻¹]
     seed : float
         Number, 0 to 1e9, whose whole part selects a field of the same statistics. [1]
+    beyond : "periodic" or "clear"
+        What is beyond the four sides. A field that ends has the most cloud in its middle, and none
+        that its sides would cut, unless all are.
     """
 
     #: Width of a cell of the grid by default. [m]
@@ -220,6 +229,7 @@ class CloudType(Clouds):
         offered=always,
         default=0.0,
     )
+    beyond: str = key(_BEYOND, default="periodic")
 
 
 @parameters
@@ -339,12 +349,7 @@ class CloudFile(Clouds):
         example="the path of a file of clouds",
         read=_read_file,
     )
-    beyond: str = key(
-        help="What is beyond the four sides of the file's grid.",
-        choices=lambda: ("clear", "periodic"),
-        offered=always,
-        default="clear",
-    )
+    beyond: str = key(_BEYOND, default="clear")
 
 
 #: Clouds that are generated, by their words.
