@@ -18,6 +18,7 @@ from airlight.planets.clouds import (
     Altocumulus,
     Cirrus,
     CloudType,
+    Cumulonimbus,
     CumulusCongestus,
     CumulusHumilis,
     Stratocumulus,
@@ -29,12 +30,15 @@ FloatArray = NDArray[np.float64]
 #: Side of the box, and number of levels, by default. [m], [1]
 SIZE: Final = 25.6e3
 LEVELS: Final = 32
+#: Weight of the distance from the thickest cloud in the choice of a side. [1]
+_CLEAR: Final = 0.05
 #: Relative extinction by type: ``(grid, random, cell=, cover=, shear=)``.
 GENERATORS: Final[dict[type[CloudType], Callable[..., FloatArray]]] = {
     Stratus: partial(layer_extinction, pattern=STRATUS),
     Stratocumulus: partial(layer_extinction, pattern=STRATOCUMULUS),
     CumulusHumilis: heap_extinction,
     CumulusCongestus: heap_extinction,
+    Cumulonimbus: partial(heap_extinction, anvil=True),
     Altocumulus: partial(layer_extinction, pattern=ALTOCUMULUS),
     Cirrus: fibre_extinction,
 }
@@ -96,21 +100,24 @@ def scaled(relative: FloatArray, grid: CloudGrid, optical_depth: float) -> NDArr
 
 
 def isolated(extinction: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Periodic field moved so that its largest cloud is in the middle, without those at the sides.
+    """Periodic field without the clouds at its sides, which are moved to where few clouds are.
 
     Parameters
     ----------
     extinction : array, shape (nx, ny, nz)
         Extinction. [m⁻¹]
     """
-    from scipy.ndimage import gaussian_filter, label
+    from scipy.ndimage import label
 
-    depth = extinction.sum(axis=2)
-    smooth = gaussian_filter(depth, 0.05 * depth.shape[0], mode="wrap")
-    peak = np.unravel_index(int(smooth.argmax()), smooth.shape)
-    shift = [count // 2 - int(at) for count, at in zip(depth.shape, peak, strict=True)]
-    found = np.roll(extinction, shift, axis=(0, 1))
+    depth, found = extinction.sum(axis=2), extinction
+    for axis in (0, 1):
+        along = depth.sum(axis=1 - axis)
+        count = along.size
+        far = np.abs((np.arange(count) - int(along.argmax())) / count % 1.0 - 0.5)
+        cover = (depth > 0.0).mean(axis=1 - axis)
+        side = int((np.maximum(cover, np.roll(cover, 1)) + _CLEAR * far).argmin())
+        found = np.roll(found, -side, axis=axis)
     clouds, _ = label(found.any(axis=2))
     cut = np.unique(np.concatenate([clouds[0], clouds[-1], clouds[:, 0], clouds[:, -1]]))
-    whole = ~np.isin(clouds, cut)
-    return found * whole[..., None] if (clouds * whole).any() else found
+    whole = found * ~np.isin(clouds, cut)[..., None]
+    return whole if whole.sum() > 0.5 * found.sum() else found

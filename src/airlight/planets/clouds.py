@@ -208,8 +208,10 @@ class CloudType(Clouds):
     seed : float
         Number, 0 to 1e9, whose whole part selects a field of the same statistics. [1]
     beyond : "periodic" or "clear"
-        What is beyond the four sides. A field that ends has the most cloud in its middle, and none
-        that its sides would cut, unless all are.
+        What is beyond the four sides. A field that ends has no clouds that its sides would cut,
+        unless they cut most.
+    latitude, longitude : float, optional
+        Place of the middle. [deg]
     """
 
     #: Width of a cell of the grid by default. [m]
@@ -230,6 +232,22 @@ class CloudType(Clouds):
         default=0.0,
     )
     beyond: str = key(_BEYOND, default="periodic")
+    latitude: float | None = key(
+        label="latitude",
+        help="Latitude of the middle of the field; below the observer by default.",
+        unit="deg",
+        range=(-90.0, 90.0),
+        example="10 deg",
+        default=None,
+    )
+    longitude: float | None = key(
+        label="longitude",
+        help="Longitude of the middle of the field; below the observer by default.",
+        unit="deg",
+        range=(-180.0, 180.0),
+        example="20 deg",
+        default=None,
+    )
 
 
 @parameters
@@ -290,6 +308,24 @@ class CumulusCongestus(CloudType):
     optical_depth: float = key(_OPTICAL_DEPTH, default=60.0)
     cell: float = key(_CELL, default=5000.0)
     shear: float = key(_SHEAR, default=5e-4)
+
+
+@parameters
+class Cumulonimbus(CloudType):
+    """Storm tower below an anvil."""
+
+    keyword = "cumulonimbus"
+    spacing = 100.0
+
+    base: float = key(_BASE, default=1000.0)
+    depth: float = key(_DEPTH, default=11000.0)
+    cover: float = key(_COVER, default=0.3)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=60.0)
+    cell: float = key(_CELL, default=12000.0)
+    shear: float = key(_SHEAR, default=1e-4)
+    particles: str = key(_PARTICLES, default=ICE)
+    effective_radius: float = key(_RADIUS, default=30e-6)
+    beyond: str = key(_BEYOND, default="clear")
 
 
 @parameters
@@ -358,6 +394,7 @@ CLOUD_TYPES: Final = (
     Stratocumulus,
     CumulusHumilis,
     CumulusCongestus,
+    Cumulonimbus,
     Altocumulus,
     Cirrus,
 )
