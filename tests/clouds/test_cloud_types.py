@@ -11,6 +11,7 @@ from airlight.clouds.power_law_field import power_law_field
 from airlight.planets.clouds import (
     CLOUD_TYPES,
     Cirrus,
+    Cumulonimbus,
     CumulusCongestus,
     CumulusHumilis,
 )
@@ -19,7 +20,7 @@ from airlight.planets.clouds import (
 @pytest.mark.parametrize("kind", CLOUD_TYPES, ids=lambda kind: kind.keyword)
 def test_cover_and_optical_depth_are_those_wanted(kind):
     for cover, depth in ((0.15, 5.0), (0.6, 30.0)):
-        clouds = kind(cover=cover, optical_depth=depth, seed=3.0)
+        clouds = kind(cover=cover, optical_depth=depth, seed=3.0, beyond="periodic")
         columns = cloud_field(clouds, spacing=200.0).column_optical_depth
         cloudy = columns > 0.0
         np.testing.assert_allclose(cloudy.mean(), cover, rtol=0.01)
@@ -48,10 +49,35 @@ def test_a_seed_determines_the_field(kind):
 @pytest.mark.parametrize("kind", CLOUD_TYPES, ids=lambda kind: kind.keyword)
 def test_fields_have_no_seam(kind):
     # the change across the period is like that between neighbours within
-    columns = cloud_field(kind(), size=12800.0, spacing=200.0).column_optical_depth
+    clouds = kind(beyond="periodic")
+    columns = cloud_field(clouds, size=12800.0, spacing=200.0).column_optical_depth
     for axis in (0, 1):
         steps = np.abs(np.diff(columns, axis=axis, append=columns.take([0], axis))).mean(1 - axis)
         assert steps[-1] < 3.0 * steps[:-1].mean()
+
+
+def test_a_field_that_ends_has_whole_clouds():
+    periodic, field = (
+        cloud_field(CumulusHumilis(cover=0.1, seed=2.0, beyond=one))
+        for one in ("periodic", "clear")
+    )
+    columns = field.column_optical_depth
+    for side in (columns[0], columns[-1], columns[:, 0], columns[:, -1]):
+        assert not side.any()
+    assert columns.max() == periodic.column_optical_depth.max()
+    assert 0.7 < (columns > 0.0).sum() / (periodic.column_optical_depth > 0.0).sum() < 1.0
+    overcast = cloud_field(CumulusHumilis(cover=1.0, beyond="clear"), size=6400.0)
+    assert np.all(overcast.column_optical_depth > 0.0)
+
+
+@pytest.mark.parametrize("seed", [0.0, 1.0, 2.0])
+def test_a_storm_is_narrow_below_its_anvil(seed):
+    # cloudy shares of levels: most of the cover in the anvil, of which a fifth is the tower
+    field = cloud_field(Cumulonimbus(seed=seed), spacing=200.0)
+    share = (field.extinction > 0.0).mean(axis=(0, 1))
+    assert share[26:].max() > 0.2
+    assert 0.005 < share[12:20].min() < 0.06
+    assert field.beyond == "clear"
 
 
 def test_cumuli_have_flat_bases_and_grow_with_height():

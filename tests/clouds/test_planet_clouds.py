@@ -69,3 +69,12 @@ def test_clouds_above_the_air_are_refused():
         ParameterError, match=r"clouds\[0\] is '100800 m'; allowed: tops of at most"
     ):
         clouds_of(planet, NM, SMALL)
+
+
+def test_generated_clouds_may_have_a_place_of_their_own():
+    storm = {"kind": "cumulonimbus", "latitude": "3 deg", "longitude": "-4 deg"}
+    fields = [
+        field for field, _ in clouds_of(_earth(storm, {"kind": "cirrus"}), [550.0], Box(10.0, 20.0))
+    ]
+    assert [(one.latitude, one.longitude) for one in fields] == [(3.0, -4.0), (10.0, 20.0)]
+    assert [one.beyond for one in fields] == ["clear", "periodic"]

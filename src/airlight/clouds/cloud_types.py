@@ -18,6 +18,7 @@ from airlight.planets.clouds import (
     Altocumulus,
     Cirrus,
     CloudType,
+    Cumulonimbus,
     CumulusCongestus,
     CumulusHumilis,
     Stratocumulus,
@@ -29,12 +30,15 @@ FloatArray = NDArray[np.float64]
 #: Side of the box, and number of levels, by default. [m], [1]
 SIZE: Final = 25.6e3
 LEVELS: Final = 32
+#: Weight of the distance from the thickest cloud in the choice of a side. [1]
+_CLEAR: Final = 0.05
 #: Relative extinction by type: ``(grid, random, cell=, cover=, shear=)``.
 GENERATORS: Final[dict[type[CloudType], Callable[..., FloatArray]]] = {
     Stratus: partial(layer_extinction, pattern=STRATUS),
     Stratocumulus: partial(layer_extinction, pattern=STRATOCUMULUS),
     CumulusHumilis: heap_extinction,
     CumulusCongestus: heap_extinction,
+    Cumulonimbus: partial(heap_extinction, anvil=True),
     Altocumulus: partial(layer_extinction, pattern=ALTOCUMULUS),
     Cirrus: fibre_extinction,
 }
@@ -49,9 +53,9 @@ def cloud_field(
     latitude: float = 0.0,
     longitude: float = 0.0,
 ) -> CloudField:
-    """Field of generated clouds in a periodic box; the same for the same parameters.
+    """Field of generated clouds; the same for the same parameters.
 
-    Cover and mean optical depth of the cloudy columns are those of the clouds.
+    Cover and mean optical depth of the cloudy columns of a periodic box are those of the clouds.
 
     Parameters
     ----------
@@ -74,13 +78,14 @@ def cloud_field(
     if clouds.cover > 0.0:
         parts = {"cell": clouds.cell, "cover": clouds.cover, "shear": clouds.shear}
         relative = GENERATORS[type(clouds)](grid, random, **parts)
+    extinction = scaled(relative, grid, clouds.optical_depth)
     return CloudField(
-        extinction=scaled(relative, grid, clouds.optical_depth),
+        extinction=extinction if clouds.beyond == "periodic" else isolated(extinction),
         spacing=(step, step, grid.level),
         base=clouds.base,
         latitude=latitude,
         longitude=longitude,
-        beyond="periodic",
+        beyond=clouds.beyond,
         trail=trail(clouds.shear) if isinstance(clouds, Cirrus) else 0.0,
     )
 
@@ -92,3 +97,27 @@ def scaled(relative: FloatArray, grid: CloudGrid, optical_depth: float) -> NDArr
     if not cloudy.any():
         return np.zeros(grid.shape, np.float32)
     return np.asarray(relative * (optical_depth / columns[cloudy].mean()), np.float32)
+
+
+def isolated(extinction: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Periodic field without the clouds at its sides, which are moved to where few clouds are.
+
+    Parameters
+    ----------
+    extinction : array, shape (nx, ny, nz)
+        Extinction. [m⁻¹]
+    """
+    from scipy.ndimage import label
+
+    depth, found = extinction.sum(axis=2), extinction
+    for axis in (0, 1):
+        along = depth.sum(axis=1 - axis)
+        count = along.size
+        far = np.abs((np.arange(count) - int(along.argmax())) / count % 1.0 - 0.5)
+        cover = (depth > 0.0).mean(axis=1 - axis)
+        side = int((np.maximum(cover, np.roll(cover, 1)) + _CLEAR * far).argmin())
+        found = np.roll(found, -side, axis=axis)
+    clouds, _ = label(found.any(axis=2))
+    cut = np.unique(np.concatenate([clouds[0], clouds[-1], clouds[:, 0], clouds[:, -1]]))
+    whole = found * ~np.isin(clouds, cut)[..., None]
+    return whole if whole.sum() > 0.5 * found.sum() else found

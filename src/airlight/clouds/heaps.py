@@ -48,6 +48,17 @@ _ROUGH: Final = 0.55
 #: Generations of smaller thermals, and their least radius in cells.
 _GENERATIONS: Final = 2
 _LEAST: Final = 0.9
+#: Cover of the clouds below an anvil over all. [1]
+_BELOW_ANVIL: Final = 0.3
+#: Thermals of an anvil. Its length over that of a circle, and the distance of its middle from the
+#: tower over its radius; over the height of the cloud that of its upper side, and half of its depth
+#: at the edge and in addition in the middle. [1]
+_ANVIL: Final = 80
+_LONG: Final = 1.2
+_DOWNWIND: Final = 0.3
+_EVEN: Final = 0.93
+_THIN: Final = 0.045
+_DEEP: Final = 0.2
 #: Distance over which extinction falls at the edge. [m]
 _EDGE: Final = 20.0
 
@@ -132,7 +143,13 @@ def raise_thermals(field, heaps, east_step, up_step, rough):
 
 
 def heap_extinction(
-    grid: CloudGrid, random: np.random.Generator, *, cell: float, cover: float, shear: float
+    grid: CloudGrid,
+    random: np.random.Generator,
+    *,
+    cell: float,
+    cover: float,
+    shear: float,
+    anvil: bool = False,
 ) -> FloatArray:
     """Relative extinction of cumuli of a cover, shape of the grid. [1]
 
@@ -148,9 +165,12 @@ def heap_extinction(
         Share of cloudy columns. [1]
     shear : float
         Increase of the eastward wind with height. [s⁻¹]
+    anvil : bool
+        Whether the top of the largest cloud spreads over most of the cover.
     """
-    widths = cloud_widths(grid, random, cell, cover)
-    heaps = _heaps(grid, random, widths, cell, shear)
+    widths = cloud_widths(grid, random, cell, _BELOW_ANVIL * cover if anvil else cover)
+    spread = cover if anvil else 0.0
+    heaps = _heaps(grid, random, widths, shear, spread)
     field = np.full(grid.shape, NOWHERE)
     raise_thermals(field, heaps, grid.spacing, grid.level, _ROUGH)
     highest = field.max(axis=2)
@@ -203,9 +223,9 @@ def _places(grid: CloudGrid, random: np.random.Generator, widths: FloatArray) ->
 
 
 def _heaps(
-    grid: CloudGrid, random: np.random.Generator, widths: FloatArray, cell: float, shear: float
+    grid: CloudGrid, random: np.random.Generator, widths: FloatArray, shear: float, spread: float
 ) -> Heaps:
-    """Thermals of clouds of these widths."""
+    """Thermals of clouds of these widths, and of an anvil that covers a part of the box."""
     places = _places(grid, random, widths)
     found: list[FloatArray] = []
     for (east, north), width in zip(places, widths, strict=True):
@@ -213,6 +233,8 @@ def _heaps(
         if not found:
             top = grid.depth
         one = _cloud(random, width, max(top, 2.0 * grid.level), _LEAST * grid.spacing)
+        if spread > 0.0 and not found:
+            one = np.concatenate([one, _anvil(random, top, np.sqrt(spread / np.pi) * grid.size)])
         one[:, 0] += east + shear * one[:, 2] ** 2 / (2.0 * ASCENT)
         one[:, 1] += north
         one[:, 5] = random.uniform(0.0, 200.0)
@@ -240,6 +262,23 @@ def _cloud(random: np.random.Generator, width: float, top: float, least: float) 
     for _ in range(_GENERATIONS):
         thermals = tuple(_bulges(random, thermals, top, least))
         rows += thermals
+    return np.array(rows)
+
+
+def _anvil(random: np.random.Generator, top: float, radius: float) -> FloatArray:
+    """Flat thermals of an anvil about a cloud's place: rows of ``Heaps``.
+
+    It is even above, as at the tropopause, thins outwards and reaches farther downwind.
+    """
+    rows = []
+    for _ in range(_ANVIL):
+        out, turn = sqrt(random.random()), random.uniform(0.0, 2.0 * np.pi)
+        x = radius * (_DOWNWIND + 0.85 * _LONG * out * np.cos(turn))
+        y = radius * 0.85 / _LONG * out * np.sin(turn)
+        near = sqrt(x * x + y * y) / radius
+        up = top * (_THIN * random.uniform(0.8, 1.4) + _DEEP * np.exp(-5.0 * near))
+        wide = radius * (random.uniform(0.2, 0.3) - 0.1 * np.exp(-5.0 * near))
+        rows.append((x, y, _EVEN * top - up, wide, up, 0.0))
     return np.array(rows)
 
 

@@ -27,7 +27,7 @@ class Box(NamedTuple):
     Parameters
     ----------
     latitude, longitude : float
-        The place, in the middle. [deg]
+        The place, in the middle, of clouds without one. [deg]
     size : float
         Side. [m]
     spacing : float, optional
@@ -104,8 +104,8 @@ def field_of(clouds: Clouds, box: Box, bottom_radius: float) -> tuple[CloudField
             size=box.size,
             spacing=box.spacing,
             levels=box.levels,
-            latitude=box.latitude,
-            longitude=box.longitude,
+            latitude=box.latitude if clouds.latitude is None else clouds.latitude,
+            longitude=box.longitude if clouds.longitude is None else clouds.longitude,
         ), clouds.effective_radius
     assert isinstance(clouds, CloudFile)
     return read_cloud_file(

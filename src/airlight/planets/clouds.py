@@ -120,6 +120,12 @@ _WIND_DIRECTION: Final = Field(
     slider=(0.0, 360.0),
     offered=always,
 )
+_BEYOND: Final = Field(
+    label="beyond",
+    help="What is beyond the four sides of the field.",
+    choices=lambda: ("clear", "periodic"),
+    offered=always,
+)
 _PARTICLES: Final = Field(
     label="particles",
     help="Droplets of water by Mie theory, or crystals of ice by a bulk phase function.",
@@ -201,6 +207,11 @@ class CloudType(Clouds):
         Increase of the eastward wind with height. [s⁻¹]
     seed : float
         Number, 0 to 1e9, whose whole part selects a field of the same statistics. [1]
+    beyond : "periodic" or "clear"
+        What is beyond the four sides. A field that ends has no clouds that its sides would cut,
+        unless they cut most.
+    latitude, longitude : float, optional
+        Place of the middle. [deg]
     """
 
     #: Width of a cell of the grid by default. [m]
@@ -219,6 +230,23 @@ class CloudType(Clouds):
         example="1",
         offered=always,
         default=0.0,
+    )
+    beyond: str = key(_BEYOND, default="periodic")
+    latitude: float | None = key(
+        label="latitude",
+        help="Latitude of the middle of the field; below the observer by default.",
+        unit="deg",
+        range=(-90.0, 90.0),
+        example="10 deg",
+        default=None,
+    )
+    longitude: float | None = key(
+        label="longitude",
+        help="Longitude of the middle of the field; below the observer by default.",
+        unit="deg",
+        range=(-180.0, 180.0),
+        example="20 deg",
+        default=None,
     )
 
 
@@ -283,6 +311,24 @@ class CumulusCongestus(CloudType):
 
 
 @parameters
+class Cumulonimbus(CloudType):
+    """Storm tower below an anvil."""
+
+    keyword = "cumulonimbus"
+    spacing = 100.0
+
+    base: float = key(_BASE, default=1000.0)
+    depth: float = key(_DEPTH, default=11000.0)
+    cover: float = key(_COVER, default=0.3)
+    optical_depth: float = key(_OPTICAL_DEPTH, default=60.0)
+    cell: float = key(_CELL, default=12000.0)
+    shear: float = key(_SHEAR, default=1e-4)
+    particles: str = key(_PARTICLES, default=ICE)
+    effective_radius: float = key(_RADIUS, default=30e-6)
+    beyond: str = key(_BEYOND, default="clear")
+
+
+@parameters
 class Altocumulus(CloudType):
     """Layer of small heaps and rolls at middle heights."""
 
@@ -339,12 +385,7 @@ class CloudFile(Clouds):
         example="the path of a file of clouds",
         read=_read_file,
     )
-    beyond: str = key(
-        help="What is beyond the four sides of the file's grid.",
-        choices=lambda: ("clear", "periodic"),
-        offered=always,
-        default="clear",
-    )
+    beyond: str = key(_BEYOND, default="clear")
 
 
 #: Clouds that are generated, by their words.
@@ -353,6 +394,7 @@ CLOUD_TYPES: Final = (
     Stratocumulus,
     CumulusHumilis,
     CumulusCongestus,
+    Cumulonimbus,
     Altocumulus,
     Cirrus,
 )

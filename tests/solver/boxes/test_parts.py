@@ -59,6 +59,7 @@ def test_depth_along_a_line_is_the_sum_of_small_steps(periodic, interpolated):
         periodic,
         0,
         interpolated,
+        0.0,
     )
     way = np.array([0.7, -0.5, 0.0])
     way[2] = np.sqrt(1.0 - way @ way)

@@ -22,7 +22,7 @@ from airlight.render.clouds.cloud_tables import SOLVED
 from airlight.render.clouds.mean_layer import MeanLayer
 from airlight.scene import Scene
 from airlight.solver.boxes.directions import directions
-from airlight.solver.boxes.light import BoxAir, BoxLight
+from airlight.solver.boxes.light import BoxAir, BoxBeam, BoxLight
 from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.boxes.solve import solve_box
 from airlight.solver.lines_of_sight import enter_shell
@@ -31,8 +31,6 @@ from airlight.solver.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Cosine of the zenith angle below which a flat box has no beam. [1]
-LOWEST_BEAM: Final = 0.01
 #: Largest number of cells of the boxes that are solved, larger fields are coarsened; and number of
 #: levels that are not joined.
 MOST_SOLVED: Final = 640_000
@@ -53,11 +51,9 @@ class CloudLight:
     optics : CloudOptics
         At the wavelengths of the solution.
     box : BoxSolution
-        Multiple scattering at some of these wavelengths.
+        Multiple scattering at some of these wavelengths, per irradiance of the star.
     towards : tuple of three float
         Unit vector to the light at the place of the field: east, north, up. [1]
-    unit : array, shape (solved,)
-        Irradiance of the box's unit over that of the star. [1]
     spectrum : array, shape (SOLVED, nl)
         Weights of the solved wavelengths. [1]
     layer : MeanLayer or None
@@ -75,7 +71,6 @@ class CloudLight:
     optics: CloudOptics
     box: BoxSolution
     towards: tuple[float, float, float]
-    unit: FloatArray
     spectrum: FloatArray
     layer: MeanLayer | None
     diffuse: FloatArray
@@ -141,6 +136,8 @@ class Incident(NamedTuple):
         Unit vector to the light at the place of the field: east, north, up. [1]
     beam, sky : array, shape (nl,)
         Direct normal irradiance at the top, and diffuse irradiance, over that of the star. [1]
+    direct : callable
+        Direct normal irradiance of altitudes [m], shape (n,) to (n, nl). [1]
     radiance : callable
         Diffuse radiance from directions of propagation, shape (n, 3) to (n, nl). [sr⁻¹]
     """
@@ -148,25 +145,13 @@ class Incident(NamedTuple):
     towards: tuple[float, float, float]
     beam: FloatArray
     sky: FloatArray
+    direct: Callable[[FloatArray], FloatArray]
     radiance: Callable[[FloatArray], FloatArray]
-
-    @property
-    def shines(self) -> bool:
-        """Whether a flat box has a beam."""
-        return self.towards[2] > LOWEST_BEAM and float(self.beam.min()) > 0.0
-
-    @property
-    def unit(self) -> FloatArray:
-        """Irradiance of the box's unit over that of the star, shape (nl,). [1]"""
-        if not self.shines:
-            return np.ones_like(self.beam)
-        return np.asarray(np.maximum(self.beam, 1e-6 * self.beam.max()))
 
     @property
     def irradiance(self) -> FloatArray:
         """Irradiance of the horizontal top over that of the star, shape (nl,). [1]"""
-        direct = self.beam * self.towards[2] if self.shines else 0.0
-        return np.asarray(np.maximum(self.sky + direct, 1e-30))
+        return np.asarray(np.maximum(self.sky + self.beam * max(self.towards[2], 0.0), 1e-30))
 
 
 def incident(
@@ -206,13 +191,20 @@ def incident(
         return np.asarray(found * ratio)
 
     sky, layer = solution.relative_sky_irradiance(top, mu_s), around.layer
-    beam = solution.relative_normal_irradiance(top, mu_s)[0]
+    seen = np.ones(medium.wavelengths.size)
     for one in around.higher:
-        beam = beam * one.visibility(field.top)
+        seen = seen * one.visibility(field.top)
+
+    def direct(altitudes: FloatArray) -> FloatArray:
+        r = medium.bottom_radius + np.asarray(altitudes, float)
+        found = solution.relative_normal_irradiance(r, np.full(r.size, towards[2]))
+        return np.asarray(np.maximum(found, 0.0) * seen)
+
     return Incident(
         towards,
-        beam,
+        direct(np.array([field.top]))[0],
         (sky if layer is None else sky * layer.sky_ratio(top, mu_s))[0],
+        direct,
         radiance,
     )
 
@@ -278,9 +270,8 @@ def solve_clouds(
         suns = [(weight, sun_over(field, one)) for weight, one in solved_at]
         others = [(weight, incident(solution, field, sun, around)) for weight, sun in suns]
         box = blended([(weight, one, box_under(one)) for weight, one in others], light, chosen)
-        unit = np.ones(chosen.size)
     else:
-        box, unit = box_under(light), light.unit[chosen]
+        box = box_under(light)
     nothing = clear_distances(field)
     depth, base_depth = beam_depths(
         field,
@@ -292,13 +283,12 @@ def solve_clouds(
     )
     spectrum = box_spectrum(nm, chosen, light.beam, light.sky)
     without = incident(solution, field, light.towards, OtherClouds())
-    cloudy, clear = _hemispheres(solution, box, unit, spectrum, (light, without))
+    cloudy, clear = _hemispheres(solution, box, spectrum, (light, without))
     return CloudLight(
         field=field,
         optics=optics_at(nm),
         box=box,
         towards=light.towards,
-        unit=unit,
         spectrum=spectrum,
         layer=around.layer,
         diffuse=np.maximum(cloudy / np.maximum(clear, 1e-30), 0.0),
@@ -313,7 +303,7 @@ def blended(
     light: Incident,
     chosen: NDArray[np.int64],
 ) -> BoxSolution:
-    r"""Box between boxes under a light at other places, per irradiance of the star.
+    r"""Box between boxes under a light at other places.
 
     The light over that which falls on the horizontal top is interpolated, so that the change of the
     latter, a factor of three per degree of twilight, is exact:
@@ -331,7 +321,7 @@ def blended(
     """
     total: dict[str, Any] = {}
     for weight, one, box in parts:
-        factor = weight * (one.unit * light.irradiance / one.irradiance)[chosen]
+        factor = weight * (light.irradiance / one.irradiance)[chosen]
         for name in ("moments", "down", "direct", "up"):
             part = getattr(box, name) * factor.astype(np.float32)
             total[name] = total[name] + part if name in total else part
@@ -342,14 +332,17 @@ def _box_light(
     solution: MomentsSolution, air: BoxAir, light: Incident, chosen: NDArray[np.int64]
 ) -> BoxLight:
     """Light of a box at the solved wavelengths."""
-    unit = light.unit[chosen]
     albedo = np.broadcast_to(solution.medium.ground_albedo, light.beam.shape)
     return BoxLight(
-        towards=light.towards if light.shines else (1.0, 0.0, 0.0),
+        towards=light.towards,
         albedo=albedo[chosen],
         ground=0.0,
-        sky=lambda along: np.asarray(light.radiance(along)[:, chosen] / unit),
+        sky=lambda along: np.asarray(light.radiance(along)[:, chosen]),
         air=air,
+        beam=BoxBeam(
+            irradiance=lambda altitudes: np.asarray(light.direct(altitudes)[:, chosen]),
+            radius=solution.medium.bottom_radius,
+        ),
     )
 
 
@@ -421,7 +414,6 @@ def box_spectrum(
 def _hemispheres(
     solution: MomentsSolution,
     box: BoxSolution,
-    unit: FloatArray,
     spectrum: FloatArray,
     lights: tuple[Incident, Incident],
 ) -> FloatArray:
@@ -436,7 +428,7 @@ def _hemispheres(
     sky = solution.relative_sky_irradiance(ground, mu_s)[0]
     sun = solution.relative_direct_irradiance(ground, mu_s)[0]
     below, direct, up = (
-        (one.mean((0, 1), dtype=np.float64) * unit) @ spectrum[: unit.size]
+        one.mean((0, 1), dtype=np.float64) @ spectrum[: one.shape[-1]]
         for one in (box.down, box.direct, box.up)
     )
     rays = directions(*_AROUND)

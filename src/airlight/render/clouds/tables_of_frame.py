@@ -89,7 +89,7 @@ def _layer(
     moments = box.moments[:, :, box.below :]
     per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
     factor = 0.0 if observer.orders == 1 else 1.0
-    source = moments * (factor * per_degree * light.unit).astype(np.float32)
+    source = moments * (factor * per_degree).astype(np.float32)
     beam, low, high = _beam(light, solution, scene)
     if observer.orders == 0:
         beam = np.zeros_like(beam)
@@ -102,7 +102,7 @@ def _layer(
         depth=light.depth,
         base_depth=light.base_depth,
         source=_in_pairs(source),
-        down=_twice(box.down.transpose(1, 0, 2) * (factor * light.unit).astype(np.float32)),
+        down=_twice(box.down.transpose(1, 0, 2) * np.float32(factor)),
     )
     radius, eye = solution.medium.bottom_radius, solution.medium.bottom_radius + scene.altitude
     base, top = radius + light.field.base, radius + light.field.top

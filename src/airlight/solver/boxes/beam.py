@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import exp, floor
+from math import exp, floor, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -15,6 +15,10 @@ Float32Array = NDArray[np.float32]
 
 #: Direction cosines below this are taken as this: lines end after a finite number of cells. [1]
 LEAST_COSINE = 1e-9
+#: A distance that is never reached. [m]
+NEVER = 1e30
+#: Unscaled optical depth at which a line ends. [1]
+OPAQUE = 1e3
 #: Optical depth across a cell below which the mean transmittance is that of the middle. [1]
 _THIN = 1e-4
 
@@ -35,7 +39,9 @@ class BeamCells(NamedTuple):
     below : int
         Levels below the cloud, which have none.
     interpolated : bool
-        Whether extinction is linear between the middles of cells.
+        Whether extinction is linear between the middles of cells, in a plane.
+    curvature : float
+        Reciprocal of the planet's radius; 0 for a plane. [m⁻¹]
     """
 
     extinction: Float32Array
@@ -45,6 +51,7 @@ class BeamCells(NamedTuple):
     periodic: bool
     below: int
     interpolated: bool
+    curvature: float
 
 
 @kernel
@@ -91,7 +98,7 @@ def neighbours(place, count, periodic):
 @inlined
 def interpolated_extinction(point, cells):
     """Extinction at a point inside the cloud's levels, linear between cells. [m⁻¹]"""
-    extinction, edges, corner, widths, periodic, below, _ = cells
+    extinction, edges, corner, widths, periodic, below, _, _ = cells
     levels, ny, nx = extinction.shape
     x, y, z = point
     i, i_next, p = neighbours((x - corner[0]) / widths[0], nx, periodic)
@@ -131,8 +138,44 @@ def mean_extinction(start, direction, first, last, cell, cells):
 
 
 @inlined
+def distance_of_rise(rise, slope, bend, rising):
+    r"""Distance at which a ray has risen by a height: the root of c s + b s² = h. [m]
+
+    Parameters
+    ----------
+    rise : float
+        Height h, below 0 for a ray that falls. [m]
+    slope, bend : float
+        Slope c at the start [1], and b, half of the curvature of its height, 0 or more [m⁻¹].
+    rising : bool
+        Whether that is where the ray rises; if not and it turns before, ``NEVER``.
+    """
+    square = slope * slope + 4.0 * bend * rise
+    if square < 0.0:
+        return NEVER
+    root = sqrt(square)
+    if not rising:
+        return 2.0 * rise / (slope - root)
+    if slope > 0.0:
+        return 2.0 * rise / (slope + root)
+    return (root - slope) / (2.0 * bend)
+
+
+@inlined
+def next_level(level, z, slope, bend, rising, edges):
+    """Distance to the next edge of a level, or before it to where the ray turns. [m]"""
+    if rising:
+        return distance_of_rise(edges[level + 1] - z, slope, bend, True)
+    edge = distance_of_rise(edges[level] - z, slope, bend, False)
+    return min(edge, -0.5 * slope / bend) if bend > 0.0 else edge
+
+
+@inlined
 def depth_towards(point, direction, cells):
     """Integral of the extinction from a point to the end of the box. [1]
+
+    On a sphere, the height of a straight ray is that of a parabola over the distance; it may fall
+    below the cloud and rise through it again. A ray that meets the ground ends there.
 
     Parameters
     ----------
@@ -140,36 +183,43 @@ def depth_towards(point, direction, cells):
         Coordinates [m], and a unit vector.
     cells : BeamCells
     """
-    extinction, edges, corner, widths, periodic, _below, _ = cells
+    extinction, edges, corner, widths, periodic, below, _, curvature = cells
     x, y, z = point
     a, b, c = direction
     levels, ny, nx = extinction.shape
-    start = 0.0
-    upwards = c > 0.0
-    c = max(c, LEAST_COSINE) if upwards else min(c, 0.0 - LEAST_COSINE)
+    bend = 0.5 * curvature * (1.0 - c * c)
+    rising = c > 0.0 or (c == 0.0 and bend > 0.0)
+    if bend == 0.0:
+        c = max(c, LEAST_COSINE) if rising else min(c, 0.0 - LEAST_COSINE)
     bottom, top = edges[0], edges[levels]
-    if (upwards and z >= top) or (not upwards and z <= bottom):
+    if (rising and z >= top) or (not rising and z <= bottom):
         return 0.0
+    start = 0.0
     if z < bottom:
-        start = (bottom - z) / c
+        start = distance_of_rise(bottom - z, c, bend, True)
     if z > top:
-        start = (top - z) / c
-    end = ((top if upwards else bottom) - z) / c
-    z = min(max(z + start * c, bottom), top)
-    level = min(max(level_of(edges, z, upwards), 0), levels - 1)
-    u = (x + start * a - corner[0]) / widths[0]
-    v = (y + start * b - corner[1]) / widths[1]
+        start = distance_of_rise(top - z, c, bend, False)
+    if rising or bend > 0.0:
+        end = distance_of_rise(top - z, c, bend, True)
+    else:
+        end = distance_of_rise(bottom - z, c, bend, False)
+    level = level_of(edges, min(max(z + start * (c + start * bend), bottom), top), rising)
+    level = min(max(level, 0), levels - 1)
+    next_z = next_level(level, z, c, bend, rising, edges)
     du, dv = a / widths[0], b / widths[1]
-    ahead_u, i = first_crossing(u, du)
-    ahead_v, j = first_crossing(v, dv)
     rate_u, rate_v = max(abs(du), 1e-30), max(abs(dv), 1e-30)
-    next_u, next_v = start + ahead_u / rate_u, start + ahead_v / rate_v
     step_u, step_v = (1 if du > 0.0 else -1), (1 if dv > 0.0 else -1)
-    if periodic:
-        i, j = wrapped(i, nx), wrapped(j, ny)
-    along = start
-    total = 0.0
-    while along < end:
+    along, total, placed = start, 0.0, False
+    i, j, next_u, next_v = 0, 0, 0.0, 0.0
+    while along < end and total < OPAQUE:
+        if not placed:
+            ahead, i = first_crossing((x + along * a - corner[0]) / widths[0], du)
+            next_u = along + ahead / rate_u
+            ahead, j = first_crossing((y + along * b - corner[1]) / widths[1], dv)
+            next_v = along + ahead / rate_v
+            if periodic:
+                i, j = wrapped(i, nx), wrapped(j, ny)
+            placed = True
         inside = i >= 0 and i < nx and j >= 0 and j < ny
         if not inside and (
             (i < 0 and du <= 0.0)
@@ -178,23 +228,30 @@ def depth_towards(point, direction, cells):
             or (j >= ny and dv >= 0.0)
         ):
             break
-        edge = edges[level + 1] if upwards else edges[level]
-        next_z = start + (edge - z) / c
-        following = min(min(next_u, next_v), min(next_z, end))
-        if inside:
-            mean = mean_extinction(point, direction, along, following, (level, j, i), cells)
-            total += mean * (following - along)
+        if level < below:  # through levels without cloud at once
+            following, placed = min(next_z, end), False
+        else:
+            following = min(min(next_u, next_v), min(next_z, end))
+            if inside:
+                mean = mean_extinction(point, direction, along, following, (level, j, i), cells)
+                total += mean * (following - along)
         along = max(following, along)
         if next_z <= following:
-            level += 1 if upwards else -1
+            if rising:
+                level += 1
+            elif bend > 0.0 and next_z >= -0.5 * c / bend:
+                rising = True
+            else:
+                level -= 1
             if level < 0 or level >= levels:
                 break
-        if next_u <= following:
+            next_z = next_level(level, z, c, bend, rising, edges)
+        if placed and next_u <= following:
             next_u += 1.0 / rate_u
             i += step_u
             if periodic:
                 i = 0 if i == nx else (nx - 1 if i < 0 else i)
-        if next_v <= following:
+        if placed and next_v <= following:
             next_v += 1.0 / rate_v
             j += step_v
             if periodic:
@@ -218,7 +275,7 @@ def beam_row(y, sun, points, cells, out):
     out : array, shape (points, nx, levels + 1)
         Receives the depths. [1]
     """
-    extinction, edges, corner, widths, _, _, _ = cells
+    extinction, edges, corner, widths, _, _, _, _ = cells
     levels, _, nx = extinction.shape
     across, along = points
     for x in range(nx):
@@ -251,8 +308,8 @@ def mean_beam_row(y, depths, optics, across, out):
     depths : array, shape (points, nx, levels + 1)
         See ``beam_row``. [1]
     optics : tuple of two arrays, shapes (levels + 1, 4) and (4,)
-        Optical depth of the air along the beam, and scaled extinction of the cloud over that at
-        550 nm. [1]
+        Minus the logarithm of the irradiance without cloud, and scaled extinction of the cloud over
+        that at 550 nm. [1]
     across : tuple of two int
         Points across a column along x and y.
     out : tuple of three arrays, shapes (levels, ny, nx, 4), (levels, ny, nx, 3, 4), (ny, nx, 4)

@@ -59,8 +59,12 @@ _COARSE: Final = 6.0
 _SETTLED: Final = 3
 _DAMPING: Final = np.float32(0.7)
 _LEAST_RELAXATION: Final = np.float32(0.2)
-#: Limits of the factor that conserves the energy of the beam.
+#: Limits of the factor that conserves the energy of the beam; and cosine of the sun's zenith angle
+#: below which the factor fades, as horizontal planes get beam from beyond the box. [1]
 _LOST: Final = (0.9, 1.1)
+_LOW: Final = 0.1
+#: Least irradiance of the beam over the largest. [1]
+_DARK: Final = 1e-12
 #: Sweeps that progress expects after the present one.
 _REMAINING: Final = 6
 #: √(4π): mean radiance times 4π over the moment of degree 0. [1]
@@ -166,17 +170,16 @@ class BoxIteration:
         self.beam = np.zeros((levels, ny, nx, HALF_LANES), np.float32)
         self.lit = np.zeros_like(self.beam)
         self.direct = np.zeros((ny, nx, HALF_LANES), np.float32)
-        if self.cosine == 0.0:
+        clear = self.problem.direct
+        if not clear.any():
             return
-        above = np.cumsum((optics.air * np.diff(grid.edges)[:, None])[::-1], axis=0)[::-1]
-        air = np.concatenate([above, np.zeros((1, above.shape[1]))]) / self.cosine
-        given = four_wide(air), four_wide(optics.cloud)
+        given = four_wide(-np.log(np.maximum(clear, _DARK * clear.max()))), four_wide(optics.cloud)
         across = across_column(grid, self.settings.beam_points)
         offset = np.zeros((levels, ny, nx, 3, HALF_LANES), np.float32)
         out = self.beam, offset, self.direct
         run_blocks(lambda y: mean_beam_row(y, depths[y], given, across, out), ny)
         self.direct *= np.float32(self.cosine)
-        if grid.periodic:
+        if grid.periodic and self.cosine > 0.0:
             self.beam *= self._lost(grid, optics)
         amounts = (grid.extinction * self.thickness[:, None, None])[..., None] * self.beam
         amounts = centred(amounts, grid.extinction, offset, grid.periodic)
@@ -189,9 +192,13 @@ class BoxIteration:
         clear = self.beam.sum(axis=(1, 2)) * four_wide(optics.air)
         columns = grid.extinction[0].size
         given = thickness @ (cloud + clear) / columns
-        lost = self.cosine - self.direct.mean(axis=(0, 1), dtype=np.float64)
+        top = self.cosine * four_wide(self.problem.direct)[-1]
+        lost = top - self.direct.mean(axis=(0, 1), dtype=np.float64)
         factor = np.divide(lost, given, out=np.ones_like(given), where=given > 1e-9)
-        return np.asarray(np.clip(factor, *_LOST), np.float32)
+        factor = np.clip(factor, *_LOST)
+        if self.problem.curvature > 0.0:
+            factor = 1.0 + min(self.cosine / _LOW, 1.0) * (factor - 1.0)
+        return np.asarray(factor, np.float32)
 
     def _balance_cells(self) -> None:
         grid, cells = self.problem.grid, self.cells
@@ -426,7 +433,11 @@ class BoxIteration:
         inside = (self.balanced.absorption * (self.phi() + self.beam)).mean(axis=(1, 2))
         absorbed = np.asarray(self.thickness, np.float64) @ inside
         before += after
-        incident = np.maximum(self.cosine + self.entering, 1e-30)
+        taken = (self.balanced.total * self.beam).mean(axis=(1, 2))
+        beam = np.asarray(self.thickness, np.float64) @ taken + self.direct.mean(axis=(0, 1))
+        if self.problem.curvature == 0.0:
+            beam = self.cosine * four_wide(self.problem.direct)[-1]
+        incident = np.maximum(beam + self.entering, 1e-30)
         ground = (1.0 - self.ground) * (self.down + self.direct).mean(axis=(0, 1))
         energy = (up.mean(axis=(0, 1)) + ground + absorbed) / incident - 1.0
         return BoxLevels(

@@ -56,13 +56,29 @@ class BoxAir:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
+class BoxBeam:
+    """Beam in a spherical planet's air, which may arrive from below.
+
+    Parameters
+    ----------
+    irradiance : callable
+        Irradiance normal to the beam without cloud, of altitudes [m], shapes (n,) to (n, w). [1]
+    radius : float
+        Radius of the planet. [m]
+    """
+
+    irradiance: Callable[[FloatArray], FloatArray]
+    radius: float
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
 class BoxLight:
     """Sun, sky and ground of a box of cloud.
 
     Parameters
     ----------
     towards : tuple of three float
-        Unit vector to the sun: east, north, up. A sun at or below the horizon gives no beam. [1]
+        Unit vector to the sun: east, north, up. [1]
     albedo : array, shape (w,)
         Albedo of the Lambertian ground. [1]
     ground : float, optional
@@ -72,6 +88,9 @@ class BoxLight:
         directions of ``sky_directions``, or a function of such directions. Default: black. [sr⁻¹]
     air : BoxAir, optional
         Gas and haze inside the box.
+    beam : BoxBeam, optional
+        The beam, in the unit of the other light. Default: 1 at the top, attenuated by ``air`` in a
+        plane; a sun at or below the horizon gives none.
     """
 
     towards: tuple[float, float, float]
@@ -79,6 +98,7 @@ class BoxLight:
     ground: float | None = None
     sky: FloatArray | Sky | None = None
     air: BoxAir | None = None
+    beam: BoxBeam | None = None
 
     def __post_init__(self) -> None:
         vector = np.asarray(self.towards, np.float64)
@@ -95,6 +115,11 @@ class BoxLight:
     def cosine(self) -> float:
         """Cosine of the sun's zenith angle; 0 for a sun below the horizon. [1]"""
         return max(self.towards[2], 0.0)
+
+    @property
+    def curvature(self) -> float:
+        """Reciprocal of the planet's radius; 0 for a plane. [m⁻¹]"""
+        return 0.0 if self.beam is None else 1.0 / self.beam.radius
 
     def sky_at(self, directions: ArrayLike, wavelengths: int) -> FloatArray:
         """Radiance of the sky in directions of shape (n, 3), shape (n, w). [sr⁻¹]

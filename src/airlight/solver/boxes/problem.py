@@ -34,6 +34,10 @@ class BoxProblem(NamedTuple):
         Albedo of the ground. [1]
     sky : array, shape (4, n, w)
         Radiance that enters at the top, by octant and direction. [sr⁻¹]
+    direct : array, shape (levels + 1, w)
+        Irradiance of the beam at the edges of levels without cloud, normal to it. [1]
+    curvature : float
+        Reciprocal of the planet's radius. [m⁻¹]
     beam_depth : array, shape (ny, points, nx, levels + 1)
         Unscaled optical depth of the cloud along the beam, see ``beam_row``. [1]
     """
@@ -43,6 +47,8 @@ class BoxProblem(NamedTuple):
     towards: tuple[float, float, float]
     ground: FloatArray
     sky: FloatArray
+    direct: FloatArray
+    curvature: float
     beam_depth: Float32Array
 
 
@@ -50,6 +56,7 @@ def beam_depths(
     grid: BoxGrid,
     towards: tuple[float, float, float],
     points: int,
+    curvature: float,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -58,15 +65,14 @@ def beam_depths(
     levels, ny, nx = grid.extinction.shape
     across = across_column(grid, points)
     found = np.zeros((ny, across[0] * across[1], nx, levels + 1), np.float32)
-    if towards[2] > 0.0:
-        cells = beam_cells(grid)
-        run_blocks(
-            lambda y: beam_row(y, towards, across, cells, found[y]),
-            ny,
-            progress=progress,
-            cancel=cancel,
-            message="shadows of clouds",
-        )
+    cells = beam_cells(grid, curvature)
+    run_blocks(
+        lambda y: beam_row(y, towards, across, cells, found[y]),
+        ny,
+        progress=progress,
+        cancel=cancel,
+        message="shadows of clouds",
+    )
     return found
 
 
@@ -76,12 +82,19 @@ def across_column(grid: BoxGrid, points: int) -> tuple[int, int]:
     return 1 if flat_x else points, 1 if flat_y else points
 
 
-def beam_cells(grid: BoxGrid) -> BeamCells:
+def beam_cells(grid: BoxGrid, curvature: float) -> BeamCells:
     """Cells that the beam crosses."""
     _, ny, nx = grid.extinction.shape
     corner = -0.5 * nx * grid.widths[0], -0.5 * ny * grid.widths[1]
     return BeamCells(
-        grid.extinction, grid.edges, corner, grid.widths, grid.periodic, grid.below, False
+        grid.extinction,
+        grid.edges,
+        corner,
+        grid.widths,
+        grid.periodic,
+        grid.below,
+        False,
+        curvature,
     )
 
 

@@ -36,7 +36,7 @@ class BoxSettings:
     most_cells : int
         Number of cells up to which cells are refined.
     tolerance : float
-        Largest relative change of the mean radiance by the last sweep. [1]
+        Largest estimated error of the mean radiance, root mean square over its own. [1]
     max_sweeps : int
         Largest number of sweeps.
     """
@@ -75,7 +75,7 @@ QUALITIES: Final = {
         refinement=1,
         largest_depth=4.0,
         most_cells=200_000,
-        tolerance=5e-3,
+        tolerance=7e-3,
         max_sweeps=60,
     ),
     "default": BoxSettings(
@@ -87,7 +87,7 @@ QUALITIES: Final = {
         refinement=2,
         largest_depth=1.5,
         most_cells=400_000,
-        tolerance=1e-3,
+        tolerance=2e-3,
         max_sweeps=100,
     ),
     "high": BoxSettings(

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import REFERENCE, CloudOptics
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solver.boxes.beam import BeamCells
 from airlight.solver.boxes.directions import degrees, harmonics
@@ -151,6 +151,11 @@ class BoxSolution:
         -------
         array, shape (n, w)
             Radiance over the irradiance of the beam. [sr⁻¹]
+
+        Raises
+        ------
+        ConflictError
+            If the light has a beam of its own, which is not that in a plane.
         """
         rays = self.rays(origins, directions, progress=progress, cancel=cancel)
         if not callable(self.light.sky):
@@ -172,6 +177,8 @@ class BoxSolution:
         cancel: Cancel | None = None,
     ) -> BoxRays:
         """Light along lines of sight inside the box; parameters as those of ``radiance``."""
+        if self.light.beam is not None:
+            raise ConflictError("beam", "must be that in a plane, for lines of sight")
         start, looking = np.broadcast_arrays(
             np.atleast_2d(np.asarray(origins, np.float64)),
             np.atleast_2d(np.asarray(directions, np.float64)),
@@ -217,6 +224,7 @@ class BoxSolution:
             field.beyond == "periodic",
             self.below,
             field.interpolated,
+            0.0,
         )
         thickness = np.diff(self.levels)[:, None]
         above = np.cumsum((scaled.air * thickness)[::-1], axis=0)[::-1]

@@ -91,13 +91,13 @@ def solve_box(
     thickest = float(scaled_optics(optics, None, edges, settings.degree).cloud.max())
     grid = box_grid(field, light.ground, thickest, settings)
     _check_memory(grid, settings, count)
-    sky = light.sky_at(sky_directions(settings), count)
+    given = light.sky_at(sky_directions(settings), count), _direct(light, optics, grid, settings)
 
     def make() -> BoxSolution:
-        return _computed(field, optics, light, settings, grid, sky, progress, cancel)
+        return _computed(field, optics, light, settings, grid, given, progress, cancel)
 
     return disk.cached(
-        _key(field, optics, light, settings, sky),
+        _key(field, optics, light, settings, given),
         make,
         _to_arrays,
         lambda stored: _of_arrays(stored, field, optics, light, settings, grid),
@@ -121,14 +121,21 @@ def _computed(
     light: BoxLight,
     settings: BoxSettings,
     grid: BoxGrid,
-    sky: FloatArray,
+    given: tuple[FloatArray, FloatArray],
     progress: Progress | None,
     cancel: Cancel | None,
 ) -> BoxSolution:
     started = perf_counter()
     count = np.size(optics.wavelengths)
     scaled = scaled_optics(optics, light.air, grid.edges, settings.degree)
-    depth = beam_depths(grid, light.towards, settings.beam_points, progress=progress, cancel=cancel)
+    sky, beam = given
+    shape = grid.extinction.shape[1:]
+    depth = np.zeros((shape[0], 1, shape[1], beam.shape[0]), np.float32)
+    if beam.any():
+        depth = beam_depths(
+            grid, light.towards, settings.beam_points, light.curvature,
+            progress=progress, cancel=cancel,
+        )  # fmt: skip
     ground = np.broadcast_to(light.albedo, (count,))
     by_octant = sky.reshape(4, -1, count)
     parts = []
@@ -136,8 +143,9 @@ def _computed(
         some = slice(first, min(first + HALF_LANES, count))
         optics_here = BoxOptics(*(one[..., some] for one in scaled))
         problem = BoxProblem(
-            grid, optics_here, light.towards, ground[some], by_octant[..., some], depth
-        )
+            grid, optics_here, light.towards, ground[some], by_octant[..., some],
+            beam[:, some], light.curvature, depth,
+        )  # fmt: skip
         sides = None if grid.periodic else _sides(problem, settings)
         # Without names, so that workspaces are free when moments are copied.
         parts.append(
@@ -179,6 +187,25 @@ def _computed(
     )
     solution.depth[...] *= np.float32(solution.scaled_at_reference)
     return solution
+
+
+def _direct(
+    light: BoxLight, optics: CloudOptics, grid: BoxGrid, settings: BoxSettings
+) -> FloatArray:
+    """Irradiance of the beam at the edges of levels without cloud, shape (levels + 1, w). [1]"""
+    count, levels = np.size(optics.wavelengths), grid.edges.size
+    if light.beam is not None:
+        found = np.asarray(light.beam.irradiance(grid.edges), np.float64)
+        if found.shape != (levels, count) or not np.all((found >= 0.0) & (found < np.inf)):
+            raise ParameterError(
+                "beam.irradiance", f"shape {found.shape}", f"0 or more, shape {(levels, count)}"
+            )
+        return found
+    if light.cosine == 0.0:
+        return np.zeros((levels, count))
+    air = scaled_optics(optics, light.air, grid.edges, settings.degree).air
+    above = np.cumsum((air * np.diff(grid.edges)[:, None])[::-1], axis=0)[::-1]
+    return np.exp(-np.concatenate([above, np.zeros((1, count))]) / light.cosine)
 
 
 class _BoxPart(tuple[NDArray[Any], ...]):
@@ -223,15 +250,17 @@ def _key(
     optics: CloudOptics,
     light: BoxLight,
     settings: BoxSettings,
-    sky: FloatArray,
+    given: tuple[FloatArray, FloatArray],
 ) -> str:
     """Fingerprint of all that a solution depends on."""
     digest = hashlib.sha256(f"boxes {fingerprint(Path(__file__))} {settings.as_text()}".encode())
-    numbers = (*field.spacing, field.base, *light.towards, light.ground or 0.0)
+    numbers = (
+        *field.spacing, field.base, *light.towards, light.ground or 0.0, light.curvature
+    )  # fmt: skip
     words = f"{numbers} {light.ground is None} {field.beyond} {field.interpolated}"
     digest.update(words.encode() + str(field.extinction.shape).encode())
     nm = np.asarray(optics.wavelengths, np.float64)
-    arrays = [field.extinction, nm, optics.extinction, optics.albedo, light.albedo, sky]
+    arrays = [field.extinction, nm, optics.extinction, optics.albedo, light.albedo, *given]
     arrays.append(optics.phase.values(np.cos(np.radians(_ANGLES)), nm))
     if light.air is not None:
         arrays += [light.air.edges, light.air.extinction, light.air.albedo, light.air.moments]

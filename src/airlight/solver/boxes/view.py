@@ -111,7 +111,7 @@ class ViewLines(NamedTuple):
 @inlined
 def _inside(origin, direction, cells):
     """Distances at which a line enters and leaves the box. [m]"""
-    extinction, edges, corner, _widths, periodic, _, _ = cells
+    extinction, edges, corner, _widths, periodic, _, _, _ = cells
     levels, _ny, _nx = extinction.shape
     near, far = 0.0, 1e30
     for axis in range(3):
@@ -168,7 +168,7 @@ def _source_phase(x, phase, row, w):
 def _scattered(point, level, amount, functions, tables, out):
     """Fill ``out`` with the source of higher orders at a point of a level. [m⁻¹ sr⁻¹]"""
     cells, moments, degrees = tables.cells, tables.moments, tables.degrees
-    extinction, edges, corner, widths, periodic, _, _ = cells
+    extinction, edges, corner, widths, periodic, _, _, _ = cells
     levels, ny, nx = extinction.shape
     i, i_next, p = neighbours((point[0] - corner[0]) / widths[0], nx, periodic)
     j, j_next, q = neighbours((point[1] - corner[1]) / widths[1], ny, periodic)
@@ -239,7 +239,7 @@ def view_block(first, last, lines, tables):
     tables : ViewTables
     """
     cells, sun = tables.cells, tables.sun
-    extinction, edges, corner, widths, periodic, _below, _ = cells
+    extinction, edges, corner, widths, periodic, _below, _, _ = cells
     levels, ny, nx = extinction.shape
     count = tables.cloud.size
     before, after, source = np.empty(count), np.empty(count), np.empty(count)
