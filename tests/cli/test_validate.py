@@ -51,7 +51,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> Suite:
     table = ReportTable(title="Worst", columns=["case"], rows=[("the worst of all",)])
     made = Suite(
         name="golden", title="Golden numbers", summary="Numbers.", parts=[table, picture],
-        thresholds=[Threshold(name="numbers missed", got=1, allowed=0)],
+        thresholds=[Threshold(name="numbers missed", result=1, target=0)],
     )  # fmt: skip
     plain = replace(made, parts=[])
     monkeypatch.setattr(
@@ -68,7 +68,7 @@ def test_a_missed_bar_is_said_and_status_1(
     assert main(["validate", "--suite", "golden", "-o", str(page)]) == 1
     out = capsys.readouterr().out
     assert "misses a threshold" in out
-    assert "missed: numbers missed: 1, allowed 0" in out
+    assert "missed: numbers missed: 1, target ≤ 0" in out
     assert "the worst of all" in page.read_text(encoding="utf-8")
 
 

@@ -60,7 +60,7 @@ def test_the_suns_colour_is_compared_as_float32_bit_for_bit():
     group = next(group for group in golden_groups() if group.name == "sun-color-float32")
     next_float = np.nextafter(np.float32(213.865952), np.float32(np.inf))
     suite = golden(SuiteRun(), groups=[changed(group, 0, 0, f"{float(next_float):.9f}")])
-    assert [threshold.got for threshold in suite.thresholds] == [1]
+    assert [threshold.result for threshold in suite.thresholds] == [1]
 
 
 def test_last_digit_of_a_printed_number():

@@ -10,9 +10,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.validation.plane_parallel import (
-    AIM,
     SAME,
     SUNS,
+    TARGET,
     FlatCase,
     depths,
     disort,
@@ -77,7 +77,7 @@ def test_the_light_below_gas_is_that_of_discrete_ordinates() -> None:
     # A second method. The aim is 1 %.
     suite = disort(SuiteRun(), [CASES[name] for name in GASES])
     for threshold in suite.thresholds:
-        assert threshold.allowed == AIM
+        assert threshold.target == TARGET
         assert threshold.passed, threshold
     assert [row[0] for row in suite.parts[0].rows] == GASES  # type: ignore[union-attr]
 
@@ -91,7 +91,7 @@ def test_a_planet_that_is_not_the_reference_s_fails_its_bar() -> None:
     suite = disort(SuiteRun(quality="preview"), [thin_case])
     (threshold,) = suite.thresholds
     assert not threshold.passed
-    assert math.isnan(threshold.got)
+    assert math.isnan(threshold.result)
 
 
 @pytest.mark.validation

@@ -34,9 +34,9 @@ WORST = ReportTable(
 
 @pytest.fixture
 def report() -> ValidationReport:
-    met = Threshold(name="median error", got=0.05, allowed=0.3, unit="%", source="the thresholds")
+    met = Threshold(name="median error", result=0.05, target=0.3, unit="%", source="the thresholds")
     missed = Threshold(
-        name="largest error", got=4.87, allowed=2.0, unit="%", source="the thresholds"
+        name="largest error", result=4.87, target=2.0, unit="%", source="the thresholds"
     )
     return ValidationReport(
         suites=[
@@ -114,7 +114,7 @@ def test_markdown_leaves_long_tables_that_are_met_to_the_page(report: Validation
 def test_a_bar_is_met_up_to_it_and_not_by_nothing() -> None:
     # By definition; a number that is none must never pass.
     results = [
-        Threshold(name="", got=got, allowed=2.0).passed for got in (2.0, 2.0001, float("nan"))
+        Threshold(name="", result=got, target=2.0).passed for got in (2.0, 2.0001, float("nan"))
     ]
     assert results == [True, False, False]
 

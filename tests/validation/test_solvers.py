@@ -65,7 +65,7 @@ def test_a_wrong_answer_fails_the_suite_and_stands_in_the_table(
 
     monkeypatch.setattr(module, "results", made)
     suite = solvers(SuiteRun(), planets=["earth-atmosphere-plus"], cases=FOUR)
-    assert [threshold.got for threshold in suite.thresholds] == [1]
+    assert [threshold.result for threshold in suite.thresholds] == [1]
     assert not suite.passed
     worst = next(part for part in suite.parts if "worst" in part.title)
     assert worst.rows[0][1] == "0 km, view 60°, sun 60°, azimuth 0°"

@@ -90,8 +90,8 @@ def validate(
             )
             for threshold in one.thresholds:
                 if not threshold.passed:
-                    got, allowed = threshold.got, threshold.allowed
-                    say(f"  missed: {threshold.name}: {got:.4g}, allowed {allowed:.4g}")
+                    result, target = threshold.texts
+                    say(f"  missed: {threshold.name}: {result}, target {target}")
     whole = ValidationReport(
         suites=suites, provenance=provenance(), seconds=time.perf_counter() - started
     )

@@ -158,7 +158,7 @@ def cie(run: SuiteRun, planet: str = "earth") -> Suite:
             )
         )
     table = ReportTable(
-        title="Logarithm of ours over the fit, root mean square",
+        title="Logarithm of airlight over the fit, root mean square",
         columns=cells(
             "sun zenith [°] | principal plane [ln] | as a factor [%] | whole dome [ln] | "
             "as a factor [%] | mean over the dome [%] | where the dome differs most"

@@ -67,7 +67,7 @@ def golden(run: SuiteRun, groups: Sequence[Group] | None = None) -> Suite:
         thresholds.append(Threshold(name, missed, 0, source=group.source))
         parts.append(_table(group, compared))
     count = sum(len(part.rows) for part in parts)
-    missed = int(sum(threshold.got for threshold in thresholds))
+    missed = int(sum(threshold.result for threshold in thresholds))
     return Suite(
         summary=(
             f"{count} numbers that are printed by an authority, or converged by a second method, "
@@ -83,7 +83,7 @@ def _table(group: Group, compared: Sequence[GoldenComparison]) -> ReportTable:
     marks: list[Mark] = ["pass" if one.passed else "fail" for one in compared]
     return ReportTable(
         title=group.title,
-        columns=cells(f" |  | expected [{group.unit}] | got | difference | allowed | "),
+        columns=cells(f" |  | expected [{group.unit}] | result | difference | tolerance | "),
         rows=[
             cells(
                 f"{one.label} | {one.column} | {one.printed} | {one.got:.10g} | "

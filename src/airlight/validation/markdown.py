@@ -8,7 +8,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from airlight.studies.reports.markdown import escaped, files_of, part_lines, row_lines, strong
-from airlight.validation.report import ValidationReport, result_word
+from airlight.validation.report import (
+    SUITE_COLUMNS,
+    THRESHOLD_COLUMNS,
+    ValidationReport,
+    nearest_text,
+    result_word,
+)
 from airlight.validation.suite import Part, ReportTable, Suite, Text
 
 
@@ -24,12 +30,13 @@ def markdown(report: ValidationReport, pictures: str) -> str:
     lines += [f"- {name}: {value}" for name, value in report.provenance.items()]
     lines += [f"- time: {report.seconds:.0f} s", "", "## Suites", ""]
     lines += row_lines(
-        ["suite", "result", "thresholds met", "time"],
+        SUITE_COLUMNS,
         [
             (
                 suite.title,
                 strong(result_word(suite), not suite.passed),
                 f"{sum(one.passed for one in suite.thresholds)} of {len(suite.thresholds)}",
+                nearest_text(suite),
                 f"{suite.seconds:.1f} s",
             )
             for suite in report.suites
@@ -37,13 +44,12 @@ def markdown(report: ValidationReport, pictures: str) -> str:
     )
     lines += ["", "## Thresholds", ""]
     lines += row_lines(
-        ["suite", "what", "got", "threshold", "", "source"],
+        THRESHOLD_COLUMNS,
         [
             (
                 suite.name,
                 threshold.name,
-                f"{threshold.got:.4g} {threshold.unit}".strip(),
-                f"≤ {threshold.allowed:.4g} {threshold.unit}".strip(),
+                *threshold.texts,
                 strong("met" if threshold.passed else "missed", not threshold.passed),
                 threshold.source,
             )

@@ -204,9 +204,9 @@ def suite_of(rows: Rows) -> Suite:
 def _thresholds(rows: Rows, scores: dict[str, float]) -> list[Threshold]:
     aim = PUBLISHED["Bruneton 2008"]
     verdict = "met" if scores[SAME] < aim else "missed"
-    others = f"the best published model but two; the aim, {aim:g} of those two, is {verdict}"
+    others = f"the best published model but two; the target, {aim:g} of those two, is {verdict}"
     floor, digit = abs(rows.floor - FLOOR), "the last digit of the published floor"
-    best, source = BEST_THRESHOLD, "the aim for the best physics"
+    best, source = BEST_THRESHOLD, "target for the best physics"
     return [
         Threshold(
             "floor of a symmetric sky: distance from the published", floor, 0.05, UNIT, digit

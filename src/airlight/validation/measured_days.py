@@ -162,7 +162,7 @@ def suite_of(days: list[Day]) -> Suite:
                 _score(day, day.row),
                 BEST_THRESHOLD,
                 UNIT,
-                "the aim for the best physics",
+                "target for the best physics",
             )
             for day in days
         ],

@@ -13,8 +13,8 @@ from airlight.validation.i3rc_monte_carlo import cloudy_experiment, every, resul
 from airlight.validation.suite import Cell, ReportTable, SuiteRun, Threshold
 
 #: Targets of the mean and of each column, beside three standard errors. [%]
-MEAN_AIM: Final = 1.0
-COLUMN_AIM: Final = 2.0
+MEAN_TARGET: Final = 1.0
+COLUMN_TARGET: Final = 2.0
 #: Standard errors of the mean over the field and of a column. [1]
 MEAN_ERROR: Final = 0.005
 COLUMN_ERROR: Final = 0.05
@@ -54,10 +54,10 @@ def monte_carlo_consensus(
             off = 100.0 * (float(mean.value[0]) / expected - 1.0)
             error = 100.0 * float(mean.error[0]) / expected
             far = np.abs(got.value - picked)
-            outside = far > 3.0 * got.error + 0.01 * COLUMN_AIM * picked
+            outside = far > 3.0 * got.error + 0.01 * COLUMN_TARGET * picked
             name = f"{experiment}, {quantity}"
             source = "Cahalan et al. (2005)"
-            limit = MEAN_AIM + 3.0 * error
+            limit = MEAN_TARGET + 3.0 * error
             thresholds.append(Threshold(f"{name}: mean", abs(off), limit, "%", source))
             thresholds.append(
                 Threshold(f"{name}: columns outside", float(outside.sum()), 0.0, "", source)
@@ -79,10 +79,10 @@ def monte_carlo_consensus(
         columns=[
             "experiment",
             "mean of the consensus",
-            "our mean from it [%]",
+            "difference of the mean [%]",
             "columns",
-            "their rms difference over the mean [%]",
-            "their standard error [%]",
+            "root mean square of the columns, of the mean [%]",
+            "standard error of a column [%]",
             "histories",
         ],
         rows=rows,

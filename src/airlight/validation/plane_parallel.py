@@ -31,7 +31,7 @@ FILE: Final = "data/plane-parallel.toml"
 #: Zenith angles of the sun. [deg]
 SUNS: Final = (0.0, 30.0, 60.0, 75.0)
 #: Target of the difference of the irradiance of the ground. [%]
-AIM: Final = 1.0
+TARGET: Final = 1.0
 #: Relative difference of an optical depth from which the reference counts as a different planet.
 SAME: Final = 1e-6
 _BOTTOM, _THICKNESS, _ALBEDO = 6000e3, 100e3, 0.05
@@ -156,20 +156,20 @@ def disort(run: SuiteRun, cases: Sequence[FlatCase] | None = None) -> Suite:
         remade = np.allclose(depths(solution.medium), (known.depth, known.absorption), rtol=SAME)
         worst = float(np.abs(off).max()) if remade else float("nan")
         name = f"{case.name}: irradiance of the ground, worst of {len(SUNS)} suns"
-        thresholds.append(Threshold(name, worst, AIM, "%", "the aim"))
+        thresholds.append(Threshold(name, worst, TARGET, "%", "target"))
         shares = [f"{share:.5f} ({d:+.2f} %)" for share, d in zip(known.ground, off, strict=True)]
         rows.append([*cells(f"{case.name} | {known.depth:.4g} | {known.absorption:.3g}"), *shares])
     met = sum(threshold.passed for threshold in thresholds)
     return Suite(
         summary=(
             "The light that reaches the ground through deep flat air, by the moments solver and by "
-            f"PythonicDISORT: {met} of {len(thresholds)} are within {AIM:g} %. Deep in "
+            f"PythonicDISORT: {met} of {len(thresholds)} are within {TARGET:g} %. Deep in "
             "conservative air, irradiance is a small difference of large terms."
         ),
         thresholds=thresholds,
         parts=[
             ReportTable(
-                title="Light on the ground over that outside the air, and our difference from it",
+                title="Light on the ground over that outside the air, and difference of airlight",
                 columns=["air", "depth", "absorption", *(f"sun {sun:g}°" for sun in SUNS)],
                 rows=rows,
                 note="The sun's angle is from the zenith; NaN as a result: the planet has "

@@ -10,13 +10,18 @@ from dataclasses import dataclass
 from html import escape
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from typing import Final
 
 from airlight.kernel.threads import thread_count
 from airlight.studies.reports.html import page_html, part_html, table_html
-from airlight.validation.suite import Suite, Threshold
+from airlight.validation.suite import Suite, Threshold, cells
 
 #: Packages whose versions can change a number.
 _PACKAGES = ("numpy", "numba", "scipy", "matplotlib")
+
+#: Headings of the tables of suites and thresholds.
+SUITE_COLUMNS: Final = cells("suite | verdict | thresholds met | largest result over target | time")
+THRESHOLD_COLUMNS: Final = cells("suite | quantity | result | target | | source")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,7 +58,7 @@ class ValidationReport:
         if len(met) < 2:
             return self.thresholds
         one = Threshold(
-            name=f"numbers missed in {len(met)} tables", got=0, allowed=0, source="each table"
+            name=f"numbers missed in {len(met)} tables", result=0, target=0, source="each table"
         )
         golden = next(suite for suite in self.suites if suite.name == "golden")
         rest = [
@@ -117,6 +122,12 @@ def result_word(suite: Suite) -> str:
     return "all thresholds met" if suite.passed else "misses a threshold"
 
 
+def nearest_text(suite: Suite) -> str:
+    """Result closest to its target, or farthest beyond it."""
+    one = suite.nearest
+    return "" if one is None else f"{one.name}: {' '.join(one.texts)}"
+
+
 def html(report: ValidationReport) -> str:
     """Report as an HTML page."""
     verdict = "met" if report.passed else "missed"
@@ -147,9 +158,10 @@ def _suites(report: ValidationReport) -> str:
         rows.append(
             f'<tr><td><a href="#{suite.name}">{escape(suite.title)}</a></td>'
             f'<td class="{style}">{escape(result_word(suite))}</td>'
-            f"<td>{met} of {len(suite.thresholds)}</td><td>{suite.seconds:.1f} s</td></tr>"
+            f"<td>{met} of {len(suite.thresholds)}</td><td>{escape(nearest_text(suite))}</td>"
+            f"<td>{suite.seconds:.1f} s</td></tr>"
         )
-    return table_html(["suite", "result", "thresholds met", "time"], rows)
+    return table_html(SUITE_COLUMNS, rows)
 
 
 def _thresholds(report: ValidationReport) -> str:
@@ -159,11 +171,10 @@ def _thresholds(report: ValidationReport) -> str:
         rows.append(
             f'<tr><td><a href="#{suite.name}">{escape(suite.name)}</a></td>'
             f"<td>{escape(threshold.name)}</td>"
-            f"<td>{threshold.got:.4g} {escape(threshold.unit)}</td>"
-            f"<td>≤ {threshold.allowed:.4g} {escape(threshold.unit)}</td>"
+            f"<td>{escape(threshold.texts[0])}</td><td>{escape(threshold.texts[1])}</td>"
             f'<td class="{style}">{word}</td><td class="quiet">{escape(threshold.source)}</td></tr>'
         )
-    return table_html(["suite", "what", "got", "threshold", "", "source"], rows)
+    return table_html(THRESHOLD_COLUMNS, rows)
 
 
 def _section(suite: Suite) -> str:

@@ -104,7 +104,7 @@ def solvers(
             ),
             *parts,
             ReportTable(
-                title="What the solvers took",
+                title="Times and standard errors of the solvers",
                 columns=cells(
                     "planet | solver | time [s] | standard error, median and largest [%]"
                 ),

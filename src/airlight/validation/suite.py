@@ -120,9 +120,9 @@ class Threshold:
     ----------
     name : str
         Description of the quantity, such as ``"default quality, median error"``.
-    got : float
+    result : float
         Measured number; NaN is a failure.
-    allowed : float
+    target : float
         Upper limit, in the same unit.
     unit : str
         Unit, such as ``"%"``; empty for a pure number or a count.
@@ -131,15 +131,29 @@ class Threshold:
     """
 
     name: str
-    got: float
-    allowed: float
+    result: float
+    target: float
     unit: str = ""
     source: str = ""
 
     @property
+    def texts(self) -> tuple[str, str]:
+        """Result and target with their unit."""
+        return (
+            f"{self.result:.4g} {self.unit}".strip(),
+            f"≤ {self.target:.4g} {self.unit}".strip(),
+        )
+
+    @property
+    def fraction(self) -> float:
+        """Result over target; of a target of 0 the result, infinite if it is not a number. [1]"""
+        found = self.result / self.target if self.target > 0.0 else self.result
+        return found if math.isfinite(found) else math.inf
+
+    @property
     def passed(self) -> bool:
         """Whether the threshold is met."""
-        return math.isfinite(self.got) and self.got <= self.allowed
+        return math.isfinite(self.result) and self.result <= self.target
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -172,6 +186,11 @@ class Suite:
     settings: Sequence[str] = ()
     seconds: float = 0.0
     not_run: str = ""
+
+    @property
+    def nearest(self) -> Threshold | None:
+        """Threshold whose result is the largest fraction of its target; None without any."""
+        return max(self.thresholds, key=lambda one: one.fraction, default=None)
 
     @property
     def passed(self) -> bool:

@@ -18,6 +18,9 @@ Float32Array = NDArray[np.float32]
 #: Most levels between ground and cloud, and their least depth over that of a cell.
 _LEVELS_BELOW: Final = 6
 _DEPTH_BELOW: Final = 4.0
+#: Largest scaled optical depth of a level in all but a tenth of its columns. [1]
+_LEVEL_DEPTH: Final = 4.0
+_GAPS: Final = 0.1
 #: Depth of a clear level above a field that has cloud in its highest cells, over theirs. [1]
 _LID: Final = 0.02
 
@@ -86,7 +89,7 @@ class BoxGrid:
 def box_grid(
     field: CloudField, ground: float | None, thickest: float, settings: BoxSettings
 ) -> BoxGrid:
-    """Cells of a field, refined where they are optically thick and few.
+    """Cells of a field, refined where they are optically thick and few; overcast levels always.
 
     Parameters
     ----------
@@ -136,7 +139,7 @@ def _refinement(field: CloudField, thickest: float, settings: BoxSettings) -> tu
     shape = field.extinction.shape
     flat = [field.beyond == "periodic" and count == 1 for count in shape[:2]] + [False]
     depths = [thickest * float(np.quantile(field.extinction, 0.98)) * one for one in field.spacing]
-    found = [1, 1, 1]
+    found = [1, 1, _level_parts(field, thickest)]
     for _ in range(3 * settings.refinement):
         left = [
             0.0 if flat[axis] or found[axis] >= settings.refinement else depths[axis] / found[axis]
@@ -151,6 +154,16 @@ def _refinement(field: CloudField, thickest: float, settings: BoxSettings) -> tu
             break
         found = finer
     return found[0], found[1], found[2]
+
+
+def _level_parts(field: CloudField, thickest: float) -> int:
+    """Parts of a level, such that light does not leak through overcast.
+
+    Beside gaps light passes anyway, and parts that are much wider than deep converge badly.
+    """
+    columns = field.extinction.reshape(-1, field.extinction.shape[2])
+    most = float(np.quantile(columns, _GAPS, axis=0).max())
+    return max(int(np.ceil(thickest * most * field.spacing[2] / _LEVEL_DEPTH)), 1)
 
 
 def _means(field: CloudField) -> Float32Array:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
-from airlight.errors import ParameterError
+from airlight.errors import ParameterError, warn
 from airlight.kernel import disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import HALF_LANES
@@ -33,6 +33,8 @@ Float32Array = NDArray[np.float32]
 
 #: Angles of the phase function in a fingerprint. [deg]
 _ANGLES: Final = np.linspace(0.0, 180.0, 361)
+#: Largest error of the energy balance without a warning. [1]
+_ENERGY: Final = 0.02
 #: Floats of a cell besides moments: optics, currents and the balance.
 _FLOATS: Final = 30
 
@@ -161,6 +163,9 @@ def _computed(
         for one in zip(*parts, strict=True)
     ]
     moments, down, direct, up, absorbed, residual, energy, sweeps = joined
+    imbalance = float(np.abs(energy).max()) if grid.periodic else 0.0
+    if imbalance > _ENERGY:
+        warn(f"the light of clouds misses the balance of energy by {100.0 * imbalance:.2g} %")
     report = Report(
         solver="boxes",
         settings=settings.as_text(),

@@ -213,7 +213,7 @@ def histories(
         found = beside(run, planet, air, taken)
         name = f"values that noise, 1 % of I and {DEGREE:g} of the degree do not explain"
         share = 100.0 * float(found.disagree.sum() / max(found.judged.sum(), 1))
-        thresholds.append(Threshold(f"{air.planet}: {name}", share, ALLOWED, "%", "the aim"))
+        thresholds.append(Threshold(f"{air.planet}: {name}", share, ALLOWED, "%", "target"))
         rows.append((air.planet, *summary(found)))
         lines.append(line_table(air, taken, len(cases), found))
     return thresholds, [

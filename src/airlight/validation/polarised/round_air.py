@@ -133,7 +133,7 @@ def round_air(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
     light_judged = [summarise(one[:, 0] / judged[:, 0] - 1.0) for one in (got, sky.stokes)]
     of_scalar = summarise(scalar / sky.stokes[:, 0] - 1.0)
     noise = summarise(sky.error[:, 0] / sky.stokes[:, 0])
-    source = "the aim; SASKTRAN 2 with three Stokes parameters"
+    source = "target; SASKTRAN 2 with three Stokes parameters"
     air, degree, allowed = "round Rayleigh air", "degree of polarisation", DEGREE_THRESHOLD
     others = f"{air}, histories instead: {degree}, 95 %"
     thresholds = [
@@ -141,7 +141,7 @@ def round_air(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
         Threshold(f"{air}: I, 95 %", 100.0 * of_light.high, HIGH_THRESHOLD, "%", source),
         Threshold(f"{air}: {degree}, median", of_degree.median, allowed, source=source),
         Threshold(f"{air}: {degree}, 95 %", of_degree.high, allowed, source=source),
-        Threshold(others, ours_judged.high, allowed, source="the aim; vector Monte Carlo"),
+        Threshold(others, ours_judged.high, allowed, source="target; vector Monte Carlo"),
     ]
     off = got[:, 1:] / got[:, :1] - sky.stokes[:, 1:] / sky.stokes[:, :1]
     error = 100 * sky.error[:, 0] / sky.stokes[:, 0]
@@ -153,14 +153,13 @@ def round_air(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
         for k in range(sky.depth.size)
     ]
     note = (
-        f"Differences, ours less theirs, {run.quality} quality. Their own change with coarser "
-        "settings "
-        f"has a median of {100 * noise.median:.2f} % of I. I differs by "
+        f"Airlight less SASKTRAN, {run.quality} quality. SASKTRAN changes with coarser "
+        f"settings by a median of {100 * noise.median:.2f} % of I. I differs by "
         f"{100 * of_light.median:.2f} % (median) and {100 * of_light.high:.2f} % (95 %), the "
         f"degree of polarisation by {of_degree.median:.4f} and {of_degree.high:.4f}. Vector Monte "
-        f"Carlo of the same lines, known to 0.2 % of I: ours differs from it by "
+        f"Carlo of the same lines, known to 0.2 % of I: airlight differs from it by "
         f"{100 * light_judged[0].median:.2f} % and {100 * light_judged[0].high:.2f} %, "
-        f"{ours_judged.median:.4f} and {ours_judged.high:.4f}, theirs by "
+        f"{ours_judged.median:.4f} and {ours_judged.high:.4f}, SASKTRAN by "
         f"{100 * light_judged[1].median:.2f} % and {100 * light_judged[1].high:.2f} %, "
         f"{theirs_judged.median:.4f} and {theirs_judged.high:.4f}. Without polarisation I differs "
         f"by {100 * of_scalar.median:.2f} % (median) and {100 * of_scalar.high:.2f} % (95 %)."

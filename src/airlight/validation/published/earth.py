@@ -38,10 +38,10 @@ FloatArray = NDArray[np.float64]
 ALTITUDES: Final = (90, 60, 40, 20, 10, 5, 2, 0, -1, -3, -5, -6, -8, -10, -12)
 #: Altitudes of the sun to which the target of the illuminance applies [deg], and that target. [%]
 AIMED: Final = (-10.0, 5.0)
-ILLUMINANCE_AIM: Final = 25.0
+ILLUMINANCE_TARGET: Final = 25.0
 #: Depressions of the sun for the magnitude of the zenith [deg], and its target. [mag]
 DEPRESSIONS: Final = (5.0, 6.0, 8.0, 10.0, 12.0)
-ZENITH_AIM: Final = 0.35
+ZENITH_TARGET: Final = 0.35
 #: Altitude of the sun at sunset by the almanac's convention. [deg]
 SUNSET: Final = -50.0 / 60.0
 #: Altitude of the sun for the colour of daylight. [deg]
@@ -84,8 +84,8 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
     ours = ground_illuminance(solution, -12.0)
     rows.append(PublishedRow(f"illuminance {nautical}", 0.008, ours, source, "lx"))
     name = f"illuminance, sun {AIMED[1]:+g}° to {AIMED[0]:g}°: largest difference"
-    source = "the aim for an average clear day"
-    aim = Threshold(name, max(aimed, default=0.0), ILLUMINANCE_AIM, "%", source)
+    source = "target for an average clear day"
+    aim = Threshold(name, max(aimed, default=0.0), ILLUMINANCE_TARGET, "%", source)
     return PublishedSection(
         title="Illuminance of level ground under a clear sky",
         rows=rows,
@@ -106,9 +106,9 @@ def zeniths(solution: Solution) -> PublishedSection:
         rows.append(PublishedRow(what, known, ours, source, unit, compare="difference"))
     suns = f"{-DEPRESSIONS[0]:g}° to {-DEPRESSIONS[-1]:g}°"
     largest = max(row.departure for row in rows)
-    why = "the aim: the scatter of the nights, 0.18 mag, and that of a night's ozone and dust"
+    why = "target: the scatter of the nights, 0.18 mag, and that of a night's ozone and dust"
     aim = Threshold(
-        f"V of the zenith, sun {suns}: largest difference", largest, ZENITH_AIM, "mag", why
+        f"V of the zenith, sun {suns}: largest difference", largest, ZENITH_TARGET, "mag", why
     )
     note = "Ours with the night's own 21.6 mag arcsec⁻² (Patat 2003)."
     return PublishedSection(title="Zenith in twilight", rows=rows, aims=[aim], note=note)

@@ -40,8 +40,8 @@ def suite_of(sections: list[PublishedSection]) -> Suite:
     return Suite(
         summary=(
             "Numbers that others measured or computed, beside those of the presets; nothing is "
-            "fitted. A number is judged where its source states an error or a range, or where an "
-            f"aim is set (see the source of the threshold): {met} of {len(thresholds)} are met. "
+            "fitted. A number is judged where its source states an error or a range, or where a "
+            f"target is set (see the source of the threshold): {met} of {len(thresholds)} are met. "
             "What else differs is mostly the air that day, which the presets do not know."
         ),
         thresholds=thresholds,

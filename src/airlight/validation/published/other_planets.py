@@ -56,7 +56,7 @@ PIONEER, VENERA_8 = 67.0, 84.5
 #: Sunlight of all wavelengths at 1 au. [W m⁻²]
 TOTAL: Final = 1360.8
 #: Difference from Pioneer's flux that is aimed at. [%]
-AIM: Final = 30.0
+TARGET: Final = 30.0
 #: Edges of the intervals that a wavelength stands for, within those of Pioneer's radiometer: 20 nm
 #: where sulphur absorbs, then those in which the preset's gases have one coefficient. [nm]
 _GASES: Final = (605.03, 625.0, 666.67, 691.09, 751.88, 781.86, 842.46, 891.27, 961.54, 1000.0)
@@ -187,9 +187,9 @@ def venus(run: SuiteRun) -> PublishedSection:
     aim = Threshold(
         "Pioneer Venus: difference of the flux at the ground",
         pioneer.percent,
-        AIM,
+        TARGET,
         "%",
-        "the aim; the source states no error",
+        "target; the source states no error",
     )
     return PublishedSection(
         title="Sunlight at the ground of Venus",

@@ -11,7 +11,9 @@ from airlight.validation.suite import Mark, ReportTable, Threshold, cells
 Compare = Literal["ratio", "difference"]
 
 #: Headings of a table of rows.
-COLUMNS: Final = cells("what | published | ours | ours over it | stated error | source")
+COLUMNS: Final = cells(
+    "quantity | published | airlight | airlight over published | stated error | source"
+)
 
 
 @dataclass(frozen=True)
@@ -109,7 +111,7 @@ class PublishedSection:
 
     @property
     def thresholds(self) -> list[Threshold]:
-        """Thresholds of the rows, then the aims."""
+        """Thresholds of the rows, then the targets."""
         return [threshold for row in self.rows if (threshold := row.threshold) is not None] + list(
             self.aims
         )
@@ -118,10 +120,10 @@ class PublishedSection:
     def table(self) -> ReportTable:
         """Table of the report."""
         differences = all(row.compare == "difference" for row in self.rows)
-        heading = "ours less it" if differences else "ours over it"
+        heading = "airlight less published" if differences else "airlight over published"
         return ReportTable(
             title=self.title,
-            columns=[heading if name == "ours over it" else name for name in COLUMNS],
+            columns=[heading if name == "airlight over published" else name for name in COLUMNS],
             rows=[row.cells for row in self.rows],
             marks=[row.mark for row in self.rows],
             note=self.note,

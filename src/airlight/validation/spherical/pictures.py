@@ -68,7 +68,7 @@ def error_scatter(found: Errors) -> ReportPicture:
     grid(axes)
     caption = (
         "Each point is one radiance. Linear within ±0.1 %, logarithmic beyond. Dashed: threshold "
-        "for 95 % of the values; solid: for all of them, beyond the referee's noise."
+        "for 95 % of the values; solid: for all of them, beyond the reference's noise."
     )
     return ReportPicture.from_figure(figure, title=title, caption=caption)
 
@@ -91,7 +91,7 @@ def error_histograms(found: Errors) -> ReportPicture:
     _grouped(right, by_height, thresholds)
     right.set_xlabel("altitude of the observer [km]")
     figure.legend(*right.get_legend_handles_labels(), loc="outside lower center", ncols=3)
-    caption = "The errors as they are, the referee's noise included. Numbers: values per bin."
+    caption = "The errors as they are, the reference's noise included. Numbers: values per bin."
     return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 

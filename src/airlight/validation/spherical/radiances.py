@@ -141,7 +141,7 @@ def spherical(run: SuiteRun, qualities: tuple[str, ...] = ("default", "fine")) -
             "lines of sight from the ground to space, sun 0° to 96°), and against Bruneton's "
             "implementation of 2017. Values whose standard error exceeds 1 %, or that are darker "
             f"than {LEAST_RADIANCE:g} of the sun's irradiance per steradian, are left out. The "
-            "medians hold the referee's own noise; the largest errors are those beyond it. What "
+            "medians hold the reference's own noise; the largest errors are those beyond it. What "
             "limits the accuracy is the terminator, where light falls e-fold per degree."
             if count
             else f"{MONTE_CARLO} is not in the folder; Bruneton's implementation of 2017 alone."
@@ -201,7 +201,7 @@ def _parts(quality: str, comparisons: list[Comparison]) -> list[Part]:
         rows=rows,
         marks=marks,
         note=f"Thresholds: median {100 * median:g} %, 95 % {100 * high:g} %, largest "
-        f"{100 * largest:g} % beyond {chance:.1f} of the referee's standard errors (s.e.): the "
+        f"{100 * largest:g} % beyond {chance:.1f} of the reference's standard errors (s.e.): the "
         "largest of so many values exceeds that by chance alone in half of all cases.",
     )
     suns, heights = (
@@ -247,8 +247,8 @@ def _worst(quality: str, comparisons: list[Comparison]) -> ReportTable:
         title=f"The ten worst cases, {quality} quality",
         columns=cells(
             "air | albedo | altitude [km] | sun zenith [°] | view zenith [°] | azimuth [°] | "
-            "wavelength [nm] | ours [sr⁻¹] | Monte Carlo [sr⁻¹] | its standard error | error [%] | "
-            "in standard errors"
+            "wavelength [nm] | airlight [sr⁻¹] | Monte Carlo [sr⁻¹] | its standard error | "
+            "error [%] | in standard errors"
         ),
         rows=rows,
         note=f"By error, of those beyond {NOISE:g} standard errors; sun and view at the observer.",
@@ -274,7 +274,7 @@ def _bruneton(run: SuiteRun) -> tuple[ReportTable, list[Threshold]]:
     table = ReportTable(
         title="Bruneton 2017, observer on the ground",
         columns=cells(
-            "sun zenith [°] | view zenith [°] | azimuth [°] | ours, 680 550 440 nm | "
+            "sun zenith [°] | view zenith [°] | azimuth [°] | airlight, 680 550 440 nm | "
             "Bruneton's [W m⁻² sr⁻¹ nm⁻¹] | difference [%] | allowed [%]"
         ),
         rows=rows,
