@@ -70,16 +70,22 @@ def page(shared: Any) -> Any:
     return shared
 
 
-@pytest.fixture
-def phone(chromium: Any, file: Any) -> Iterator[Any]:
-    """The page on a phone, which is touched."""
-    context = chromium.new_context(viewport=PHONE, has_touch=True, device_scale_factor=2)
+@pytest.fixture(scope="module")
+def touched(chromium: Any, file: Any) -> Iterator[Any]:
+    context = chromium.new_context(viewport=PHONE, has_touch=True, device_scale_factor=1)
     page = context.new_page()
     page.set_default_timeout(1e3 * PATIENCE)
     page.goto(f"{file.as_uri()}?device=webgl2")
     page.evaluate("airlight.ready")
     yield page
     context.close()
+
+
+@pytest.fixture
+def phone(touched: Any) -> Any:
+    """The page in its first state on a phone, which is touched."""
+    touched.evaluate("airlight.state.reset(); airlight.parts.help.hidden = true")
+    return touched
 
 
 @pytest.fixture(params=["mouse", "finger"])

@@ -12,9 +12,9 @@ import hashlib
 import os
 import pickle
 import secrets
-import shutil
 import stat
 import time
+import zlib
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
@@ -124,7 +124,7 @@ def check_files(files: Any, read: Callable[[Path], bytes]) -> None:
 
 
 def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
-    """Copy compiled code of one function, for some types, to another folder.
+    """Copy compiled code of one function, for some types, compressed to another folder.
 
     Parameters
     ----------
@@ -146,11 +146,20 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
     for key, name in here._load_index().items():
         if wanted(here._load_data(name)):
             folder.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(index.parent / name, folder / name)
+            (folder / name).write_bytes(zlib.compress((index.parent / name).read_bytes(), 9))
             chosen[key] = name
     if chosen:
         there._save_index(chosen)
     return len(chosen)
+
+
+def read_copied(file: Path) -> bytes:
+    """Content of a file of ``copy_code``, whose code is compressed and whose index is not."""
+    content = file.read_bytes()
+    try:
+        return zlib.decompress(content) if file.suffix == ".nbc" else content
+    except zlib.error as damage:
+        raise OSError(f"{file} is damaged") from damage
 
 
 @contextlib.contextmanager

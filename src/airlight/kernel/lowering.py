@@ -15,7 +15,7 @@ import contextlib
 import threading
 from collections.abc import Iterator
 from contextlib import AbstractContextManager
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, Final
 
@@ -24,14 +24,22 @@ from numba import types
 from numba.core import sigutils
 from numba.core.caching import CompileResultCacheImpl, FunctionCache
 from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import CompilerBase, DefaultPassBuilder, compile_result
+from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags, compile_result
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
 from numba.core.registry import CPUDispatcher
-from numba.core.typed_passes import NativeLowering
+from numba.core.typed_passes import InlineOverloads, NativeLowering
+from numba.core.untyped_passes import (
+    InlineInlinables,
+    LiteralPropagationSubPipelinePass,
+    LiteralUnroll,
+    MakeFunctionToJitFunction,
+    WithLifting,
+)
 
 from airlight.files.cache_folders import read_trusted
+from airlight.kernel.borrowed_references import only_borrows
 from airlight.kernel.compiled_files import CompiledFolder, check_files, one_process
 from airlight.kernel.prebuilt_cache import prebuilt_cache
 
@@ -56,7 +64,19 @@ def _is_for_a_caller() -> bool:
     return getattr(_here, "for_a_caller", False)
 
 
-class IntermediateCode(JITCodeLibrary):
+class MachineCode(JITCodeLibrary):
+    """Machine code of a function and of its callees."""
+
+    def _optimize_functions(self, ll_module: Any) -> None:
+        """Simplify the function itself; Numba also prepares passes for each one that it calls."""
+        ll_module.data_layout = self._codegen._data_layout
+        for function in ll_module.functions:
+            if not function.is_declaration:
+                passes, builder = self._codegen._function_pass_manager()
+                passes.run(function, builder)
+
+
+class IntermediateCode(MachineCode):
     """LLVM intermediate code of a function and of its callees."""
 
     def _optimize_final_module(self) -> None:
@@ -125,7 +145,12 @@ class _Lowering(NativeLowering):
         return _IndexedFromStart
 
     def run_pass(self, state: Any) -> bool:
+        if only_borrows(state):
+            state.targetctx = state.targetctx.subtarget(enable_nrt=False)
+            vars(state.targetctx).pop("nrt", None)  # kept by the copied context
         if not _is_for_a_caller():
+            state.library = MachineCode(state.targetctx.codegen(), state.func_id.func_qualname)
+            state.library.enable_object_caching()
             return bool(super().run_pass(state))
         state.library = IntermediateCode(state.targetctx.codegen(), state.func_id.func_qualname)
         state.flags.no_compile = True
@@ -138,16 +163,53 @@ class _Lowering(NativeLowering):
         return bool(changed)
 
 
+class _Flags(Flags):
+    """Flags of a function, whose copy is what Numba compares at every call of its own functions."""
+
+    def copy(self) -> Flags:
+        """Copy that no longer changes."""
+        return _SettledFlags(self)
+
+
+class _SettledFlags(Flags):
+    """Flags that no longer change."""
+
+    @cached_property
+    def _all(self) -> dict[str, Any]:
+        return dict(super().values())
+
+    def values(self) -> dict[str, Any]:
+        """Values of all flags by name."""
+        return self._all
+
+
 class _Compiler(CompilerBase):
     """Numba's passes for compiled functions, with this module's lowering."""
+
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
+        self.state.flags = _Flags(self.state.flags)
 
     def define_pipelines(self) -> list[Any]:
         passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
         passes.passes = [
-            (_Lowering if one is NativeLowering else one, text) for one, text in passes.passes
+            (_Lowering if one is NativeLowering else one, text)
+            for one, text in passes.passes
+            if one not in _UNUSED_PASSES
         ]
         passes.finalize()
         return [passes]
+
+
+#: Passes for what kernels do not contain: contexts, inner functions, literal arguments and loops.
+_UNUSED_PASSES: Final = (
+    WithLifting,
+    MakeFunctionToJitFunction,
+    InlineInlinables,
+    LiteralUnroll,
+    LiteralPropagationSubPipelinePass,
+    InlineOverloads,
+)
 
 
 class _Files(CompileResultCacheImpl):

@@ -15,7 +15,7 @@ from typing import Any, Final, NamedTuple
 from llvmlite import binding
 from numba.core.caching import FunctionCache
 
-from airlight.kernel.compiled_files import check_files, copy_code
+from airlight.kernel.compiled_files import check_files, copy_code, read_copied
 
 #: Folder of the code: ``<source>/<fingerprint>/<kind>`` as in the cache.
 PREBUILT: Final = Path(__file__).parents[1] / "compiled"
@@ -76,7 +76,7 @@ class PrebuiltCache(FunctionCache):
         self._impl_class = partial(implementation, folder=folder)
         self._target = cpu_target
         super().__init__(py_func)
-        check_files(self._cache_file, Path.read_bytes)
+        check_files(self._cache_file, read_copied)
 
     def _index_key(self, sig: Any, codegen: Any) -> tuple[Any, ...]:
         signature, (system, *_), *code = super()._index_key(sig, codegen)

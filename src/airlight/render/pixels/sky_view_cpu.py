@@ -10,8 +10,8 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES
+from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel.lanes import LANES, lane_view
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.render.pixels.sea_sky import sea_sky_size
@@ -73,6 +73,13 @@ def _indices(texel, window):
     return column, row
 
 
+@kernel
+def _keep(found, row, layer, texel):
+    """Copy a row of ``found`` to a texel."""
+    for at in range(0, found.shape[1], LANES):
+        lane_view(layer, at)[texel] = lane_view(found, at)[row]
+
+
 @compiled_loop
 def fill_texels(begin, end, window, observer, tables, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
@@ -81,13 +88,15 @@ def fill_texels(begin, end, window, observer, tables, work, layers):
     for texel in range(begin, end):
         column, row = _indices(texel, window)
         sky_view_texel(column, row, window, True, peaks, polarised, observer, tables, work)
-        layers.air[texel], layers.ground[texel] = work.radiance[0], work.radiance[1]
+        _keep(work.radiance, 0, layers.air, texel)
+        _keep(work.radiance, 1, layers.ground, texel)
         if tables.separated_1 >= 0:
-            layers.first[texel] = work.radiance[2]
+            _keep(work.radiance, 2, layers.first, texel)
         if tables.separated_2 >= 0:
-            layers.second[texel] = work.radiance[3]
+            _keep(work.radiance, 3, layers.second, texel)
         if polarised:
-            layers.stokes_q[texel], layers.stokes_u[texel] = work.radiance[4], work.radiance[5]
+            _keep(work.radiance, 4, layers.stokes_q, texel)
+            _keep(work.radiance, 5, layers.stokes_u, texel)
 
 
 @compiled_loop
@@ -100,7 +109,7 @@ def fill_mirrored(begin, end, window, observer, tables, work, layers):
         column, row = _indices(texel - third * ground, window)
         row += third * window.rows
         mirrored_texel(column, row, window, layers.air, observer, tables, work)
-        layers.mirrored[texel] = work.radiance[0]
+        _keep(work.radiance, 0, layers.mirrored, texel)
 
 
 def fill_sky_view(
