@@ -49,8 +49,8 @@ def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
     """Name and scene of the three pictures of a planet."""
     high = Camera(width=WIDTH, height=HEIGHT, look_zenith=72.0, field_of_view=80.0)
     low = Camera(width=WIDTH, height=HEIGHT, look_zenith=80.0, field_of_view=60.0)
-    yield "day", Scene(camera=high, sun_zenith=70.0)
-    yield "sunset", Scene(camera=low, sun_zenith=89.0)
+    yield "day", Scene(camera=high, sun_zenith=70.0, ground="detailed")
+    yield "sunset", Scene(camera=low, sun_zenith=89.0, ground="detailed")
     # Six radii from the centre; the picture's height is 1.15 diameters of the air.
     distance = 6.0 * planet.bottom_radius
     half = 1.15 * math.asin(planet.top_radius / distance)
@@ -62,7 +62,14 @@ def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
     # North above, the sun on the left.
     yield (
         "space",
-        Scene(camera=far, altitude=altitude, sun_zenith=55.0, latitude=15.0, sun_azimuth=270.0),
+        Scene(
+            camera=far,
+            altitude=altitude,
+            sun_zenith=55.0,
+            latitude=15.0,
+            sun_azimuth=270.0,
+            ground="detailed",
+        ),
     )
 
 

@@ -19,7 +19,10 @@ from PIL import Image
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "docs" / "images"
 _EGYPT = "--latitude 25 --longitude 30 --sun-azimuth"
-_LOW_SUN = f"--altitude 2m --look 89.7,0 --fov 2 --sun-zenith 90.2 --size 480x270 {_EGYPT} 105"
+_LOW_SUN = (
+    "--altitude 2m --look 89.7,0 --fov 2 --sun-zenith 90.2 --exposure -6 --size 480x270 "
+    f"{_EGYPT} 105"
+)
 #: Arguments of ``airlight render`` by the picture's name.
 PICTURES = {
     "earth-terminator": "earth --altitude 400km --look 108,-62 --fov 75 --sun-zenith 91 "
