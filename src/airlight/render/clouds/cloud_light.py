@@ -251,7 +251,7 @@ def solve_clouds(
     field, optics_at, nm = deck.field, deck.optics_at, solution.medium.wavelengths
     chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
     light = incident(solution, field, sun_over(field, scene), around)
-    air = box_air(solution, field.top, chosen)
+    air = clear = box_air(solution, field.top, chosen)
     for other in around.decks:
         air = with_deck(air, other, nm[chosen])
 
@@ -259,7 +259,7 @@ def solve_clouds(
         return solve_box(
             coarse,
             optics_at(nm[chosen]),
-            _box_light(solution, air, one, chosen),
+            _box_light(solution, (air, clear), one, chosen),
             quality=quality,
             cache=cache,
             progress=progress,
@@ -329,9 +329,13 @@ def blended(
 
 
 def _box_light(
-    solution: MomentsSolution, air: BoxAir, light: Incident, chosen: NDArray[np.int64]
+    solution: MomentsSolution,
+    airs: tuple[BoxAir, BoxAir],
+    light: Incident,
+    chosen: NDArray[np.int64],
 ) -> BoxLight:
-    """Light of a box at the solved wavelengths."""
+    """Light of a box at the solved wavelengths, with air and that of the clear planet."""
+    air, clear = airs
     albedo = np.broadcast_to(solution.medium.ground_albedo, light.beam.shape)
     return BoxLight(
         towards=light.towards,
@@ -342,6 +346,7 @@ def _box_light(
         beam=BoxBeam(
             irradiance=lambda altitudes: np.asarray(light.direct(altitudes)[:, chosen]),
             radius=solution.medium.bottom_radius,
+            air=None if air is clear else clear,
         ),
     )
 

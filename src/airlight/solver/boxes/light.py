@@ -62,13 +62,17 @@ class BoxBeam:
     Parameters
     ----------
     irradiance : callable
-        Irradiance normal to the beam without cloud, of altitudes [m], shapes (n,) to (n, w). [1]
+        Irradiance normal to the beam behind ``air``, of altitudes [m], shapes (n,) to (n, w). [1]
     radius : float
         Radius of the planet. [m]
+    air : BoxAir, optional
+        Air of which the irradiance is; the rest of the box's air attenuates it further. Default:
+        all of it.
     """
 
     irradiance: Callable[[FloatArray], FloatArray]
     radius: float
+    air: BoxAir | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

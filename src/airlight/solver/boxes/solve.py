@@ -205,12 +205,27 @@ def _direct(
             raise ParameterError(
                 "beam.irradiance", f"shape {found.shape}", f"0 or more, shape {(levels, count)}"
             )
-        return found
+        if light.beam.air is None:
+            return found
+        whole, known = (
+            scaled_optics(optics, air, grid.edges, settings.degree).air
+            for air in (light.air, light.beam.air)
+        )
+        paths = _paths(grid.edges, light.cosine, light.beam.radius)
+        return np.asarray(found * np.exp(-paths @ np.maximum(whole - known, 0.0)))
     if light.cosine == 0.0:
         return np.zeros((levels, count))
     air = scaled_optics(optics, light.air, grid.edges, settings.degree).air
     above = np.cumsum((air * np.diff(grid.edges)[:, None])[::-1], axis=0)[::-1]
     return np.exp(-np.concatenate([above, np.zeros((1, count))]) / light.cosine)
+
+
+def _paths(edges: FloatArray, cosine: float, radius: float) -> FloatArray:
+    """Lengths of rising beams from each edge through the levels, shape (levels + 1, levels). [m]"""
+    rise = np.maximum(edges - edges[:, None], 0.0)
+    start = radius * cosine
+    ends = 2.0 * radius * rise / (start + np.sqrt(start**2 + 2.0 * radius * rise) + 1e-9)
+    return np.diff(ends, axis=1)
 
 
 class _BoxPart(tuple[NDArray[Any], ...]):
