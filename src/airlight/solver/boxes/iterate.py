@@ -437,9 +437,10 @@ class BoxIteration:
         beam = np.asarray(self.thickness, np.float64) @ taken + self.direct.mean(axis=(0, 1))
         if self.problem.curvature == 0.0:
             beam = self.cosine * four_wide(self.problem.direct)[-1]
-        incident = np.maximum(beam + self.entering, 1e-30)
+        given = beam + self.entering
+        incident = np.maximum(given, 1e-30)
         ground = (1.0 - self.ground) * (self.down + self.direct).mean(axis=(0, 1))
-        energy = (up.mean(axis=(0, 1)) + ground + absorbed) / incident - 1.0
+        energy = (up.mean(axis=(0, 1)) + ground + absorbed - given) / incident
         return BoxLevels(
             before, self.beam, self.down, self.direct, up, light.sides, change, energy, absorbed,
             sweeps,
