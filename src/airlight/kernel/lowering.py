@@ -27,6 +27,7 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags, compile_result
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import register_pass
+from numba.core.errors import NumbaError
 from numba.core.lowering import Lower
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import InlineOverloads, NativeLowering
@@ -145,9 +146,17 @@ class _Lowering(NativeLowering):
         return _IndexedFromStart
 
     def run_pass(self, state: Any) -> bool:
+        counting = state.targetctx
         if only_borrows(state):
-            state.targetctx = state.targetctx.subtarget(enable_nrt=False)
+            state.targetctx = counting.subtarget(enable_nrt=False)
             vars(state.targetctx).pop("nrt", None)  # kept by the copied context
+            try:
+                return self._lower(state)
+            except NumbaError:  # a function of Numba's that makes an array for itself
+                state.targetctx = counting
+        return self._lower(state)
+
+    def _lower(self, state: Any) -> bool:
         if not _is_for_a_caller():
             state.library = MachineCode(state.targetctx.codegen(), state.func_id.func_qualname)
             state.library.enable_object_caching()
