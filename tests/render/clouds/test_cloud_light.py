@@ -120,6 +120,15 @@ def test_levels_are_joined_before_columns_until_cells_are_cubes(monkeypatch):
     assert wide.extinction.shape == (4, 4, 32)
 
 
+def test_a_large_field_is_solved_in_more_cells(monkeypatch):
+    for name, value in (("LARGE", 2000), ("MOST_SOLVED", 300), ("MOST_OF_LARGE", 600)):
+        monkeypatch.setattr(f"airlight.render.clouds.cloud_light.{name}", value)
+    cells, spacing = np.ones((8, 8, 32), np.float32), (100.0, 100.0, 28.0)
+    fields = [CloudField(extinction=one, spacing=spacing, base=0.0) for one in (cells, cells[:4])]
+    shapes = [coarse_field(one).extinction.shape for one in fields]
+    assert shapes == [(8, 8, 8), (4, 8, 8)]
+
+
 def test_coarse_field_keeps_the_mean(monkeypatch):
     monkeypatch.setattr("airlight.render.clouds.cloud_light.MOST_SOLVED", 40)
     random = np.random.default_rng(1).random((8, 8, 4)).astype(np.float32)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from airlight.image.xyz import luminance
 from airlight.planets import load_planet
 from airlight.render.clouds.cloud_time import CloudTime, clouds_at
 from airlight.scene import Scene
-from airlight.studies.film import Quality, load_film
+from airlight.studies.film import Finish, Quality, animate, load_film
 from airlight.studies.film.frame_spec import PlanetFrameSpec
 from airlight.studies.film.light_frames import STEP, LightFrames
 
@@ -108,6 +109,30 @@ def test_light_between_two_suns_is_that_of_the_sun_between(heap: str) -> None:
     expected = alone.render().rgb
     np.testing.assert_allclose(between.render().rgb, expected, rtol=0.02)
     np.testing.assert_allclose(between.render().rgb.mean(), expected.mean(), rtol=2e-3)
+
+
+@pytest.mark.slow
+def test_two_workers_solve_each_box_once_and_write_the_same_bytes(
+    heap: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    keys = [{"path": "view.sun_zenith", "values": "70, 70.8 deg"}]
+    made = film(heap, **{"film.frames": 5, "film.keys": keys})
+    assert made.lit_frames(range(5)) == (0, 2, 4)
+    assert made.lit_frames([3]) == (2, 4)
+    how, messages = replace(HOW, width=16, height=16), []
+    for workers in (1, 2):
+        monkeypatch.setenv("AIRLIGHT_CACHE", str(tmp_path / f"cache{workers}"))
+        animate(
+            made, tmp_path / str(workers), how=how, finish=Finish(exposure=0.0), workers=workers,
+            progress=lambda done, total, message: messages.append((message, done, total)),
+        )  # fmt: skip
+    lit = [one for one in messages if one[0] == "light of clouds" and one[2] == 3]
+    assert [one[1] for one in lit] == [1, 2, 3]
+    one, two = (
+        {file.name: file.read_bytes() for file in (tmp_path / name).glob("*.png")} for name in "12"
+    )
+    assert len(one) == 5
+    assert one == two
 
 
 def sun_path(count: int, degrees: float) -> np.ndarray:

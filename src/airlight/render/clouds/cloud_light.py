@@ -31,9 +31,11 @@ from airlight.solver.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Largest number of cells of the boxes that are solved, larger fields are coarsened; and number of
-#: levels that are not joined.
+#: Largest number of cells of the boxes that are solved, and of those of large fields; number of
+#: cells above which a field is large; and number of levels that are not joined.
 MOST_SOLVED: Final = 640_000
+MOST_OF_LARGE: Final = 1_100_000
+LARGE: Final = 4_000_000
 FEWEST_LEVELS: Final = 8
 #: Zenith angles and azimuths of the light of the ground.
 _AROUND: Final = (4, 8)
@@ -352,12 +354,13 @@ def _box_light(
 
 
 def coarse_field(field: CloudField) -> CloudField:
-    """Field of at most ``MOST_SOLVED`` cells, by means over neighbours where they are closest.
+    """Field of fewer cells to be solved, by means over neighbours where they are closest.
 
     Those are mostly levels: columns side by side would close gaps between small clouds.
     """
     found = field
-    while found.extinction.size > MOST_SOLVED:
+    most = MOST_SOLVED if field.extinction.size <= LARGE else MOST_OF_LARGE
+    while found.extinction.size > most:
         shape, spacing = found.extinction.shape, found.spacing
         halved = [axis for axis in (0, 1, 2) if shape[axis] % 2 == 0]
         if 2 in halved and shape[2] > FEWEST_LEVELS and spacing[2] <= min(spacing[:2]):

@@ -137,6 +137,7 @@ def animate(
         whole = present.fingerprints
         missing = [n for n in range(frames.count) if whole.get(n) != job.fingerprint(n)]
         if missing:
+            job.light_clouds(opened(len(missing)), missing)
             say_rendered = opened(len(missing)).run(rendered_frame, job.tasks(missing))
             for done, (number, content) in enumerate(say_rendered):
                 frames.write(number, content)
@@ -168,6 +169,7 @@ class _Job:
         self._specs: dict[int, FrameSpec] = {}
         self._digests: dict[int, str] = {}
         self._curve: Callable[[int], float] | None = None
+        self._lit: set[int] = set()
 
     def frame_spec(self, number: int) -> FrameSpec:
         if number not in self._specs:
@@ -199,7 +201,9 @@ class _Job:
         unknown = [number for number, value in found.items() if value is None]
         if unknown:
             tasks = ((number, (self.frame_spec(number), _code())) for number in unknown)
-            for done, (number, value) in enumerate(opened().run(metered_exposure, tasks)):
+            runner = opened()
+            self.light_clouds(runner, unknown)
+            for done, (number, value) in enumerate(runner.run(metered_exposure, tasks)):
                 disk.save(self._key(number), {"exposure": np.array(value)})
                 found[number] = value
                 if self._progress is not None:
@@ -255,6 +259,17 @@ class _Job:
         if distinct_solutions(some) == 1:
             some[0].prepare(self._progress)
             runner.once_per_machine(prepared, some[0], _code())
+
+    def light_clouds(self, runner: Runner, numbers: Sequence[int]) -> None:
+        """Solve the light of the clouds of frames once, before several workers need it."""
+        if runner.workers == 1:
+            return
+        nodes = [node for node in self._film.lit_frames(numbers) if node not in self._lit]
+        tasks = ((node, (self.frame_spec(node), _code())) for node in nodes)
+        for done, _ in enumerate(runner.run(prepared, tasks)):
+            if self._progress is not None:
+                self._progress(done + 1, len(nodes), "light of clouds")
+        self._lit.update(nodes)
 
 
 # --- on a worker ------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 from functools import cached_property
@@ -162,6 +162,19 @@ class Film:
                 else tuple((w, self._planet_spec(node, spec.how).scene) for w, node in around),
             ),
         )
+
+    def lit_frames(self, numbers: Iterable[int]) -> tuple[int, ...]:
+        """Frames of a planet for which the light of clouds is solved, for these frames.
+
+        Parameters
+        ----------
+        numbers : iterable of int
+            Numbers of frames.
+        """
+        if self.view is None or not self._planet.clouds:
+            return ()
+        around = (self._light_frames.around(number) for number in numbers)
+        return tuple(sorted({node for some in around for _, node in some}))
 
     def _cloudy_system(self, number: int, spec: SystemFrameSpec) -> SystemFrameSpec:
         """Frame with the time of the clouds of its planets."""
