@@ -1,15 +1,19 @@
 """Remake ``validation/data/cloudy-lines.csv``: radiances past cumuli by Monte Carlo.
 
-Run with ``python builders/cloudy_lines.py [ERROR]``, with the relative standard error of a
-radiance at most, 0.05 by default: four minutes of a core.
+Run with ``python builders/cloudy_lines.py [ERROR] [--only SUN:VIEW ...]``, with the relative
+standard error of a radiance at most, 0.05 by default: four minutes of a core. ``--only`` replaces
+the lines of these zenith angles of the sun and numbers of views, as ``--only 75:2 85:7``. Streams
+of random numbers depend on the line alone: a smaller error continues the histories of a larger one.
 """
 
 from __future__ import annotations
 
-import sys
+import argparse
 from pathlib import Path
 
-from airlight.validation.cloudy_lines import FILE, SUNS, VIEWS, traced
+import numpy as np
+
+from airlight.validation.cloudy_lines import FILE, SUNS, VIEWS, reference, traced
 
 OUT = Path(__file__).parents[1] / "src" / "airlight" / "validation" / FILE
 HEAD = """\
@@ -21,14 +25,22 @@ sun_zenith,view,radiance,error
 
 
 def main() -> None:
-    """Trace all lines and write the file."""
-    found = traced(float(sys.argv[1]) if len(sys.argv) > 1 else 0.05)
-    numbers = [(sun, view) for sun in SUNS for view in range(len(VIEWS))]
+    """Trace lines and write the file."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("error", nargs="?", type=float, default=0.05)
+    parser.add_argument("--only", nargs="+", metavar="SUN:VIEW")
+    given = parser.parse_args()
+    chosen = np.full((len(SUNS), len(VIEWS)), given.only is None)
+    for line in given.only or ():
+        sun, view = line.split(":")
+        chosen[SUNS.index(float(sun)), int(view)] = True
+    radiance, error = np.empty((2, *chosen.shape)) if chosen.all() else reference()
+    found = traced(given.error, chosen)
+    radiance[chosen], error[chosen] = found.total[:, 0], found.total_error[:, 0]
     rows = [
-        f"{sun:g},{view},{radiance:.4g},{error:.2g}"
-        for (sun, view), radiance, error in zip(
-            numbers, found.total[:, 0], found.total_error[:, 0], strict=True
-        )
+        f"{sun:g},{view},{radiance[i, view]:.4g},{error[i, view]:.2g}"
+        for i, sun in enumerate(SUNS)
+        for view in range(len(VIEWS))
     ]
     OUT.write_text(HEAD + "\n".join(rows) + "\n")
 

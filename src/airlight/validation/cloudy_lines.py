@@ -63,27 +63,30 @@ def field_at(wavelengths: ArrayLike) -> tuple[CloudField, CloudOptics]:
     return clouds_of(cumuli_over_sea(), wavelengths, box)[0]
 
 
-def traced(relative_error: float) -> Estimate:
-    """Radiances of all lines by Monte Carlo, those of the first sun first, in scalar transfer.
+def traced(relative_error: float, chosen: NDArray[np.bool_]) -> Estimate:
+    """Radiances of lines by Monte Carlo, those of the first sun first, in scalar transfer.
 
     Parameters
     ----------
     relative_error : float
         Standard error over each radiance. [1]
+    chosen : array of bool, shape (suns, views)
+        Lines.
     """
     settings = MonteCarloSettings(
         relative_error=relative_error, polarisation=False, exact_first_order=False
     )
     medium = Medium.from_planet(cumuli_over_sea().without_clouds, [WAVELENGTH])
     air = CloudyAir(MonteCarloSolution(medium, settings), [CloudLayer(*field_at([WAVELENGTH]))])
-    views = np.tile(np.array(VIEWS), (len(SUNS), 1))
+    sun, view = np.nonzero(chosen)
+    views = np.array(VIEWS)[view]
     return air.radiance(
         latitude=LATITUDE,
         longitude=LONGITUDE,
         altitude=views[:, 0],
         view_zenith=views[:, 1],
         azimuth=views[:, 2] + SUN_AZIMUTH,
-        sun_zenith=np.repeat(SUNS, len(VIEWS)),
+        sun_zenith=np.array(SUNS)[sun],
         sun_azimuth=SUN_AZIMUTH,
     )
 

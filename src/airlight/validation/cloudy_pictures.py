@@ -11,6 +11,7 @@ from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.render import render
 from airlight.scene import Camera, Scene
+from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.validation.cloudy_lines import (
     LATITUDE,
     LONGITUDE,
@@ -22,7 +23,7 @@ from airlight.validation.cloudy_lines import (
     field_at,
     reference,
 )
-from airlight.validation.suite import ReportTable, SuiteRun, Threshold
+from airlight.validation.suite import Part, ReportPicture, ReportTable, SuiteRun, Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -72,8 +73,8 @@ def pixels(run: SuiteRun, quality: str = "preview") -> FloatArray:
     return found
 
 
-def cloudy_pictures(run: SuiteRun) -> tuple[list[Threshold], ReportTable]:
-    """Thresholds, and table by view."""
+def cloudy_pictures(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
+    """Thresholds, and table and picture by view."""
     known, error = reference()
     off = 100.0 * (pixels(run) / known - 1.0)
     noise = 100.0 * error / known
@@ -97,4 +98,31 @@ def cloudy_pictures(run: SuiteRun) -> tuple[list[Threshold], ReportTable]:
         note="Preview, 550 nm, ground of albedo 0.06: difference from Monte Carlo and its standard "
         "error. [%]",
     )
-    return thresholds, table
+    return thresholds, [table, _picture(off, noise)]
+
+
+def _picture(off: FloatArray, noise: FloatArray) -> ReportPicture:
+    title = "Pixels past cumuli: difference from Monte Carlo"
+    figure = new_figure(title, size=(8.0, 4.2))
+    axes = figure.subplots()
+    altitudes = np.array([altitude for altitude, _, _ in VIEWS])
+    for number, altitude in enumerate(np.unique(altitudes)):
+        views = np.flatnonzero(altitudes == altitude)
+        for k in views:
+            axes.errorbar(
+                np.array(SUNS) + 0.4 * (k - 0.5 * (len(VIEWS) - 1)),
+                off[:, k],
+                noise[:, k],
+                fmt=".",
+                color=PALETTE[number],
+                elinewidth=0.8,
+                label=f"{altitude / 1e3:g} km" if k == views[0] else None,
+            )
+    for sign in (-1.0, 1.0):
+        axes.axhline(sign * MOST, color=GREY, linewidth=0.8, linestyle="--")
+    axes.set_xlabel("sun zenith angle [°]; views side by side")
+    axes.set_ylabel("difference [%]")
+    axes.legend(title="observer", fontsize=8)
+    grid(axes)
+    caption = "Bars: standard error of Monte Carlo. Dashed: target for 95 % of the differences."
+    return ReportPicture.from_figure(figure, title=title, caption=caption)

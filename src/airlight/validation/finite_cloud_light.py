@@ -35,7 +35,7 @@ from airlight.validation.finite_cloud import (
     reference,
 )
 from airlight.validation.i3rc_monte_carlo import flat_planet_without_gases
-from airlight.validation.suite import Cell, ReportTable, SuiteRun, Threshold
+from airlight.validation.suite import Cell, Part, ReportTable, SuiteRun, Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -152,7 +152,7 @@ def box_pixels(solution: BoxSolution, view: CloudView) -> FloatArray:
     return np.asarray(radiance.reshape(points.shape[:3]).mean(axis=2))
 
 
-def finite_cloud_light(run: SuiteRun) -> tuple[list[Threshold], ReportTable]:
+def finite_cloud_light(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
     """Thresholds and table of both solvers on the four views."""
     known, known_error = reference()
     cloud, box = cloud_over_plane(PIXEL_ERROR, run), boxed(run=run)
@@ -199,4 +199,4 @@ def finite_cloud_light(run: SuiteRun) -> tuple[list[Threshold], ReportTable]:
         "square differences are over the mean and contain the noise of both Monte Carlo codes, "
         f"{100.0 * PIXEL_ERROR:g} and about 1 % of a pixel.",
     )
-    return thresholds, table
+    return thresholds, [table]

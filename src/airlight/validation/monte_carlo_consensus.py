@@ -10,7 +10,7 @@ import numpy as np
 from airlight.solver.montecarlo.cloudy_air import Areas
 from airlight.validation.i3rc import EXPERIMENTS, Experiment
 from airlight.validation.i3rc_monte_carlo import cloudy_experiment, every, result
-from airlight.validation.suite import Cell, ReportTable, SuiteRun, Threshold
+from airlight.validation.suite import Cell, Part, ReportTable, SuiteRun, Threshold
 
 #: Targets of the mean and of each column, beside three standard errors. [%]
 MEAN_TARGET: Final = 1.0
@@ -24,7 +24,7 @@ STEPS: Final = {1: 8, 2: 80}
 
 def monte_carlo_consensus(
     run: SuiteRun, experiments: Sequence[Experiment] = EXPERIMENTS
-) -> tuple[list[Threshold], ReportTable]:
+) -> tuple[list[Threshold], list[Part]]:
     """Thresholds and table of Monte Carlo results beside the consensus of I3RC.
 
     Radius of the planet times 1000, no gases, point star, scalar transfer, seed 1.
@@ -90,4 +90,4 @@ def monte_carlo_consensus(
         "over that; the mean is over the whole field, columns are every "
         f"{STEPS[1]}th of case 1 and every {STEPS[2]}th of case 2.",
     )
-    return thresholds, table
+    return thresholds, [table]

@@ -127,8 +127,8 @@ def flat_air(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
             columns=cells("quality | radii | albedo | μ | azimuth [°] | I [%] | Q/I | U/I"),
             rows=rows,
             note="Airlight less the reference; light that leaves the top, star 78.5° from "
-            "the zenith, on a ground of so many radii of the Earth. A line that leaves the top at a "
-            "cosine of 0.02 meets most of the air 4000 km on: on 1000 radii its cosine is 0.0206 "
+            "the zenith, on a ground of so many radii of the Earth. A line that leaves the top at "
+            "a cosine of 0.02 meets most of the air 4000 km on: on 1000 radii its cosine is 0.0206 "
             "there and its light 0.16 % too bright, which is no error of the solver: that case is "
             "not flat. Natraj, Li & Yung (2009), Astrophysical Journal 691, 1909.",
         )
