@@ -113,6 +113,7 @@ def empty_clouds() -> CloudTables:
         whole=lanes,
         single=lanes,
         phase=table(3, LANES),
+        phase_f12=table(3, LANES),
         norms=norms,
         beam=table(3, LANES),
         beam_low=number,
@@ -127,7 +128,7 @@ def empty_clouds() -> CloudTables:
         layers=(layer,),
         window=SkyViewWindow.whole(2, 2),
         air=table(4, LANES),
-        beyond=lanes,
+        beyond=table(3, LANES),
     )
 
 

@@ -139,6 +139,7 @@ class CpuRenderer:
                 self.scene,
                 self._tables,
                 self._observer,
+                polarised=self._polarised,
                 progress=progress,
                 cancel=cancel,
             )

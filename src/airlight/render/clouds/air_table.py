@@ -11,6 +11,20 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, lane_view
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.kernel.without_refcount import without_refcount
+from airlight.render.clouds.cloud_tables import (
+    FIRST,
+    FIRST_P,
+    HIGHER,
+    HIGHER_Q,
+    HIGHER_U,
+    LAYERS,
+    LOST,
+    LOST_Q,
+    LOST_U,
+    PEAKS,
+    POLARISED_LAYERS,
+    THROUGH,
+)
 from airlight.render.clouds.mean_layer import MeanLayer
 from airlight.render.clouds.sight_extent import node_distance, sight_extent
 from airlight.render.pixels.sky_view_lut import (
@@ -18,11 +32,13 @@ from airlight.render.pixels.sky_view_lut import (
     line_of_sight,
     line_of_texel,
     unseparated_phases,
+    upright,
 )
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.solver.moments.march import march
 from airlight.solver.moments.march_tables import MarchTables, MarchTerms, Segment, new_workspace
 from airlight.solver.refracted_geometry import RefractedGeometry
+from airlight.solver.stokes_frame import star_plane
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -30,9 +46,6 @@ Float32Array = NDArray[np.float32]
 #: Azimuths from 0 to π, and rows of each half; and distances.
 DIRECTIONS: Final = (41, 41)
 DISTANCES: Final = 24
-#: Layers: first order, two constituents without phase functions, higher orders, transmittance, and
-#: higher orders of clear sky less those.
-LAYERS: Final = 6
 #: Longest length without light. [m]
 _NOTHING: Final = 1e-3
 
@@ -45,6 +58,7 @@ def air_table(
     shell: tuple[float, float, float, float],
     layer: MeanLayer | None,
     *,
+    polarised: bool = False,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> tuple[Float32Array, Float32Array]:
@@ -60,6 +74,8 @@ def air_table(
         Radii of observer, ground, bases and tops of clouds. [m]
     layer : MeanLayer, optional
         Mean layer of the clouds, whose light the air scatters.
+    polarised : bool
+        Whether the table has the layers of polarised light.
     """
     lines = np.empty((window.texels, 7))
     true = np.empty((window.texels, DISTANCES))
@@ -72,7 +88,8 @@ def air_table(
     length = np.minimum(length, every[2]).reshape(true.shape)
     # the last node is the end of the line, on the ground or in space
     length = np.concatenate([length, longest[:, None]], axis=1)
-    out = np.zeros((window.texels, DISTANCES + 1, LAYERS, tables.lanes), np.float32)
+    layers = POLARISED_LAYERS if polarised else LAYERS
+    out = np.zeros((window.texels, DISTANCES + 1, layers, tables.lanes), np.float32)
     count = 0 if layer is None else layer.weights.shape[1]
     share = 16
 
@@ -82,10 +99,12 @@ def air_table(
         _fill(*here, observer, tables, new_workspace(tables), out[some])
         if layer is None or observer.orders == 1:
             return
-        found = [_higher(*here, one)[..., : len(layer.weights)] for one in layer.air]
-        mean = layer.ratio(found) * out[some, :, 3, :count]
-        out[some, :, 5, :count] = out[some, :, 3, :count] - mean
-        out[some, :, 3, :count] = mean
+        found = [_higher(*here, one, polarised)[..., : len(layer.weights)] for one in layer.air]
+        clear = out[some, :, HIGHER, :count].copy()
+        for stokes, at in enumerate((HIGHER, HIGHER_Q, HIGHER_U) if polarised else (HIGHER,)):
+            change = layer.change([one[:, :, stokes] for one in found], found[0][:, :, 0])
+            out[some, :, at, :count] += change * clear
+            out[some, :, at + 1, :count] = -change * clear
 
     run_blocks(
         fill,
@@ -94,12 +113,17 @@ def air_table(
         cancel=cancel,
         message="air before clouds",
     )
-    return np.ascontiguousarray(out[:, :-1]), out[:, -1, 5] - out[:, -2, 5]
+    beyond = np.zeros((window.texels, 3, tables.lanes), np.float32)
+    for stokes, at in enumerate((LOST, LOST_Q, LOST_U) if polarised else (LOST,)):
+        beyond[:, stokes] = out[:, -1, at] - out[:, -2, at]
+    return np.ascontiguousarray(out[:, :-1]), beyond
 
 
-def _higher(lines: FloatArray, length: FloatArray, tables: MarchTables) -> Float32Array:
-    """Path radiance of higher orders of tables, shape (lines, nodes, w). [sr⁻¹]"""
-    out = np.zeros((*length.shape, tables.lanes), np.float32)
+def _higher(
+    lines: FloatArray, length: FloatArray, tables: MarchTables, polarised: bool
+) -> Float32Array:
+    """I, or I, Q and U, of higher orders of tables, shape (lines, nodes, 1 or 3, w). [sr⁻¹]"""
+    out = np.zeros((*length.shape, 3 if polarised else 1, tables.lanes), np.float32)
     _fill_higher(lines, length, tables, new_workspace(tables), out)
     return out
 
@@ -115,7 +139,7 @@ def _lines(window, observer, tables, shell, lines, true):
         if row < first or row >= first + count:
             continue
         for column in range(window.first_column, window.first_column + window.column_count):
-            line = line_of_texel(column, row, window, observer, tables)
+            line = upright(line_of_texel(column, row, window, observer, tables))
             r, mu, mu_s, nu, length = line_of_sight(line, observer, tables)
             way = 0.0
             if observer.outside:
@@ -133,37 +157,53 @@ def _lines(window, observer, tables, shell, lines, true):
 @compiled_loop
 def _fill(lines, length, observer, tables, work, out):
     tables, work = without_refcount((tables, work))
+    polarised = out.shape[2] > LAYERS
     for k in range(lines.shape[0]):
         r, mu, mu_s, nu = lines[k, 0], lines[k, 1], lines[k, 2], lines[k, 3]
         half_sine = lines[k, 4]
+        cosine, sine = star_plane(mu, mu_s, nu)
+        turn_cosine, turn_sine = np.float32(cosine), np.float32(sine)
         unseparated_phases(half_sine, tables.phase, tables, work.phase)
+        if polarised:
+            unseparated_phases(half_sine, tables.phase_f12, tables, work.phase_f12)
         for node in range(length.shape[1]):
             if length[k, node] <= _NOTHING:
-                out[k, node, 4] = 1.0
+                out[k, node, THROUGH] = 1.0
                 continue
             segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node])
             if observer.orders != 0:
-                march(segment, 1, MarchTerms(True, True, False), tables, work, work.radiance)
+                terms = MarchTerms(True, True, polarised)
+                march(segment, 1, terms, tables, work, work.radiance)
                 for at in range(0, tables.lanes, LANES):
                     found, kept = lane_view(work.radiance, at), lane_view(out[k, node], at)
-                    kept[0], kept[1], kept[2] = found[0], found[2], found[3]
-                    kept[4] = found[1]
+                    kept[FIRST], kept[PEAKS], kept[PEAKS + 1] = found[0], found[2], found[3]
+                    kept[THROUGH] = found[1]
+                    if polarised:
+                        kept[FIRST_P] = found[4] * turn_cosine + found[5] * turn_sine
             if observer.orders != 1:
-                march(segment, 0, MarchTerms(True, False, False), tables, work, work.radiance)
+                terms = MarchTerms(True, False, polarised)
+                march(segment, 0, terms, tables, work, work.radiance)
                 for at in range(0, tables.lanes, LANES):
                     found, kept = lane_view(work.radiance, at), lane_view(out[k, node], at)
-                    kept[3], kept[4] = found[0], found[1]
+                    kept[HIGHER], kept[THROUGH] = found[0], found[1]
+                    if polarised:
+                        kept[HIGHER_Q], kept[HIGHER_U] = found[4], found[5]
 
 
 @compiled_loop
 def _fill_higher(lines, length, tables, work, out):
     tables, work = without_refcount((tables, work))
+    polarised = out.shape[2] > 1
     for k in range(lines.shape[0]):
         r, mu, mu_s, nu, half_sine = lines[k, 0], lines[k, 1], lines[k, 2], lines[k, 3], lines[k, 4]
         for node in range(length.shape[1]):
             if length[k, node] <= _NOTHING:
                 continue
             segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node])
-            march(segment, 0, MarchTerms(True, False, False), tables, work, work.radiance)
+            terms = MarchTerms(True, False, polarised)
+            march(segment, 0, terms, tables, work, work.radiance)
             for at in range(0, tables.lanes, LANES):
-                lane_view(out[k], at)[node] = lane_view(work.radiance, at)[0]
+                found, kept = lane_view(work.radiance, at), lane_view(out[k, node], at)
+                kept[0] = found[0]
+                if polarised:
+                    kept[1], kept[2] = found[4], found[5]

@@ -15,9 +15,16 @@ from airlight.kernel.threads import run_blocks
 from airlight.kernel.tuple_item import tuple_item
 from airlight.kernel.without_refcount import without_refcount
 from airlight.render.clouds.cloud_light import CloudLight
-from airlight.render.clouds.cloud_march import add_clouds, line_of_air
+from airlight.render.clouds.cloud_march import add_clouds
 from airlight.render.clouds.cloud_place import beam_depth_at
-from airlight.render.clouds.cloud_tables import CloudTables, new_cloud_work
+from airlight.render.clouds.cloud_tables import (
+    HIGHER,
+    LOST,
+    WHOLE,
+    CloudTables,
+    new_cloud_work,
+)
+from airlight.render.clouds.line_of_air import line_of_air
 from airlight.render.clouds.sight_extent import (
     SightExtent,
     node_distance,
@@ -51,7 +58,7 @@ class CloudsBefore:
         self._clouds, self._tables, self._observer = clouds, tables, observer
         self._diffuse, self._count = diffuse, diffuse.shape[-1]
         clear = clouds.air.copy()
-        clear[:, :, 3] += clear[:, :, 5]
+        clear[:, :, HIGHER] += clear[:, :, LOST]
         bright = (
             layer._replace(
                 depth=np.zeros_like(layer.depth),
@@ -155,8 +162,8 @@ def _before(rays, distances, observer, clouds, bright, tables, work, other, out)
             continue
         half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
         place = sky_view_place(ray, found, clouds.window)
-        line_of_air(ray, half_sine, place, extent, bright, tables, other)
-        line_of_air(ray, half_sine, place, extent, clouds, tables, work)
+        line_of_air(ray, half_sine, place, extent, False, bright, tables, other)
+        line_of_air(ray, half_sine, place, extent, False, clouds, tables, work)
         short = SightExtent(extent.first, limit, extent.leaves, extent.enters)
         at_node = node_of_distance(limit, nodes, extent)
         node = min(int(at_node), nodes - 2)
@@ -164,7 +171,8 @@ def _before(rays, distances, observer, clouds, bright, tables, work, other, out)
         h = np.float32(1.0) - e
         for at in range(0, tables.lanes, LANES):
             whole, left = lane_view(other.before, at), lane_view(work.before, at)
-            lost = h * (whole[node] - left[node]) + e * (whole[node + 1] - left[node + 1])
+            lost = h * (whole[node, WHOLE] - left[node, WHOLE])
+            lost = lost + e * (whole[node + 1, WHOLE] - left[node + 1, WHOLE])
             store(out[k, 2], at, lost)
         # the nodes of the line that ends at the surface
         for other_node in range(nodes):
@@ -175,13 +183,14 @@ def _before(rays, distances, observer, clouds, bright, tables, work, other, out)
             h = np.float32(1.0) - e
             for at in range(0, tables.lanes, LANES):
                 before, through = lane_view(work.before, at), lane_view(work.through, at)
-                lane_view(other.before, at)[other_node] = h * before[node] + e * before[node + 1]
+                lane_view(other.before, at)[other_node, WHOLE] = (
+                    h * before[node, WHOLE] + e * before[node + 1, WHOLE]
+                )
                 lane_view(other.through, at)[other_node] = h * through[node] + e * through[node + 1]
-        add_clouds(ray, half_sine, short, clouds, tables, other)
+        add_clouds(ray, half_sine, short, False, clouds, tables, other)
         for at in range(0, tables.lanes, LANES):
-            light = lane_view(other.light, at)
-            store(out[k, 0], at, light[0])
-            store(out[k, 1], at, light[1])
+            store(out[k, 0], at, lane_view(other.light, at)[WHOLE])
+            store(out[k, 1], at, lane_view(other.clear, at)[0])
 
 
 @compiled_loop

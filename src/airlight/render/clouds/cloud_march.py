@@ -5,7 +5,8 @@ r"""March of a line of sight through clouds and the air before them.
 with the transmittances of air and of clouds T_a and T_c, the source S of clouds, their extinction
 κ, the path radiance A of the air up to a distance, and the radiance L₁ of all without clouds. In
 the first order, S has the exact phase function and unscaled scattering with delta-M scaled
-attenuation (TMS; Nakajima & Tanaka 1988, JQSRT 40, 51); higher orders come from moments.
+attenuation (TMS; Nakajima & Tanaka 1988, JQSRT 40, 51); higher orders come from moments. With
+polarisation, L is each of ``PARTS``: S has the exact element F₁₂ in the first order, and no other.
 """
 
 from __future__ import annotations
@@ -34,12 +35,15 @@ from airlight.render.clouds.cloud_place import (
     beam_depth_at,
     box_place,
     clear_way,
-    visibility,
+)
+from airlight.render.clouds.cloud_tables import (
+    ONCE,
+    PARTS,
+    WHOLE,
 )
 from airlight.render.clouds.detailed_extinction import extinction_at
 from airlight.render.clouds.directions import fill_harmonics
 from airlight.render.clouds.sight_extent import (
-    node_distance,
     node_of_distance,
     way_out_of_layer,
     way_to_layer,
@@ -57,130 +61,25 @@ STEP_PIXEL = 2.0
 STEP_LEVEL = 1.0
 #: Largest number of steps.
 MOST_STEPS = 6000
-#: Points of an interval of the table of air at which the beam is followed; below the bases they are
-#: a cell apart at least.
-SHADOWS = 8
 #: Share of the distance after which light is attenuated by the air together. [1]
 TOGETHER = 0.02
 
 
 @inlined
-def line_of_air(ray, half_sine, place, extent, clouds, tables, work):
-    """Path radiance and transmittance of the air at the nodes of a line, with shadows.
-
-    Parameters
-    ----------
-    ray, half_sine : Vec3, float
-        Direction in the observer's frame, and sin(θ/2) of the angle to the sun. [1]
-    place : TexelPlace
-        Place in the table of air.
-    extent : SightExtent
-        Part below the highest top.
-    clouds, tables, work : CloudTables, MarchTables, CloudWork
-        The workspace receives ``before``, ``through`` and, in ``light[3]``, the radiance of clear
-        sky less that with clouds.
-    """
-    nodes = clouds.air.shape[1]
-    e, f = np.float32(place.right), np.float32(place.down)
-    g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    w00, w01, w10, w11 = g * h, g * e, f * h, f * e
-    near, below = place.near, place.near + place.stride
-    for at in range(0, tables.lanes, LANES):
-        lane_view(work.light, at)[3] = splat(0.0)
-    work.lit[:] = 1.0
-    for n in range(len(clouds.layers)):
-        shade_line(ray, extent, tuple_item(clouds.layers, n), clouds, work)
-    for node in range(nodes):
-        shade = 1.0 - work.lit[node]
-        for at in range(0, tables.lanes, LANES):
-            air, kept = lane_view(clouds.air, at), lane_view(work.before, at)
-            phases, lost = lane_view(tables.phase, at), lane_view(work.light, at)
-            first = splat(0.0)
-            for layer in range(3):
-                one = (
-                    w00 * air[near, node, layer]
-                    + w01 * air[near + 1, node, layer]
-                    + w10 * air[below, node, layer]
-                    + w11 * air[below + 1, node, layer]
-                )
-                if layer == 1 and tables.separated_1 >= 0:
-                    one = one * phase_of(half_sine, tables.separated_1, phases)
-                if layer == 2 and tables.separated_2 >= 0:
-                    one = one * phase_of(half_sine, tables.separated_2, phases)
-                first = first + one
-            higher = (
-                w00 * air[near, node, 3]
-                + w01 * air[near + 1, node, 3]
-                + w10 * air[below, node, 3]
-                + w11 * air[below + 1, node, 3]
-            )
-            lane_view(work.through, at)[node] = (
-                w00 * air[near, node, 4]
-                + w01 * air[near + 1, node, 4]
-                + w10 * air[below, node, 4]
-                + w11 * air[below + 1, node, 4]
-            )
-            ahead = lane_view(work.passed, at)
-            if node > 0:
-                lost[3] = lost[3] + maximum(first - ahead[0], 0.0) * np.float32(shade)
-            ahead[0] = first
-            kept[node] = first + higher - lost[3]
-    for at in range(0, tables.lanes, LANES):
-        air, end = lane_view(clouds.air, at), lane_view(clouds.beyond, at)
-        lost, last = lane_view(work.light, at), nodes - 1
-        lost[3] = (
-            lost[3]
-            + w00 * (air[near, last, 5] + end[near])
-            + w01 * (air[near + 1, last, 5] + end[near + 1])
-            + w10 * (air[below, last, 5] + end[below])
-            + w11 * (air[below + 1, last, 5] + end[below + 1])
-        )
-
-
-@inlined
-def shade_line(ray, extent, layer, clouds, work):
-    """Multiply ``work.lit`` by the mean transmittance of the sun's beam through a layer.
-
-    Parameters
-    ----------
-    ray, extent, clouds, work :
-        Arguments of ``line_of_air``.
-    layer : LayerTables
-        Layer.
-    """
-    nodes = clouds.air.shape[1]
-    so_far = node_distance(0, nodes, extent)
-    for node in range(1, nodes):
-        distance = node_distance(node, nodes, extent)
-        if distance > so_far:
-            points = SHADOWS
-            if so_far >= extent.leaves and distance <= extent.enters:
-                points = min(max(int((distance - so_far) / layer.step_x), 1), SHADOWS)
-            gap, lit = (distance - so_far) / points, 0.0
-            for k in range(points):
-                s = so_far + (k + 0.5) * gap
-                point = plus(Vec3(0.0, 0.0, clouds.eye), scaled(ray, s))
-                width = max((distance - so_far) / SHADOWS, s * clouds.pixel_angle)
-                lit += visibility(point, width, layer)
-            work.lit[node] *= lit / points
-        so_far = distance
-
-
-@inlined
-def add_clouds(ray, half_sine, extent, clouds, tables, work):
+def add_clouds(ray, half_sine, extent, polarised, clouds, tables, work):
     """Light of clouds along a line of sight, after ``line_of_air``.
 
     Parameters
     ----------
-    ray, half_sine, extent, clouds, tables, work :
-        Arguments of ``line_of_air``; ``work.extents`` has the result of ``sight_extents``, and
-        ``work.light`` receives radiance and transmittances.
+    ray, half_sine, extent, polarised, clouds, tables, work :
+        Arguments of ``line_of_air``; ``work.extents`` has the result of ``sight_extents``, and the
+        workspace receives ``light`` and ``clear``.
     """
+    no_light(tables, work)
     for at in range(0, tables.lanes, LANES):
-        light, passed = lane_view(work.light, at), lane_view(work.passed, at)
-        light[0], light[1], light[2] = splat(0.0), splat(1.0), splat(1.0)
+        first, passed = lane_view(work.first, at), lane_view(work.passed, at)
         passed[0], passed[1] = splat(1.0), splat(1.0)
-        lane_view(work.first, at)[0] = splat(0.0)
+        first[WHOLE], first[ONCE] = splat(0.0), splat(0.0)
     count = len(clouds.layers)
     solved = lane_view(work.solved)
     for n in range(count):
@@ -242,26 +141,36 @@ def add_clouds(ray, half_sine, extent, clouds, tables, work):
         for n in range(count):
             layer = tuple_item(clouds.layers, n)
             if work.found[n] > 0.0:
-                add_step(ray, point, n, step, half_sine, clouds, tables, work)
+                add_step(ray, point, n, step, half_sine, polarised, clouds, tables, work)
                 work.depths[n] += work.found[n] * step
             now *= exp(-work.depths[n] * layer.scaled[0, 0])
         weight += previous - now
         middle += (previous - now) * (s - 0.5 * step)
         previous = now
         if s - start > TOGETHER * start + 4.0 * least:
-            attenuate(middle / max(weight, 1e-12), extent, clouds, tables, work)
+            attenuate(middle / max(weight, 1e-12), extent, polarised, clouds, tables, work)
             start, weight, middle = s, 0.0, 0.0
     if weight > 0.0:
-        attenuate(middle / weight, extent, clouds, tables, work)
+        attenuate(middle / weight, extent, polarised, clouds, tables, work)
     for at in range(0, tables.lanes, LANES):
-        light, passed = lane_view(work.light, at), lane_view(work.passed, at)
-        light[1] = passed[1]
+        clear, passed = lane_view(work.clear, at), lane_view(work.passed, at)
+        clear[0] = passed[1]
         depth = splat(0.0)
         for n in range(count):
             depth = depth + load(tuple_item(clouds.layers, n).whole[0], at) * np.float32(
                 -work.depths[n]
             )
-        light[2] = exponential(depth)
+        clear[1] = exponential(depth)
+
+
+@inlined
+def no_light(tables, work):
+    """Result of a line of sight without clouds, in ``work.light`` and ``work.clear``."""
+    for at in range(0, tables.lanes, LANES):
+        light, clear = lane_view(work.light, at), lane_view(work.clear, at)
+        for part in range(PARTS):
+            light[part] = splat(0.0)
+        clear[0], clear[1] = splat(1.0), splat(1.0)
 
 
 @inlined
@@ -292,7 +201,7 @@ def largest_step(least, clouds, work):
 
 
 @inlined
-def add_step(ray, point, number, step, half_sine, clouds, tables, work):
+def add_step(ray, point, number, step, half_sine, polarised, clouds, tables, work):
     """Add the light of a layer in a step to the workspace, not yet attenuated by air.
 
     Parameters
@@ -301,7 +210,7 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
         Middle of the step, from the centre. [m]
     number, step : int, float
         Number of the layer, and length [m].
-    ray, half_sine, clouds, tables, work :
+    ray, half_sine, polarised, clouds, tables, work :
         Arguments of ``add_clouds``; the workspace has extinction, and depths to the sun.
     """
     layer, extinction, count = (
@@ -338,10 +247,11 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
             )
         sun = sun * exponential(shade)
         kept = exponential(scaled_extinction * np.float32(-extinction * step))
-        source = (
-            sun * load(layer.single[0], at) * phase_of(half_sine, 0, lane_view(layer.phase, at))
-        )
-        first[0] = first[0] + source / scaled_extinction * passed[1] * (np.float32(1.0) - kept)
+        once = sun * load(layer.single[0], at)
+        once = once / scaled_extinction * passed[1] * (np.float32(1.0) - kept)
+        first[WHOLE] += once * phase_of(half_sine, 0, lane_view(layer.phase, at))
+        if polarised:
+            first[ONCE] += once * phase_of(half_sine, 0, lane_view(layer.phase_f12, at))
         passed[1] = passed[1] * kept
     # harmonics of the direction in which light propagates, in the frame of the place
     upward = scaled(point, 1.0 / radius)
@@ -398,14 +308,14 @@ def add_step(ray, point, number, step, half_sine, clouds, tables, work):
 
 
 @inlined
-def attenuate(distance, extent, clouds, tables, work):
+def attenuate(distance, extent, polarised, clouds, tables, work):
     """Move light of clouds around a distance to the result, behind the air before it.
 
     Parameters
     ----------
     distance : float
         Mean distance. [m]
-    extent, clouds, tables, work :
+    extent, polarised, clouds, tables, work :
         Arguments of ``add_clouds``.
     """
     nodes = clouds.air.shape[1]
@@ -419,19 +329,22 @@ def attenuate(distance, extent, clouds, tables, work):
             lane_view(work.first, at),
             lane_view(work.passed, at),
         )
-        total = first[0]
+        total = first[WHOLE]
         for number in range(len(clouds.layers)):
             spectrum = lane_view(tuple_item(clouds.layers, number).spectrum, at)
             for n in range(4):
                 total = total + spectrum[n] * np.float32(work.solved[number, n])
         total = maximum(total, 0.0)
         through, before = lane_view(work.through, at), lane_view(work.before, at)
-        light[0] = (
-            light[0]
-            + (h * through[node] + e * through[node + 1]) * total
-            + (h * before[node] + e * before[node + 1]) * (passed[0] - passed[1])
+        seen, gone = h * through[node] + e * through[node + 1], passed[0] - passed[1]
+        light[WHOLE] += (
+            seen * total + (h * before[node, WHOLE] + e * before[node + 1, WHOLE]) * gone
         )
-        first[0] = splat(0.0)
+        if polarised:
+            light[ONCE] += seen * first[ONCE]
+            for part in range(ONCE, PARTS):
+                light[part] += (h * before[node, part] + e * before[node + 1, part]) * gone
+        first[WHOLE], first[ONCE] = splat(0.0), splat(0.0)
         passed[0] = passed[1]
     for number in range(len(clouds.layers)):
         lane_view(work.solved)[number] = splat(0.0)

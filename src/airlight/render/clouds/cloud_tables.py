@@ -16,6 +16,31 @@ Float32Array = NDArray[np.float32]
 
 #: Number of wavelengths at which multiple scattering in clouds is solved.
 SOLVED: Final = 4
+#: Indices of ``CloudTables.air``: first order [sr⁻¹], and that of two constituents without phase
+#: functions [1]; transmittance [1]; higher orders in the light of the mean layer, and those of
+#: clear sky less these [sr⁻¹].
+FIRST: Final = 0
+PEAKS: Final = 1
+THROUGH: Final = 3
+HIGHER: Final = 4
+LOST: Final = 5
+#: With polarisation: first order of what is polarised in the scattering plane, less across it, and
+#: Q and U of higher orders, as above. [sr⁻¹]
+FIRST_P: Final = 6
+HIGHER_Q: Final = 7
+LOST_Q: Final = 8
+HIGHER_U: Final = 9
+LOST_U: Final = 10
+LAYERS: Final = 6
+POLARISED_LAYERS: Final = 11
+#: Parts of radiance: intensity; first order of what is polarised in the scattering plane, less
+#: across it (``star_plane`` turns it, the same along the line, into Q and U); Q and U of higher
+#: orders.
+WHOLE: Final = 0
+ONCE: Final = 1
+Q: Final = 2
+U: Final = 3
+PARTS: Final = 4
 
 
 class LayerTables(NamedTuple):
@@ -67,8 +92,9 @@ class LayerTables(NamedTuple):
         Weights of the solved wavelengths. [1]
     scaled, whole, single : array, shape (1, w)
         Scaled and unscaled extinction, and scattering, over extinction at 550 nm. [1]
-    phase : array, shape (nodes, 1, w)
-        Phase function on even steps of sin(θ/2). [sr⁻¹]
+    phase, phase_f12 : array, shape (nodes, 1, w)
+        Phase function on even steps of sin(θ/2), and element F₁₂ of the phase matrix; the latter
+        is empty without polarisation. [sr⁻¹]
     norms : array
         Result of ``harmonic_norms``.
     beam : array, shape (altitudes, angles, w)
@@ -108,6 +134,7 @@ class LayerTables(NamedTuple):
     whole: Float32Array
     single: Float32Array
     phase: Float32Array
+    phase_f12: Float32Array
     norms: FloatArray
     beam: Float32Array
     beam_low: float
@@ -129,12 +156,10 @@ class CloudTables(NamedTuple):
         Clouds by ascending tops.
     window : SkyViewWindow
         Directions of ``air``.
-    air : array, shape (directions, distances, 6, w)
-        Path radiance of the air up to a distance: first order [sr⁻¹], that of two constituents
-        without phase functions [1], higher orders in the light of the mean layer [sr⁻¹];
-        transmittance [1]; and higher orders of clear sky less those of the mean layer [sr⁻¹].
-    beyond : array, shape (directions, w)
-        The last, of the rest of the line. [sr⁻¹]
+    air : array, shape (directions, distances, 6 or 11, w)
+        Air up to a distance, by the indices below; 11 with polarisation.
+    beyond : array, shape (directions, 3, w)
+        ``LOST``, ``LOST_Q`` and ``LOST_U`` of the rest of the line. [sr⁻¹]
     """
 
     radius: float
@@ -153,13 +178,15 @@ class CloudWork(NamedTuple):
 
     Attributes
     ----------
-    before, through : array, shape (distances, w)
-        Path radiance [sr⁻¹] and transmittance [1] of the air on a line of sight.
+    before : array, shape (distances, PARTS, w)
+        Path radiance of the air on a line of sight. [sr⁻¹]
+    through : array, shape (distances, w)
+        Transmittance of the air there. [1]
     lit : array, shape (distances,)
         Transmittance of the beam by clouds between a node and the one before. [1]
-    first : array, shape (1, w)
-        First order of the clouds in the part of the line that is not yet attenuated by air.
-        [sr⁻¹]
+    first : array, shape (2, w)
+        First order of the clouds in the part of the line that is not yet attenuated by air: the
+        parts ``WHOLE`` and ``ONCE``. [sr⁻¹]
     passed : array, shape (2, w)
         Transmittance of the clouds at the start of that part and now. [1]
     solved : array, shape (layers + 1, 8)
@@ -171,9 +198,11 @@ class CloudWork(NamedTuple):
         far [1], at 550 nm.
     numbers : array of int, shape (layers,)
         Level of detail of each layer at a point.
-    light : array, shape (4, w)
-        Result: radiance [sr⁻¹], scaled and unscaled transmittance [1] of the clouds, and the light
-        of clear sky less that with shadows, in the light of the mean layer [sr⁻¹].
+    light, lost : array, shape (PARTS, w)
+        Results: radiance of clouds and of the air before them, and the light of clear sky less
+        that with shadows, in the light of the mean layer. [sr⁻¹]
+    clear : array, shape (2, w)
+        Results: scaled and unscaled transmittance of the clouds. [1]
     harmonics : array, shape (2·pairs,)
         Harmonics of the direction. [1]
     """
@@ -190,6 +219,8 @@ class CloudWork(NamedTuple):
     depths: FloatArray
     numbers: NDArray[np.int64]
     light: Float32Array
+    lost: Float32Array
+    clear: Float32Array
     harmonics: FloatArray
 
 
@@ -198,10 +229,10 @@ def new_cloud_work(clouds: CloudTables) -> CloudWork:
     lanes = clouds.air.shape[-1]
     nodes, count = clouds.air.shape[1], len(clouds.layers)
     return CloudWork(
-        before=np.zeros((nodes, lanes), np.float32),
+        before=np.zeros((nodes, PARTS, lanes), np.float32),
         through=np.zeros((nodes, lanes), np.float32),
         lit=np.ones(nodes),
-        first=np.zeros((1, lanes), np.float32),
+        first=np.zeros((2, lanes), np.float32),
         solved=np.zeros((count + 1, 8), np.float32),
         passed=np.zeros((2, lanes), np.float32),
         extents=np.zeros((count, 4)),
@@ -209,6 +240,8 @@ def new_cloud_work(clouds: CloudTables) -> CloudWork:
         beams=np.zeros(count),
         depths=np.zeros(count),
         numbers=np.zeros(count, np.int64),
-        light=np.zeros((4, lanes), np.float32),
+        light=np.zeros((PARTS, lanes), np.float32),
+        lost=np.zeros((PARTS, lanes), np.float32),
+        clear=np.zeros((2, lanes), np.float32),
         harmonics=np.zeros(2 * max(layer.source.shape[3] for layer in clouds.layers)),
     )

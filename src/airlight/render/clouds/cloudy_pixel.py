@@ -17,9 +17,10 @@ from airlight.kernel.lanes import LANES, exponential, lane_view, load, maximum, 
 from airlight.kernel.tuple_item import tuple_item
 from airlight.render.clouds.beam_depth import cell_after, cell_before
 from airlight.render.clouds.cell_level import cell_level, level_number
-from airlight.render.clouds.cloud_march import add_clouds, line_of_air
+from airlight.render.clouds.cloud_march import add_clouds, no_light
 from airlight.render.clouds.cloud_place import beam_depth_at, box_place
-from airlight.render.clouds.cloud_tables import CloudTables, CloudWork
+from airlight.render.clouds.cloud_tables import ONCE, PARTS, WHOLE, CloudTables, CloudWork, Q, U
+from airlight.render.clouds.line_of_air import line_of_air
 from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.ground_angles import ground_angles
 from airlight.render.pixels.pixel import (
@@ -34,6 +35,7 @@ from airlight.render.pixels.sky_lookup import classify_ray, sky_view_place
 from airlight.render.pixels.sky_view_lut import half_sine_between
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchWorkspace
+from airlight.solver.stokes_frame import star_plane
 
 
 class CloudyWorkspace(NamedTuple):
@@ -64,34 +66,46 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
     observer, view, tables = frame.observer, frame.camera, frame.tables
     air_work, clouds, front = work
     found = classify_ray(ray, observer, tables)
+    polarised = view.filter > 0
+    no_light(tables, front)
     for at in range(0, tables.lanes, LANES):
-        light = lane_view(front.light, at)
-        light[0], light[1], light[2], light[3] = splat(0.0), splat(1.0), splat(1.0), splat(0.0)
+        for part in range(PARTS):
+            lane_view(front.lost, at)[part] = splat(0.0)
     extent = sight_extents(ray, found.sine, found.to_ground, clouds, front)
     if found.through_air and view.draws_air:
         half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
         place = sky_view_place(ray, found, clouds.window)
         # also above the tops, where the air is in the light of the clouds
-        line_of_air(ray, half_sine, place, extent, clouds, tables, front)
+        line_of_air(ray, half_sine, place, extent, polarised, clouds, tables, front)
         if extent.last > extent.first:
-            add_clouds(ray, half_sine, extent, clouds, tables, front)
+            add_clouds(ray, half_sine, extent, polarised, clouds, tables, front)
     seen = seen_line(ray, found, exact, frame, air_work, color)
     if seen.through_air and seen.to_ground:
         mu_s, _, _ = ground_angles(ray.x, ray.z, found.sine, seen.refraction, observer, tables)
         ground_light(mu_s, observer.orders, tables, air_work)
         shade_ground(ray, extent.last, observer.orders, clouds, tables, air_work, front)
+    turn_cosine, turn_sine = np.float32(1.0), np.float32(0.0)
+    if polarised:
+        nu = min(max(ray.x * observer.sun_x + ray.z * observer.sun_z, -1.0), 1.0)
+        cosine, sine = star_plane(ray.z, observer.sun_z, nu)
+        turn_cosine, turn_sine = np.float32(cosine), np.float32(sine)
     for at in range(0, tables.lanes, LANES):
         radiance, light = lane_view(air_work.radiance, at), lane_view(front.light, at)
-        air = maximum(radiance[0] - light[3], 0.0)
+        lost, clear = lane_view(front.lost, at), lane_view(front.clear, at)[0]
+        air = maximum(radiance[0] - lost[WHOLE], 0.0)
         total = line_radiance(air, seen, color, frame, air_work, at)
-        total = light[0] + light[1] * total
-        store(result, at, filtered(total, light[1], seen, view, air_work, at))
+        total = light[WHOLE] + clear * total
+        if polarised:
+            once = light[ONCE] - clear * lost[ONCE]
+            radiance[4] = light[Q] + clear * (radiance[4] - lost[Q]) + once * turn_cosine
+            radiance[5] = light[U] + clear * (radiance[5] - lost[U]) + once * turn_sine
+        store(result, at, filtered(total, seen, view, air_work, at))
     if view.draws_disc and not seen.to_ground:
         powers, place = seen_disc(px, py, ray, frame, air_work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
                 disc = disc_light(powers, place, seen.whole, tables, air_work.columns_total, at)
-                disc = disc * lane_view(front.light, at)[2]
+                disc = disc * lane_view(front.clear, at)[1]
                 store(result, at, load(result, at) + disc)
 
 

@@ -65,8 +65,8 @@ class MeanLayer:
 
     .. math:: q = \sum_i f_i L_i / L_0
 
-    for light L and fractions f of independent columns, of which the first is clear: in scalar
-    transfer at a few wavelengths. Between those the ratio is linear.
+    for light L and fractions f of independent columns, of which the first is clear, at a few
+    wavelengths. Between those the ratio is linear.
 
     Attributes
     ----------
@@ -81,9 +81,23 @@ class MeanLayer:
 
     def ratio(self, light: Sequence[NDArray[np.floating]]) -> FloatArray:
         """Ratio q at all wavelengths, of the light (..., solved) of each column. [1]"""
+        return 1.0 + self.change(light, light[0])
+
+    def change(
+        self, light: Sequence[NDArray[np.floating]], clear: NDArray[np.floating]
+    ) -> FloatArray:
+        """Light less that of the clear column, over the latter's radiance, at all wavelengths. [1]
+
+        Parameters
+        ----------
+        light : sequence of array, shape (..., solved)
+            Radiance, or Q or U, of each column.
+        clear : array, shape (..., solved)
+            Radiance of the clear column.
+        """
         total = sum(one.fraction * part for one, part in zip(self.columns, light, strict=True))
-        found = np.asarray(total) / np.maximum(light[0], 1e-30)
-        return np.asarray(np.clip(found, 0.0, MOST_LIGHT) @ self.weights)
+        found = (np.asarray(total) - light[0]) / np.maximum(clear, 1e-30)
+        return np.asarray(np.clip(found, -MOST_LIGHT, MOST_LIGHT) @ self.weights)
 
     def radiance_ratio(self, lines: LinesOfSight) -> FloatArray:
         """Ratio of the diffuse radiance of lines of sight, shape (n, nl). [1]"""
@@ -149,7 +163,7 @@ def mean_layer(
     degree = settings.layer_degree
     settings = replace(
         settings,
-        polarisation=False,
+        polarisation=solution.polarised,
         degree=degree,
         thick_degree=degree,
         energy_tolerance=ENERGY_TOLERANCE,

@@ -40,6 +40,7 @@ def cloud_tables(
     tables: MarchTables,
     observer: Observer,
     *,
+    polarised: bool = False,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> CloudTables:
@@ -53,6 +54,8 @@ def cloud_tables(
         Solution and scene under the same light.
     tables, observer : MarchTables, Observer
         Tables and observer of the frame.
+    polarised : bool
+        Whether Q and U are seen.
     """
     radius = solution.medium.bottom_radius
     base = radius + min(light.field.base for light in lights)
@@ -65,6 +68,7 @@ def cloud_tables(
         window,
         (eye, radius, base, top),
         lights[0].layer,
+        polarised=polarised,
         progress=progress,
         cancel=cancel,
     )
@@ -74,7 +78,7 @@ def cloud_tables(
         base=base,
         top=top,
         pixel_angle=float(scene.camera.pixel_angle),
-        layers=tuple(_layer(light, solution, scene, observer) for light in lights),
+        layers=tuple(_layer(light, solution, scene, observer, polarised) for light in lights),
         window=window,
         air=air,
         beyond=beyond,
@@ -82,7 +86,11 @@ def cloud_tables(
 
 
 def _layer(
-    light: CloudLight, solution: MomentsSolution, scene: Scene, observer: Observer
+    light: CloudLight,
+    solution: MomentsSolution,
+    scene: Scene,
+    observer: Observer,
+    polarised: bool,
 ) -> LayerTables:
     """Tables of one of the clouds."""
     box, optics = light.box, light.optics
@@ -96,6 +104,9 @@ def _layer(
     scaled = light.scaled
     nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, _PHASES) ** 2
     phase = optics.phase.values(nu, optics.wavelengths)
+    phase_f12 = np.zeros_like(phase[:2])
+    if polarised:
+        phase_f12 = optics.phase.phase_f12(nu, optics.wavelengths)
     finest = Cells(
         extinction=np.ascontiguousarray(light.field.extinction.transpose(2, 1, 0)),
         clear=light.clear,
@@ -120,6 +131,7 @@ def _layer(
         whole=pack(np.asarray(optics.extinction)[None]),
         single=pack((np.asarray(optics.extinction) * np.asarray(optics.albedo))[None]),
         phase=pack(phase[:, None]),
+        phase_f12=pack(phase_f12[:, None]),
         norms=harmonic_norms(box.degree),
         beam=pack(beam),
         beam_low=low,

@@ -15,6 +15,7 @@ from airlight.render.clouds.clear_distance import clear_distances
 from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.cloud_march import add_clouds
 from airlight.render.clouds.cloud_tables import (
+    LAYERS,
     SOLVED,
     CloudTables,
     LayerTables,
@@ -73,9 +74,9 @@ def _transmittances(rays, clouds, tables, work, out):
         to_ground = ray.z < 0.0 and impact < clouds.radius
         extent = sight_extents(ray, sine, to_ground, clouds, work)
         if extent.last > extent.first:
-            add_clouds(ray, 0.0, extent, clouds, tables, work)
+            add_clouds(ray, 0.0, extent, False, clouds, tables, work)
             for at in range(0, tables.lanes, LANES):
-                store(out[k], at, lane_view(work.light, at)[2])
+                store(out[k], at, lane_view(work.clear, at)[1])
 
 
 def _dark_tables(
@@ -91,8 +92,8 @@ def _dark_tables(
         pixel_angle=float(scene.camera.pixel_angle),
         layers=tuple(_dark_layer(deck, solution, scene) for deck in decks),
         window=SkyViewWindow.whole(0, 0),
-        air=pack(np.zeros((1, 2, 6, nl))),
-        beyond=pack(np.zeros((1, nl))),
+        air=pack(np.zeros((1, 2, LAYERS, nl))),
+        beyond=pack(np.zeros((1, 3, nl))),
     )
 
 
@@ -122,6 +123,7 @@ def _dark_layer(deck: CloudDeck, solution: MomentsSolution, scene: Scene) -> Lay
         whole=whole,
         single=pack(np.zeros((1, nl))),
         phase=pack(np.zeros((2, 1, nl))),
+        phase_f12=pack(np.zeros((2, 1, nl))),
         norms=harmonic_norms(0),
         beam=pack(np.zeros((2, 2, nl))),
         beam_low=-1.0,

@@ -257,13 +257,13 @@ def line_radiance(air, seen, color, frame, work, at):
 
 
 @inlined
-def filtered(total, clear, seen, view, work, at):
+def filtered(total, seen, view, work, at):
     """Radiance behind the polarising filter. [sr⁻¹]
 
     Parameters
     ----------
-    total, clear : lanes
-        Radiance before it [sr⁻¹], and transmittance of the clouds before the air [1].
+    total : lanes
+        Radiance before it; Q and U are in the workspace. [sr⁻¹]
     seen, view, work, at :
         Arguments of ``line_radiance``, and the camera.
     """
@@ -271,8 +271,8 @@ def filtered(total, clear, seen, view, work, at):
     if view.filter > 0:
         total = total * np.float32(seen.whole)
         if seen.through_air:
-            total = total + clear * radiance[4] * np.float32(seen.stokes_q)
-            total = total + clear * radiance[5] * np.float32(seen.stokes_u)
+            total = total + radiance[4] * np.float32(seen.stokes_q)
+            total = total + radiance[5] * np.float32(seen.stokes_u)
     return total
 
 
@@ -339,7 +339,7 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
     for at in range(0, tables.lanes, LANES):
         radiance = lane_view(work.radiance, at)
         total = line_radiance(radiance[0], seen, color, frame, work, at)
-        store(result, at, filtered(total, splat(1.0), seen, view, work, at))
+        store(result, at, filtered(total, seen, view, work, at))
     if view.draws_disc and not seen.to_ground:
         powers, place = seen_disc(px, py, ray, frame, work.columns_total)
         if powers.p0 > 0.0:

@@ -250,6 +250,15 @@ def line_of_texel(column, row, window, observer, tables):
     return SightLine(mu, sine, cos_azimuth, half_sine, not sky)
 
 
+@inlined
+def upright(line):
+    """Line of sight, or if it is vertical the nearest that has a meridian plane: ``SightLine``."""
+    mu, sine = line.mu, line.sine
+    if sine < UPRIGHT:
+        mu, sine = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if mu > 0.0 else -1.0), UPRIGHT
+    return SightLine(mu, sine, line.cos_azimuth, line.half_sine, line.to_ground)
+
+
 @kernel
 def row_coordinate(row, rows, outside):
     """Coordinate of a row in its half. [1]
@@ -295,9 +304,8 @@ def sky_view_texel(column, row, window, air, peaks, polarised, observer, tables,
         sea_sky_texel(number, shown, window, air, peaks, observer, tables, work)
     else:
         line = line_of_texel(column, row, window, observer, tables)
-        if polarised and line.sine < UPRIGHT:
-            mu = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if line.mu > 0.0 else -1.0)
-            line = SightLine(mu, UPRIGHT, line.cos_azimuth, line.half_sine, line.to_ground)
+        if polarised:
+            line = upright(line)
         look(line, air, peaks, polarised, observer, tables, work)
         for at in range(0, tables.lanes, LANES):
             found = lane_view(work.radiance, at)

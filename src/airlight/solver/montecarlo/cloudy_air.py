@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp
 from time import perf_counter
 from typing import Final
@@ -23,8 +23,9 @@ from airlight.solver.montecarlo.cloud_cells import CloudCells, CloudyStarts, clo
 from airlight.solver.montecarlo.cloud_rays import FAR, cloud_depth
 from airlight.solver.montecarlo.estimate import Estimate, Query, start_frame
 from airlight.solver.montecarlo.history_optics import with_cloud_phases
-from airlight.solver.montecarlo.solution import MonteCarloSolution
+from airlight.solver.montecarlo.solution import MonteCarloSolution, turned_errors, turned_stokes
 from airlight.solver.star_light import direct_irradiance
+from airlight.solver.stokes_frame import VERTICAL
 
 FloatArray = NDArray[np.float64]
 
@@ -78,8 +79,10 @@ class CloudyAir:
     """Planet with clouds, lit by its star: every result is traced (see ``histories``).
 
     The star's direction is given at the place of the first cloud. Estimates are per irradiance of
-    the star and scalar if the solution's settings are; all orders are sampled. They are
-    reproducible, and errors of different lines independent, as those of ``MonteCarloSolution``.
+    the star and scalar if the solution's settings are; all orders are sampled. Q and U refer to the
+    meridian plane of each line, see ``stokes_frame``, or that of the azimuth of a vertical line.
+    Estimates are reproducible, and errors of different lines independent, as those of
+    ``MonteCarloSolution``.
 
     Parameters
     ----------
@@ -147,7 +150,8 @@ class CloudyAir:
         points = (self.solution.medium.bottom_radius + sides[2])[:, None] * axes[:, 2]
         views = _direction(axes, sides[3], sides[4])
         sun = _direction(self.axes[0], sides[5], sides[6])
-        return self._estimate(points, views, sun, np.zeros((points.shape[0], 2, 3)), 0)
+        found = self._estimate(points, views, sun, np.zeros((points.shape[0], 2, 3)), 0)
+        return _in_meridian(found, axes, sun, sides[3], sides[4])
 
     def radiance_over(
         self, areas: Areas, *, altitude: float, view_zenith: float, azimuth: float,
@@ -170,9 +174,11 @@ class CloudyAir:
             Radiance per irradiance of the star. [sr⁻¹]
         """
         points, sides = self._area_vectors(areas, altitude)
-        view = _direction(self.axes[0], view_zenith, azimuth) + 0.0 * points
+        view = _direction(self.axes[0], view_zenith, azimuth)
         sun = _direction(self.axes[0], sun_zenith, sun_azimuth)
-        return self._estimate(points, view, sun, sides, 0)
+        found = self._estimate(points, view + 0.0 * points, sun, sides, 0)
+        angles = (np.full(len(points), one) for one in (view_zenith, azimuth))
+        return _in_meridian(found, self.axes[0], sun, *angles)
 
     def irradiance_over(
         self, areas: Areas, *, altitude: float, upward: bool, sun_zenith: float, sun_azimuth: float
@@ -268,9 +274,14 @@ class CloudyAir:
         # A star overhead has no azimuth: it is moved to the zenith.
         overhead = (np.linalg.norm(np.cross(up, suns), axis=1) < _OVERHEAD) & (lines.mu_s > 0.0)
         suns = np.where(overhead[:, None], up, suns)
-        mu_s, nu = np.where(overhead, 1.0, lines.mu_s), np.where(overhead, lines.mu, lines.nu)
+        vertical = sine * sine < VERTICAL
+        mu, mu_s = (
+            np.where(vertical, np.sign(lines.mu), lines.mu),
+            np.where(overhead, 1.0, lines.mu_s),
+        )
+        nu = np.where(overhead | vertical, mu * mu_s, lines.nu)
         frames = np.stack([start_frame(*each) for each in zip(up, along, suns, strict=True)])
-        starts = np.stack([lines.r, lines.mu, mu_s, nu], axis=1)
+        starts = np.stack([lines.r, mu, mu_s, nu], axis=1)
         clouds = CloudyStarts(
             self._cells, frames, np.ascontiguousarray(sides @ frames.transpose(0, 2, 1))
         )
@@ -278,6 +289,29 @@ class CloudyAir:
         lengths = np.maximum(lines.length, np.where(lines.to_ground, 1e-3, 0.0))
         query = Query(starts, lengths, hemisphere, None, None, clouds=clouds)
         return self.solution.answer(query, started, self._airs)
+
+
+def _in_meridian(
+    found: Estimate, axes: FloatArray, sun: FloatArray, view_zenith: FloatArray, azimuth: FloatArray
+) -> Estimate:
+    """Estimate with Q and U for views on both sides of the star, see ``to_meridian``.
+
+    Parameters
+    ----------
+    found : Estimate
+        Estimate in frames in which the line of sight is on the positive side of the star.
+    axes, sun : array
+        Axes of the observers' places, and directions of the star. [1]
+    view_zenith, azimuth : array, shape (n,)
+        Directions of view there, azimuth clockwise from north. [deg]
+    """
+    east, north = (np.einsum("...j,...j->...", axes[..., k, :], sun) for k in (0, 1))
+    away = azimuth - np.degrees(np.arctan2(east, north))
+    return replace(
+        found,
+        polarised=turned_stokes(found.total, found.polarised, view_zenith, away)[:, 1:],
+        polarised_error=turned_errors(found, view_zenith, away)[:, 1:],
+    )
 
 
 def _cosine(a: FloatArray, b: FloatArray) -> FloatArray:

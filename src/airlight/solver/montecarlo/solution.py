@@ -231,8 +231,8 @@ class MonteCarloSolution(Solution):
         if order is not None:
             values, errors = got.parts[:, order - 1], got.part_errors[:, order - 1]
         if stokes:
-            values = _turned(got.total, got.polarised, *arrays[2:])
-            errors, axes = _turned_errors(got, *arrays[2:]), axes.with_axis("stokes", STOKES)
+            values = turned_stokes(got.total, got.polarised, *arrays[2:])
+            errors, axes = turned_errors(got, *arrays[2:]), axes.with_axis("stokes", STOKES)
         sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
         found = self._labelled(values * sun, axes, "radiance", unit)
         spread = self._labelled(errors * sun, axes, "standard error", unit)
@@ -334,8 +334,8 @@ class MonteCarloSolution(Solution):
         if stokes:
             beside = axes.with_axis("stokes", STOKES)
             for name, stokes_values in (
-                ("stokes_radiance", _turned(got.total, got.polarised, *arrays[2:])),
-                ("stokes_standard_error", _turned_errors(got, *arrays[2:])),
+                ("stokes_radiance", turned_stokes(got.total, got.polarised, *arrays[2:])),
+                ("stokes_standard_error", turned_errors(got, *arrays[2:])),
             ):
                 data[name] = self._labelled(
                     stokes_values * sun, beside, name.replace("_", " "), unit
@@ -344,17 +344,17 @@ class MonteCarloSolution(Solution):
         return data
 
 
-def _turned(
+def turned_stokes(
     whole: FloatArray, polarised: FloatArray, view_zenith: FloatArray, azimuth: FloatArray
 ) -> FloatArray:
     """I, Q and U in the meridian frame of the observer's azimuths, (n, 3, nl)."""
     return to_meridian(np.concatenate([whole[:, None], polarised], axis=1), view_zenith, azimuth)
 
 
-def _turned_errors(got: Estimate, view_zenith: FloatArray, azimuth: FloatArray) -> FloatArray:
+def turned_errors(got: Estimate, view_zenith: FloatArray, azimuth: FloatArray) -> FloatArray:
     """Standard errors of I, Q and U in that frame, shape (n, 3, nl), without covariances."""
     alone = np.eye(2)[:, None, :, None] * got.polarised_error
-    q, u = (_turned(got.total_error, one, view_zenith, azimuth) for one in alone)
+    q, u = (turned_stokes(got.total_error, one, view_zenith, azimuth) for one in alone)
     return np.concatenate([q[:, :1], np.hypot(q[:, 1:], u[:, 1:])], axis=1)
 
 
