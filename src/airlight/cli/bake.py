@@ -182,7 +182,7 @@ def bake(
     from airlight.engines.baking.table_files import FILES, FORMAT, write_tables
     from airlight.files.atomic_folder import check_folder
     from airlight.planets import replace
-    from airlight.planets.clouds import check_clear
+    from airlight.planets.without_clouds import check_clear
 
     tables.check(layout)
     mu_s_min, texels, number = tables.mu_s_min(), tables.texels(layout), tables.scattering_order()
@@ -265,7 +265,7 @@ def bake_target(
     from airlight.engines.targets import target_of
     from airlight.files.atomic_folder import check_folder
     from airlight.planets import replace
-    from airlight.planets.clouds import check_clear
+    from airlight.planets.without_clouds import check_clear
 
     program = target_of(name)
     wavelengths = None if solve.wavelengths == "rgb" else solve.wavelengths

@@ -12,9 +12,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import ClassVar, Final, Protocol
+from typing import ClassVar, Final
 
-from airlight.errors import ConflictError
 from airlight.planets.matter.state_keys import RADIUS
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field, FileTable, Wavelengths, always, key
@@ -398,40 +397,6 @@ CLOUD_TYPES: Final = (
     Altocumulus,
     Cirrus,
 )
-
-
-class HasClouds(Protocol):
-    """Planet."""
-
-    @property
-    def clouds(self) -> tuple[Clouds, ...]:
-        """Its clouds."""
-
-
-def check_clear(planet: HasClouds, consumer: str = "this computation") -> None:
-    """Raise an error for a planet with three-dimensional clouds, which would be ignored.
-
-    ``Medium.from_planet`` calls it, so that no solver ignores clouds. One that computes them takes
-    ``planet.clouds`` and the medium of ``planet.without_clouds``; a command that does not may call
-    it first, with its name.
-
-    Parameters
-    ----------
-    planet : Planet
-        Planet.
-    consumer : str
-        Command or solver in the error.
-
-    Raises
-    ------
-    ConflictError
-        If the planet has clouds.
-    """
-    if planet.clouds:
-        raise ConflictError(
-            "clouds",
-            f"cannot be used by {consumer}, where air is the same everywhere: remove them",
-        )
 
 
 class _CloudKinds(TaggedUnion[Clouds]):

@@ -20,7 +20,6 @@ from airlight.physics.optics.layer_edges import ThinLayer, thin_layers
 from airlight.physics.optics.reflection import WHITE, Reflection
 from airlight.physics.optics.refracting_shell import RefractingShell
 from airlight.physics.units import values_in
-from airlight.planets.clouds import check_clear
 from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
@@ -28,6 +27,7 @@ from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Planet
 from airlight.planets.spectral import check_wavelength_list
 from airlight.planets.surface import PLAIN, Surface
+from airlight.planets.without_clouds import check_clear
 
 FloatArray = npt.NDArray[np.float64]
 

@@ -35,8 +35,8 @@ from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.physics.optics.phase_functions import rayleigh
 from airlight.physics.units import Measure
-from airlight.planets.clouds import check_clear
 from airlight.planets.reading.reader import PlanetLike
+from airlight.planets.without_clouds import check_clear
 from airlight.scene.limits import within
 from airlight.solver.refracted_geometry import require_no_refraction
 from airlight.solver.solution import Solution

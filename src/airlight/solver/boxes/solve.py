@@ -135,9 +135,13 @@ def _computed(
     depth = np.zeros((shape[0], 1, shape[1], beam.shape[0]), np.float32)
     if beam.any():
         depth = beam_depths(
-            grid, light.towards, settings.beam_points, light.curvature,
-            progress=progress, cancel=cancel,
-        )  # fmt: skip
+            grid,
+            light.towards,
+            settings.beam_points,
+            light.curvature,
+            progress=progress,
+            cancel=cancel,
+        )
     ground = np.broadcast_to(light.albedo, (count,))
     by_octant = sky.reshape(4, -1, count)
     parts = []
@@ -145,9 +149,15 @@ def _computed(
         some = slice(first, min(first + HALF_LANES, count))
         optics_here = BoxOptics(*(one[..., some] for one in scaled))
         problem = BoxProblem(
-            grid, optics_here, light.towards, ground[some], by_octant[..., some],
-            beam[:, some], light.curvature, depth,
-        )  # fmt: skip
+            grid,
+            optics_here,
+            light.towards,
+            ground[some],
+            by_octant[..., some],
+            beam[:, some],
+            light.curvature,
+            depth,
+        )
         sides = None if grid.periodic else _sides(problem, settings)
         # Without names, so that workspaces are free when moments are copied.
         parts.append(
@@ -274,9 +284,8 @@ def _key(
 ) -> str:
     """Fingerprint of all that a solution depends on."""
     digest = hashlib.sha256(f"boxes {fingerprint(Path(__file__))} {settings.as_text()}".encode())
-    numbers = (
-        *field.spacing, field.base, *light.towards, light.ground or 0.0, light.curvature
-    )  # fmt: skip
+    place = (light.ground or 0.0, light.curvature)
+    numbers = (*field.spacing, field.base, *light.towards, *place)
     words = f"{numbers} {light.ground is None} {field.beyond} {field.interpolated}"
     digest.update(words.encode() + str(field.extinction.shape).encode())
     nm = np.asarray(optics.wavelengths, np.float64)

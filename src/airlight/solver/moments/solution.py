@@ -18,9 +18,9 @@ from airlight.kernel.lanes import LANES, lane_view, load
 from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.physics.optics.reflection import cos_reflected
-from airlight.planets.clouds import check_clear
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
+from airlight.planets.without_clouds import check_clear
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.moments.energy_balance import imbalance
 from airlight.solver.moments.forward_peak import inverse_peak_fraction, peak_broadening

@@ -113,7 +113,7 @@ def _of_planet(function: str, *, air: bool = True) -> Draw:
 
     def draw(planet: Planet, choices: Choices, work: Work) -> Figure:
         if air:
-            from airlight.planets.clouds import check_clear
+            from airlight.planets.without_clouds import check_clear
 
             check_clear(planet, "this figure")
         chosen = _given(choices, "wavelengths", "altitude")
