@@ -18,9 +18,9 @@ def test_differences_are_over_the_mean():
 def test_boxes_pass_on_the_step_cloud(monkeypatch):
     monkeypatch.setattr(boxes, "EXPERIMENTS", EXPERIMENTS[:1])
     steps = []
-    thresholds, table = box_consensus(SuiteRun(progress=lambda *told: steps.append(told)))
+    thresholds, parts = box_consensus(SuiteRun(progress=lambda *told: steps.append(told)))
     assert all(one.passed for one in thresholds), [one for one in thresholds if not one.passed]
-    assert len(table.rows) == 2 * len(EXPERIMENTS[0].results)
+    assert len(parts[0].rows) == 2 * len(EXPERIMENTS[0].results)
     assert steps
 
 
