@@ -418,7 +418,7 @@ WHOLE = {
         "filter_shares", "filtered",
     ),
     "test_gpu_renderer.py::test_the_shader_fills_the_table_as_the_cpu_does": (
-        "sky_view_texel", "line_of_texel",
+        "sky_view_texel", "line_of_texel", "upright",
     ),
     "test_gpu_renderer.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
         "star_disc", "seen_disc", "disc_light", "leaving_air", "_point_like", "_step", "darkened",
