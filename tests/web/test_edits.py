@@ -7,8 +7,8 @@ import dataclasses
 import io
 import json
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
-from urllib.parse import unquote
 
 import numpy as np
 import pytest
@@ -176,25 +176,24 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
 
 
 def test_an_edit_that_is_refused_says_so_and_leaves_the_picture(
-    page_by: Callable[[str, str], Any],
+    plain: Callable[[str], MomentsSolution], kept_open: Callable[..., Any], tmp_path: Path
 ) -> None:
     # the optical depth exceeds the passes' limit; the URL carries the edit nevertheless
-    page = page_by("mars", "webgl2")
-    before, said, link, after = page.evaluate(
-        """async () => {
-          await airlight.ready;
-          airlight.state.reset();
-          await airlight.edits.settled();
-          const before = airlight.picture.solutions;
-          airlight.state.set({ "air.amounts[1]": 25 });
-          await airlight.edits.settled();
-          const said = airlight.parts.message.textContent;
-          return [before, said, airlight.state.asFragment(), airlight.picture.solutions];
-        }"""
-    )
+    data = page_data(plain("earth"), "earth", "earth", {**DEFAULTS, **FIXED}, "three")
+    data["picture"]["sky"]["full"] = list(SKY)
+    file = tmp_path / "page.html"
+    file.write_text(page_text("earth", json.loads(json.dumps(data))), encoding="utf-8")
+    edit = {"air.amounts[0]": 10.0, "air.amounts[1]": 10.0}
+    fragment = "#" + json.dumps({"planet": "earth", "air": edit}, separators=(",", ":"))
+    page = kept_open(file, f"?device=webgl2{fragment}")
+    page.evaluate("airlight.settled()")
+    said = page.evaluate("airlight.parts.message.textContent")
     assert said == "so much air is too thick to be solved here; the desktop viewer solves it"
-    assert json.loads(unquote(link))["air"] == {"air.amounts[1]": 50.0}
-    assert after == before
+    aerosol = amounts_of(load_planet("earth"))[1]
+    got = page.evaluate("airlight.state.get('air.amounts[1]')")
+    assert_allclose(got, 10.0 * aerosol.present, rtol=1e-12)
+    assert page.evaluate("decodeURI(airlight.state.asFragment())") == fragment[1:].replace(".0", "")
+    assert page.evaluate("airlight.picture.solutions") == 1
 
 
 def test_the_newest_edit_wins_and_none_is_the_planet_as_it_was(
