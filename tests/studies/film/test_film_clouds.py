@@ -111,7 +111,7 @@ def test_light_between_two_suns_is_that_of_the_sun_between(heap: str) -> None:
     np.testing.assert_allclose(between.render().rgb.mean(), expected.mean(), rtol=2e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.validation
 def test_two_workers_solve_each_box_once_and_write_the_same_bytes(
     heap: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
