@@ -52,7 +52,7 @@ _LEAST: Final = 0.9
 _BELOW_ANVIL: Final = 0.3
 #: Thermals of an anvil. Its length over that of a circle, and the distance of its middle from the
 #: tower over its radius; over the height of the cloud that of its upper side, and half of its depth
-#: at the edge and in addition in the middle. [1]
+#: at the edge and in addition in the middle; chosen by looking at pictures. [1]
 _ANVIL: Final = 80
 _LONG: Final = 1.2
 _DOWNWIND: Final = 0.3

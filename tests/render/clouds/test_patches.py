@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import compiled_loop
+from airlight.render.background_compilation import empty_clouds
+from airlight.render.clouds.cloud_place import beam_depth_at
 from airlight.render.clouds.patches import MIXED, WIDTH, patch_at, patch_edges
 
 BOX = 25.6e3
@@ -83,3 +86,34 @@ def test_patches_mix_beside_an_edge():
     assert np.all(found[found[:, 2] > 0.0, 3] == 0.0)
     steps = np.abs(np.diff(found[:, 3]))
     assert np.quantile(steps, 0.999) < 5.0 * 2e-6 / MIXED
+
+
+@compiled_loop
+def _depths(places, layer, out):
+    for k in range(out.size):
+        point = Vec3(places[k, 0], places[k, 1], places[k, 2])
+        out[k] = beam_depth_at(point, 0, layer)
+
+
+@pytest.mark.parametrize("height", [-500.0, 500.0])
+def test_shadows_are_continuous_across_edges(height):
+    """Below the base and within the clouds: at most what cells and bands change in a metre."""
+    cells, radius = 8, 6.36e6
+    random = np.random.default_rng(2)
+    depth = random.uniform(0.0, 5.0, (4, cells, cells)).astype(np.float32)
+    layer = empty_clouds().layers[0]
+    layer = layer._replace(
+        radius=radius, base=radius + 1000.0, top=radius + 2000.0,
+        corner_x=-0.5 * BOX, corner_y=-0.5 * BOX,
+        step_x=BOX / cells, step_y=BOX / cells, step_z=250.0,
+        periodic=True, east=Vec3(1.0, 0.0, 0.0), north=Vec3(0.0, 1.0, 0.0),
+        sun=Vec3(0.0, 0.0, 1.0), edges=patch_edges(BOX, BOX),
+        levels=np.array([[cells, cells, 0]]), depth=depth, base_depth=depth[0],
+    )  # fmt: skip
+    east = np.arange(0.0, 2.0 * WIDTH * BOX)
+    places = np.stack([east, np.full_like(east, 0.3 * BOX), np.full_like(east, radius)], axis=1)
+    places *= (radius + 1000.0 + height) / np.linalg.norm(places, axis=1)[:, None]
+    found = np.empty(east.size)
+    _depths(places, layer, found)
+    assert np.ptp(found) > 2.0
+    assert np.abs(np.diff(found)).max() < 5.0 * (2.0 / (BOX / cells) + 0.5 / (MIXED * WIDTH * BOX))

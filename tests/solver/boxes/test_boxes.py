@@ -219,6 +219,24 @@ def test_light_turns_with_cloud_and_sun(beyond):
     assert_allclose(mean, second.moments[..., 0, :], rtol=1e-3)
 
 
+def test_a_drift_moves_the_box_with_its_lines_of_sight():
+    still, moved = (
+        solve_box(
+            _clumps(beyond="clear", drift=drift),
+            _optics(),
+            _light(60.0),
+            quality="preview",
+            cache=False,
+        )
+        for drift in ((0.0, 0.0), (2000.0, -3000.0))
+    )
+    origins, looking = np.array([[0.0, 0.0, 2000.0], [100.0, 60.0, 2000.0]]), [[0.0, 0.0, -1.0]]
+    found = moved.radiance(origins + np.array([2000.0, -3000.0, 0.0]), looking)
+    expected = still.radiance(origins, looking)
+    assert np.all(expected > 0.0)
+    assert_allclose(found, expected, rtol=1e-4)
+
+
 def test_clear_sides_let_in_the_light_of_clear_air():
     # Without cloud a finite box is as bright as one that repeats itself.
     air = BoxAir(

@@ -111,15 +111,15 @@ class ViewLines(NamedTuple):
 @inlined
 def _inside(origin, direction, cells):
     """Distances at which a line enters and leaves the box. [m]"""
-    extinction, edges, corner, _widths, periodic, _, _, _ = cells
-    levels, _ny, _nx = extinction.shape
+    extinction, edges, corner, widths, periodic, _, _, _ = cells
+    levels, ny, nx = extinction.shape
     near, far = 0.0, 1e30
     for axis in range(3):
         low, high = edges[0], edges[levels]
         if axis < 2:
             if periodic:
                 continue
-            low, high = corner[axis], 0.0 - corner[axis]
+            low, high = corner[axis], corner[axis] + widths[axis] * (nx if axis == 0 else ny)
         slope = direction[axis]
         if abs(slope) < LEAST_COSINE:
             if origin[axis] < low or origin[axis] > high:
