@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import KW_ONLY, dataclass, replace
 from typing import Any, Final, TypeAlias
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
 from airlight.clouds.planet_clouds import Box, clouds_of
-from airlight.errors import ParameterError
+from airlight.errors import ParameterError, warn
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
@@ -31,6 +32,9 @@ _Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, tuple[CloudLight, ...]]]
 
 #: Largest number of kinds of clouds in a picture.
 MOST_KINDS: Final = 3
+#: Distance of the horizon, seen from the planet's centre, above which a picture is warned of: boxes
+#: have the same sun from side to side. [deg]
+_WIDE: Final = 25.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +87,13 @@ class CloudsAround:
         if len(planet.clouds) > MOST_KINDS:
             allowed = f"at most {MOST_KINDS} kinds in a picture"
             raise ParameterError("clouds", f"{len(planet.clouds)} kinds", allowed)
+        radius = planet.bottom_radius
+        horizon = math.degrees(math.acos(radius / (radius + max(scene.altitude, 0.0))))
+        if horizon > _WIDE:
+            warn(
+                f"clouds are lit by the sun of one place and seen up to {horizon:.0f}° from it: far "
+                "from it their light is wrong; a map, ground.clouds, has the sun of each place"
+            )
         box = Box(latitude=scene.latitude, longitude=scene.longitude)
 
         @functools.cache
