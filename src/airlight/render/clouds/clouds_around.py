@@ -91,8 +91,8 @@ class CloudsAround:
         horizon = math.degrees(math.acos(radius / (radius + max(scene.altitude, 0.0))))
         if horizon > _WIDE:
             warn(
-                f"clouds are lit by the sun of one place and seen up to {horizon:.0f}° from it: far "
-                "from it their light is wrong; a map, ground.clouds, has the sun of each place"
+                f"clouds are lit by the sun of one place and seen up to {horizon:.0f}° from it: "
+                "there their light is wrong; a map, ground.clouds, has the sun of each place"
             )
         box = Box(latitude=scene.latitude, longitude=scene.longitude)
 
