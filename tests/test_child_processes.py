@@ -73,7 +73,9 @@ def test_python_would_import_from_there(hostile: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("words", [FILM, GRID], ids=["film", "grid"])
+@pytest.mark.parametrize(
+    "words", [FILM, pytest.param(GRID, marks=pytest.mark.validation)], ids=["film", "grid"]
+)
 def test_workers_do_not_import_from_the_working_directory(
     words: tuple[str, ...], command: Path, hostile: Path
 ) -> None:

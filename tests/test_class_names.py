@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections import Counter
-from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import airlight
@@ -13,10 +13,14 @@ import airlight
 PACKAGE = Path(airlight.__file__).parent
 
 
-def nodes() -> Iterator[tuple[Path, ast.AST]]:
-    for source in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
-            yield source.relative_to(PACKAGE), node
+@cache
+def nodes() -> list[tuple[Path, ast.AST]]:
+    return [
+        (source.relative_to(PACKAGE), node)
+        for source in PACKAGE.rglob("*.py")
+        for node in ast.walk(ast.parse(source.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ClassDef | ast.Call)
+    ]
 
 
 def test_class_names_are_unique() -> None:

@@ -90,7 +90,10 @@ def _traced(air: Planet, altitude: float, count: int, seed: int) -> tuple[FloatA
     return np.where(seen, np.arctan2(flat, end[:, 2]), 0.0), weight
 
 
-@pytest.mark.parametrize("altitude", [2.0, 10e3, 400e3])
+@pytest.mark.parametrize(
+    "altitude",
+    [10e3, *(pytest.param(one, marks=pytest.mark.validation) for one in (2.0, 400e3))],
+)
 def test_the_weight_is_that_of_paths_drawn_at_random(altitude: float) -> None:
     # A second method: points and directions at random, in vectors. The tolerance is 4 times the
     # error of 200 000 paths of uneven weight, which are worth at least 10 000 even ones.

@@ -14,7 +14,7 @@ def test_every_line_has_a_radiance_and_an_error_of_at_most_five_percent():
     assert np.all((error > 0.0) & (error < 0.0501 * radiance))
 
 
-@pytest.mark.slow
+@pytest.mark.validation
 def test_pixels_past_cumuli_are_those_of_monte_carlo(monkeypatch):
     """Sky, gap and space with the sun at 85°: 3 standard errors and, chosen after the result, 2 %.
 

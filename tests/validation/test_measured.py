@@ -155,7 +155,7 @@ def test_load_is_found_again_and_predicts_the_scan_left_out() -> None:
     assert (np.abs(left_out - found.predicted).max(axis=(1, 2)) > 0.0).all()
 
 
-@pytest.mark.slow
+@pytest.mark.validation
 def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None:
     # Two made-up days under the names of measured ones: rows whose parameters stand before their
     # scores, thresholds by the row that was left out.

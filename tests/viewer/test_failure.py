@@ -138,6 +138,9 @@ PARTS: tuple[tuple[str, str, Breaks], ...] = (
     ("status line", "Planet", breaks(panel_status, "_fitting")),
 )
 
+#: Faults that parts raise in turn: one of the package, and one of the code.
+FAULTS = (ParameterError("albedo", 2, "0 to 1"), KeyError("no row"))
+
 
 def drawn(window: Window, canvas: OffscreenCanvas, frames: int) -> np.ndarray:
     """Pixels of the window above its status line, after some frames."""
@@ -163,12 +166,9 @@ def opened(window: Window, canvas: OffscreenCanvas, part: str, tab: str) -> np.n
 
 
 @pytest.mark.parametrize(
-    ("part", "tab", "broken"), PARTS, ids=[f"{one[0]} {i}" for i, one in enumerate(PARTS)]
-)
-@pytest.mark.parametrize(
-    "raised",
-    [lambda: ParameterError("albedo", 2, "0 to 1"), lambda: KeyError("no row")],
-    ids=["ParameterError", "KeyError"],
+    ("part", "tab", "broken", "fault"),
+    [(*one, FAULTS[i % 2]) for i, one in enumerate(PARTS)],
+    ids=[f"{one[0]} {i}" for i, one in enumerate(PARTS)],
 )
 def test_a_part_that_fails_is_named_and_drawn_again_once_it_can_be(
     window: Window,
@@ -177,10 +177,10 @@ def test_a_part_that_fails_is_named_and_drawn_again_once_it_can_be(
     part: str,
     tab: str,
     broken: Breaks,
-    raised: Callable[[], Exception],
+    fault: Exception,
 ) -> None:
     # A missing end or a style left pushed would change the window.
-    before, frames, fault = opened(window, canvas, part, tab), window.frames, raised()
+    before, frames = opened(window, canvas, part, tab), window.frames
     with pytest.MonkeyPatch.context() as patch:
         broken(window, patch, fault)
         with caplog.at_level(logging.WARNING):

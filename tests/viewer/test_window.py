@@ -745,6 +745,7 @@ def clicked_at_random(window: Driven, count: int, seed: int) -> None:
     assert window.ask("error") == ""
 
 
+@pytest.mark.validation  # the session and the page are edited at random in each check
 def test_random_clicks_leave_the_window_alive(window: Driven) -> None:
     clicked_at_random(window, CLICKS, seed=3)
 

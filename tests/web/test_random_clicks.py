@@ -105,6 +105,7 @@ def test_random_clicks_leave_the_page_of_a_planet_alive(
     clicked(page, lambda: Gestures(page, 12).by_mouse(count), lambda button: button.click())
 
 
+@pytest.mark.validation
 @pytest.mark.parametrize("count", COUNTS)
 def test_random_touches_leave_the_page_of_a_planet_alive(count: int, phone: Any) -> None:
     clicked(phone, lambda: Gestures(phone, 7).by_fingers(count), lambda button: button.tap())

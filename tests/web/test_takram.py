@@ -244,6 +244,7 @@ def test_the_page_looks_up_as_we_do(
             assert_allclose(drawn, looked_up, rtol=3e-3, atol=1e-3 * looked_up.max())
 
 
+@pytest.mark.validation
 def test_dust_of_mars_is_drawn_as_well_as_one_lobe_allows(
     site: Path,
     solved: Callable[..., Any],

@@ -72,6 +72,7 @@ def means(
     return tuple(np.array(found).T)  # type: ignore[return-value]
 
 
+@pytest.mark.validation
 def test_no_frame_of_a_flight_to_deep_space_jumps(
     pictures: GpuRenderer, earth: MomentsSolution, tell: Callable[[str], None]
 ) -> None:

@@ -139,7 +139,14 @@ def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: flo
             assert_allclose(got[lit], expected[lit], rtol=rtol, err_msg=message)
 
 
-@pytest.mark.parametrize("name", ["earth", "earth-atmosphere-plus", "mars-standard", "early-earth"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "earth-atmosphere-plus",
+        "mars-standard",
+        *(pytest.param(one, marks=pytest.mark.validation) for one in ("earth", "early-earth")),
+    ],
+)
 def test_a_preview_agrees_with_the_cpu(device, name):
     # Both stop at a remaining change of the mean radiance, here small, so that what differs is the
     # device: 0.5 % at most. The last is thick: it has levels between the radii.
@@ -172,6 +179,7 @@ def test_scalar_transfer_is_that_of_the_cpu(device):
     assert np.abs(change).max() > 3e-3
 
 
+@pytest.mark.validation
 def test_a_default_solution_agrees_with_the_cpu(device):
     # The tolerance between them is 0.5 %; 2e-3 is the tolerance of both.
     medium = medium_of("earth")

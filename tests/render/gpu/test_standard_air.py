@@ -25,7 +25,10 @@ def solution() -> MomentsSolution:
     return solved
 
 
-@pytest.mark.parametrize(("altitude", "sun"), [(35e3, 80.0), (200.0, 90.0)])
+@pytest.mark.parametrize(
+    ("altitude", "sun"),
+    [(35e3, 80.0), pytest.param(200.0, 90.0, marks=pytest.mark.validation)],
+)
 def test_a_marched_picture_has_the_cpu_s_radiance(
     altitude: float, sun: float, solution: MomentsSolution, device: Device
 ) -> None:
@@ -43,6 +46,7 @@ def test_a_marched_picture_has_the_cpu_s_radiance(
     assert error[~near].max() < 0.01
 
 
+@pytest.mark.validation
 def test_the_shader_fills_the_table_as_the_cpu_does(
     solution: MomentsSolution, device: Device
 ) -> None:

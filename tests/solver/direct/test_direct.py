@@ -174,7 +174,7 @@ def test_flux_in_equals_flux_out() -> None:
     assert_allclose(leaving, taken, rtol=5e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.validation
 def test_sky_irradiance_is_the_integral_of_the_sky(reference_earth: Callable[..., Planet]) -> None:
     # The moments solver, a second method with irradiance from its own sweep.
     planet = reference_earth(albedo=0.1)

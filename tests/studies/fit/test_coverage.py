@@ -49,11 +49,3 @@ def test_error_bars_cover_the_truth_in_68_of_100_skies(tell: Callable[[str], Non
         tell(f"fit, {name}: {share:.0%} within the error bar, pull {mean:+.2f} ± {width:.2f}")
     assert_allclose(inside, 0.683, atol=0.1)
     assert_allclose(got.std(axis=0), 1.0, atol=0.2)
-
-
-@pytest.mark.slow
-def test_error_bars_of_a_few_skies_are_neither_too_small_nor_too_large() -> None:
-    # Of twelve pulls of three skies, the squares have a mean of 1 with a deviation of √(2/12): it
-    # is within three of these.
-    squares = np.square(pulls(range(3)))
-    assert 0.1 < squares.mean() < 1.0 + 3.0 * np.sqrt(2.0 / 12.0)

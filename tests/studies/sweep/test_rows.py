@@ -162,7 +162,7 @@ def test_a_bad_cell_far_below_is_found_before_anything_is_computed(
     assert sorted(file.name for file in tmp_path.iterdir()) == ["in.csv"]
 
 
-@pytest.mark.slow
+@pytest.mark.validation
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no kill -9")
 def test_a_killed_command_goes_on_and_needs_little_memory(tmp_path: Path) -> None:
     # rows as text alone would take 100 MB more than the bound; a block is 8192 of them
