@@ -55,6 +55,15 @@ def test_it_reaches_the_measured_exposure_in_half_a_second() -> None:
     assert clock.now < 101.0
 
 
+def test_it_never_passes_through_white() -> None:
+    # A picture that becomes brighter by ten stops at once is never more than one too bright.
+    clock = Clock()
+    adaptation = Adaptation(clock)
+    adaptation.towards(5.0, held=False)
+    clock.now += 1.0 / 60.0
+    assert -5.0 < adaptation.towards(-5.0, held=False) < -4.0
+
+
 def test_a_rest_is_no_time_to_adapt_in() -> None:
     clock = Clock()
     adaptation = Adaptation(clock)
@@ -113,23 +122,35 @@ class Recorder:
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         self.asked.append(request)
+        adaptation = request.adaptation if request.automatic else None
         exposure = request.exposure
-        if request.automatic and request.adaptation is None:
+        if request.automatic and adaptation is None:
             exposure += self.measured
-        elif request.automatic:
-            exposure += request.adaptation.towards(self.measured, held=request.held)
-        yield Picture(view=None, width=1, height=1, request=request, exposure=exposure,
-                      finished=True, seconds=0.0, by="nobody")  # fmt: skip
+        while True:
+            if adaptation is not None:
+                exposure = request.exposure + adaptation.towards(self.measured, held=request.held)
+            yield Picture(view=None, width=1, height=1, request=request, exposure=exposure,
+                          finished=True, seconds=0.0, by="nobody",
+                          metered=self.measured)  # fmt: skip
+            if adaptation is None or adaptation.reached(self.measured) or stale():
+                return
+            time.sleep(0.01)
 
     def close(self) -> None:
         pass
 
 
-def test_both_sides_share_the_exposure_of_the_edited_one(request_: Request) -> None:
+@pytest.mark.parametrize("metered", [(-3.0, 5.0), (5.0, -3.0)])
+@pytest.mark.parametrize("shared", [True, False])
+def test_both_sides_share_the_exposure_of_the_brighter(
+    metered: tuple[float, float], shared: bool, request_: Request
+) -> None:
     session = Session("earth-atmosphere-plus")
+    session.set("display.shared", shared)
     session.store_b()
     asked: list[Request] = []
-    measured = iter((-3.0, 5.0))
+    measured = iter(metered)
+    wanted = (-3.0, -3.0) if shared else metered
     woken = threading.Event()
 
     def solver(*_arguments: Any, **_named: Any) -> MomentsSolution:
@@ -143,7 +164,7 @@ def test_both_sides_share_the_exposure_of_the_edited_one(request_: Request) -> N
         while True:
             sides.follow(both=True)
             first, second = sides.picture("A"), sides.picture("B")
-            if first and second and first.exposure == second.exposure == -3.0:
+            if first and second and (first.exposure, second.exposure) == wanted:
                 break
             assert time.monotonic() < until, [one.exposure for one in asked]
             woken.wait(0.05)

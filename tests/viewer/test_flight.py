@@ -13,6 +13,7 @@ from airlight.scene.flight import looked, risen, sun_dragged
 from airlight.scene.observer import planet_frame
 from airlight.scene.sun_time import sun_at, time_of
 from airlight.viewer.navigation.flight import Flight, flown
+from airlight.viewer.navigation.viewpoints import home_view
 from airlight.viewer.parameters.view_parameters import DEFAULTS
 from airlight.viewer.session.session import Session
 
@@ -96,11 +97,54 @@ def test_speed_is_in_proportion_to_the_distance_to_the_ground() -> None:
 
 
 def test_climbing_in_small_steps_or_one_is_the_same() -> None:
-    # The speed grows with the altitude: an exponential, exact for any step.
-    view = start(look_zenith=0.0, altitude=10.0)
-    one = flown(view, 0.0, 1.0, 0.0, 1.0, RADIUS)["view.altitude"]
-    many = go(view, 50, 0.0, 1.0, 0.0)["view.altitude"]
-    assert_allclose(many, one, rtol=1e-12)
+    # The speed grows with the altitude: an exponential, exact for any step; and so is the tilt.
+    view = start(look_zenith=80.0, altitude=1e6)
+    one = flown(view, 0.0, 0.0, 1.0, 1.0, RADIUS)
+    many = go(view, 50, 0.0, 0.0, 1.0)
+    for path, value in one.items():
+        assert_allclose(many[path], value, rtol=1e-12)
+
+
+@pytest.mark.parametrize("look_zenith", [60.0, 95.0, 109.0, 150.0, 180.0])
+def test_the_wheel_turned_out_keeps_the_planet_in_the_picture(look_zenith: float) -> None:
+    # Far away its centre nears the middle, and the wheel turned back leads to the first view.
+    session = Session("earth-atmosphere-plus")
+    session.move({"view.altitude": 4e5, "view.look_zenith": look_zenith})
+    flight = Flight(session)
+    for _ in range(12):
+        flight.wheel(-1.0)
+        assert not flight.planet_hidden or look_zenith == 60.0
+    far = session.view
+    assert far["view.altitude"] > 1e10
+    assert 180.0 - far["view.look_zenith"] < 0.05
+    for _ in range(12):
+        flight.wheel(1.0)
+    assert_allclose(session.view["view.altitude"], 4e5, rtol=1e-9)
+    assert_allclose(session.view["view.look_zenith"], look_zenith, rtol=1e-9)
+
+
+def test_a_planet_seen_whole_follows_the_pointer() -> None:
+    # Dragged to the right by the angle of a point's distance, the point below moves there: seen
+    # north up the observer goes west, by drag times altitude over radius.
+    session = Session("earth-atmosphere-plus")
+    session.move({"view.altitude": 4e7, "view.look_zenith": 180.0, "view.heading": 0.0,
+                  "view.latitude": 0.0, "view.longitude": 30.0})  # fmt: skip
+    before, flight = dict(session.view), Flight(session)
+    flight.look(0.01, 0.0)
+    radius = flight.bottom_radius
+    wanted = 0.01 * float(before["view.field_of_view"]) * 4e7 / radius
+    assert_allclose(30.0 - float(session.view["view.longitude"]), wanted, rtol=1e-9)
+    assert session.view["view.look_zenith"] == 180.0
+    assert_allclose(sun_of(session.view), sun_of(before), atol=1e-12)  # type: ignore[arg-type]
+
+
+def test_a_far_planet_is_found_again() -> None:
+    session = Session("earth-atmosphere-plus")
+    session.move({"view.altitude": 1e9, "view.look_zenith": 90.0})
+    assert Flight(session).planet_hidden
+    session.change_view("home", home_view(session))
+    assert not Flight(session).planet_hidden
+    assert session.view["view.look_zenith"] == 180.0
 
 
 def test_looking_straight_down_ahead_is_down() -> None:

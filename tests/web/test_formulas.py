@@ -113,6 +113,12 @@ CASES: dict[str, tuple[Any, ...]] = {
     "light_visibility": (
         ZENITHS, ZENITHS[::-1], numbers(0.0, 2.0), numbers(-1e-6, 2e-5), ALTITUDES, BOTTOM, 1e5
     ),
+    "horizon_nadir": (ALTITUDES, BOTTOM),
+    "horizon_kept": (ZENITHS, ALTITUDES, ALTITUDES[::-1], BOTTOM),
+    "turns_planet": (ALTITUDES, BOTTOM),
+    "planet_hidden": (ZENITHS, ALTITUDES, BOTTOM, 60.0),
+    "angle_dragged": (ALTITUDES, BOTTOM, numbers(0.0, 60.0)),
+    "sky_magnitude": (10.0 ** numbers(-6.0, 3.0),),
     "direction_of": ANGLES[:2],
     "camera_frame": ANGLES,
     "rolled": (*VECTORS, ANGLES[0]),

@@ -153,6 +153,9 @@ def test_keys_that_do_something_once(page: Any) -> None:
     page.keyboard.press("Control+z")
     press("Control+Shift+z")
     assert now(page, "view.sun_zenith") == 89.0
+    press("Home")
+    assert (now(page, "view.look_zenith"), now(page, "view.sun_zenith")) == (180.0, 89.0)
+    page.keyboard.press("Control+z")
     for key, stops in (("+", 1), ("=", 1), ("Shift+=", 1), ("Shift++", 1), ("-", -1)):
         before = now(page, "display.exposure")
         press(key)

@@ -23,6 +23,8 @@ FOOTING: Final = 5.0
 NOTCH: Final = 1.15
 #: Factor of the distance to the ground per notch: 15 lead from the ground to 10 000 km. [1]
 CLIMB: Final = 2.6
+#: Angle of the horizon from the nadir below which a drag turns the planet. [deg]
+_WHOLE: Final = 45.0
 #: Upper limit of the factor by which turns are wider near the zenith. [1]
 _WIDEST_TURN: Final = 5.0
 
@@ -148,6 +150,83 @@ def looked(look_zenith: float, heading: float, right: float, down: float) -> tup
 def risen(altitude: float, notches: float) -> float:
     """Altitude after wheel notches, positive upwards. [m]"""
     return within((altitude + FOOTING) * math.exp(notches * math.log(CLIMB)) - FOOTING)
+
+
+def horizon_nadir(altitude: float, bottom_radius: float) -> float:
+    """Angle of the geometric horizon from the nadir: half of the planet's angular diameter. [deg]
+
+    Examples
+    --------
+    >>> round(horizon_nadir(6360e3, 6360e3), 6)
+    30.0
+    """
+    height = max(altitude, 0.0)
+    tangent = math.sqrt(height * (2.0 * bottom_radius + height))
+    return math.atan2(bottom_radius, tangent) * DEGREE
+
+
+def horizon_kept(look_zenith: float, altitude: float, higher: float, bottom_radius: float) -> float:
+    """View-zenith angle after a change of altitude, with the horizon where it was. [deg]
+
+    The angle from the nadir is in proportion to the horizon's, so that the planet stays in the
+    picture however far the observer goes, and the way back leads to the first view.
+
+    Parameters
+    ----------
+    look_zenith : float
+        Zenith angle of the line of sight before. [deg]
+    altitude, higher : float
+        Altitudes before and after. [m]
+    bottom_radius : float
+        Radius of the planet. [m]
+
+    Examples
+    --------
+    >>> round(horizon_kept(180.0 - 70.0, 4e5, 1e9, 6.371e6), 2)
+    179.64
+    """
+    share = horizon_nadir(higher, bottom_radius) / horizon_nadir(altitude, bottom_radius)
+    return max(180.0 - (180.0 - look_zenith) * share, 0.0)
+
+
+def turns_planet(altitude: float, bottom_radius: float) -> bool:
+    """Whether a drag turns the planet instead of the camera: it is less than 90° wide.
+
+    Examples
+    --------
+    >>> turns_planet(4e5, 6.371e6), turns_planet(1e7, 6.371e6)
+    (False, True)
+    """
+    return horizon_nadir(altitude, bottom_radius) < _WHOLE
+
+
+def planet_hidden(
+    look_zenith: float, altitude: float, bottom_radius: float, field_of_view: float
+) -> bool:
+    """Whether a far planet is outside the picture.
+
+    Parameters
+    ----------
+    look_zenith, field_of_view : float
+        Zenith angle of the line of sight, and width of the picture. [deg]
+    altitude, bottom_radius : float
+        Altitude and radius of the planet. [m]
+    """
+    beyond = 180.0 - look_zenith - horizon_nadir(altitude, bottom_radius)
+    return turns_planet(altitude, bottom_radius) and beyond > 0.5 * field_of_view
+
+
+def angle_dragged(altitude: float, bottom_radius: float, drag: float) -> float:
+    """Central angle of a drag of the planet, whose nearest point follows the pointer. [rad]
+
+    Parameters
+    ----------
+    altitude, bottom_radius : float
+        Altitude and radius of the planet. [m]
+    drag : float
+        Angle that the pointer has moved by. [deg]
+    """
+    return drag * RADIAN * altitude / bottom_radius
 
 
 def sun_dragged(zenith: float, azimuth: float, right: float, down: float) -> tuple[float, float]:

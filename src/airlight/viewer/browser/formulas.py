@@ -11,6 +11,7 @@ from airlight.geometry.ephemeris import moon_formula, sun_formula
 from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.image.exposure import eased, metered_light, unlit_exposure
 from airlight.image.glare import glare_levels, glare_share
+from airlight.image.sky_magnitude import sky_magnitude
 from airlight.image.star_exposure import exposure_with_stars
 from airlight.image.white_balance import scene_weight, white_gains
 from airlight.image.xyz import luminance_of
@@ -82,6 +83,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     left_out: (),
     metering_weight: (I32, *(F32 for _ in range(5)), VEC3, F32),
     glare_levels: (),
+    sky_magnitude: (),
     glare_share: (),
     great_circle.compass: (),
     ground_detail.finest_cell: (),
@@ -92,6 +94,10 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     flight.turned: (),
     flight.looked: (),
     flight.risen: (),
+    flight.horizon_kept: (),
+    flight.turns_planet: (),
+    flight.planet_hidden: (),
+    flight.angle_dragged: (),
     flight.sun_dragged: (),
     sun_time.sun_at: (),
     sun_time.time_of: (),

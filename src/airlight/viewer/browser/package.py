@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from airlight.image.display_settings import DisplaySettings
 from airlight.image.gamut import PRIMARIES
+from airlight.image.sky_magnitude import DARK
 from airlight.image.texels import DECODED
 from airlight.image.white_balance import WHITE_BALANCES, star_white
 from airlight.image.xyz import rgb_to_xyz
@@ -223,6 +224,7 @@ def program() -> dict[str, Any]:
         },
         "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
         "efficacy": LUMINOUS_EFFICACY,
+        "dark": DARK,
     }
 
 

@@ -12,13 +12,17 @@ from typing import Any
 
 from airlight.scene.flight import (
     RATE,
+    angle_dragged,
     angle_flown,
     climbed,
     course_of,
+    horizon_kept,
     looked,
+    planet_hidden,
     risen,
     sun_dragged,
     turned,
+    turns_planet,
 )
 from airlight.scene.sun_time import sun_at, time_of
 from airlight.viewer.navigation.keys import FACTORS, HELD, RATES
@@ -60,14 +64,27 @@ def flown(
     altitude, tilt, heading = _numbers(view, "altitude", "look_zenith", "heading")
     reach = RATE * seconds
     higher = climbed(altitude, tilt, ahead, up, reach)
-    changed = {} if ahead == 0.0 and up == 0.0 else {"view.altitude": higher}
+    changed = {} if ahead == 0.0 and up == 0.0 else _lifted(view, higher, bottom_radius)
     angle = angle_flown(altitude, higher, tilt, right, ahead, reach, bottom_radius)
     if angle > 0.0:
-        names = ("latitude", "longitude", "heading", "sun_zenith", "sun_azimuth")
-        course = course_of(tilt, heading, right, ahead)
-        moved = turned(*[*_numbers(view, *names), course, angle])
-        changed |= {f"view.{name}": value for name, value in zip(names, moved, strict=True)}
+        changed |= _carried(view, course_of(tilt, heading, right, ahead), angle)
     return changed
+
+
+def _lifted(view: View, higher: float, bottom_radius: float) -> dict[str, float]:
+    """Altitude, and the tilt that keeps the horizon in the picture."""
+    altitude, tilt = _numbers(view, "altitude", "look_zenith")
+    return {
+        "view.altitude": higher,
+        "view.look_zenith": horizon_kept(tilt, altitude, higher, bottom_radius),
+    }
+
+
+def _carried(view: View, course: float, angle: float) -> dict[str, float]:
+    """Position, heading and sun after an angle [rad] of a great circle on a bearing [deg]."""
+    names = ("latitude", "longitude", "heading", "sun_zenith", "sun_azimuth")
+    moved = turned(*[*_numbers(view, *names), course, angle])
+    return {f"view.{name}": value for name, value in zip(names, moved, strict=True)}
 
 
 def _numbers(view: View, *names: str) -> tuple[float, ...]:
@@ -153,16 +170,32 @@ class Flight:
         """Radius of the ground of the session's planet. [m]"""
         return 1e3 * float(self._session.value("shell.bottom_radius"))
 
+    @property
+    def planet_hidden(self) -> bool:
+        """Whether a far planet is outside the picture."""
+        tilt, altitude, field = _numbers(
+            self._session.view, "look_zenith", "altitude", "field_of_view"
+        )
+        return planet_hidden(tilt, altitude, self.bottom_radius, field)
+
     def look(self, right: float, down: float) -> None:
-        """Turn the camera by a mouse drag, in fractions of the picture's width. [1]"""
+        """Turn the camera, or a planet seen whole, by a drag in fractions of the width. [1]"""
         view = self._session.view
-        field = float(view["view.field_of_view"])
-        self._session.move(_looked(view, -right * field, -down * field), gesture="look", held=True)
+        field, altitude = _numbers(view, "field_of_view", "altitude")
+        if turns_planet(altitude, self.bottom_radius):
+            (heading,) = _numbers(view, "heading")
+            course = heading + math.degrees(math.atan2(-right, down))
+            drag = field * math.hypot(right, down)
+            moved = _carried(view, course, angle_dragged(altitude, self.bottom_radius, drag))
+        else:
+            moved = _looked(view, -right * field, -down * field)
+        self._session.move(moved, gesture="look", held=True)
 
     def wheel(self, notches: float) -> None:
         """Change the altitude by wheel notches, towards the ground if positive."""
-        altitude = float(self._session.view["view.altitude"])
-        self._session.move({"view.altitude": risen(altitude, -notches)}, gesture="wheel")
+        view = self._session.view
+        higher = risen(float(view["view.altitude"]), -notches)
+        self._session.move(_lifted(view, higher, self.bottom_radius), gesture="wheel")
 
     def widen(self, notches: float) -> None:
         """Change the field of view by wheel notches, wider if positive."""

@@ -12,7 +12,7 @@ from typing import Any, Final, Literal
 
 from airlight.scene.flight import CLIMB, FOOTING, NOTCH, RATE
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
-from airlight.viewer.session.adaptation import TIME_CONSTANT
+from airlight.viewer.session.adaptation import BRIGHTEST, TIME_CONSTANT
 from airlight.viewer.session.history import MOST_STEPS, TOGETHER
 
 Host = Literal["window", "page"]
@@ -28,12 +28,16 @@ RATES: Final[Mapping[str, float]] = {
     "wheel": 100.0,  # a browser's wheel delta for one notch [pixel]
     "stop": 1.0 / 3.0,  # exposure [EV]
     "adapted": TIME_CONSTANT,  # of the automatic exposure [s]
+    "brightest": BRIGHTEST,  # excess of the automatic exposure while it adapts [EV]
     "time": 1800.0,  # initial rate of the sun's time relative to real time [1]
     "longest_step": 0.1,  # limits the distance flown after a pause [s]
     "click": 3.0,  # a press with a smaller movement is a click [logical pixel]
     "steps": MOST_STEPS,  # number of undo steps
     "together": TOGETHER,  # longest time between edits that are one undo step [s]
 }
+
+#: Hint while a far planet is outside the picture.
+LOST: Final = "the planet is outside the picture: Home shows it"
 
 
 @dataclass(frozen=True)
@@ -75,7 +79,7 @@ def _moved(axis: str, forwards: str, backwards: str) -> dict[str, tuple[str, flo
 #: All rows by their heading, in the order of the help.
 TABLE: Final[dict[str, tuple[Row, ...]]] = {
     "Fly": (
-        Row("drag", "look around"),
+        Row("drag", "look around; turn a planet that is seen whole"),
         Row("W S, ↑ ↓", "ahead, back", held=_moved("ahead", "w arrowup", "s arrowdown")),
         Row("A D, ← →", "left, right", held=_moved("right", "d arrowright", "a arrowleft")),
         Row("E Q, Page ↑ ↓", "up, down", held=_moved("up", "e pageup", "q pagedown")),
@@ -98,6 +102,7 @@ TABLE: Final[dict[str, tuple[Row, ...]]] = {
             ", ".join(one.name for one in VIEWPOINTS),
             once={str(n): f"viewpoint {n}" for n in range(1, len(VIEWPOINTS) + 1)},
         ),
+        Row("Home", "the whole planet, over this place", once={"Home": "home"}),
     ),
     "Light": (
         Row("right drag", "move the sun; with Ctrl or Shift any drag does"),
@@ -186,6 +191,7 @@ def as_json(host: Host) -> dict[str, Any]:
         ],
         **{name: _together(name, host) for name in ("held", "factors", "once")},
         "rates": dict(RATES),
+        "lost": LOST,
     }
 
 
@@ -195,7 +201,7 @@ def markdown(host: Host) -> str:
     Examples
     --------
     >>> print(markdown("page").splitlines()[2])
-    | drag | look around |
+    | drag | look around; turn a planet that is seen whole |
     """
     lines = [f"| {row.keys} | {row.text} |" for row in rows_of(host)]
     return "\n".join(["| mouse, key | what it does |", "|---|---|", *lines])

@@ -123,6 +123,13 @@ def view_in(session: Editing, viewpoint: Viewpoint = FIRST) -> Mapping[str, floa
     return view_of(viewpoint, bottom_radius=bottom, top_radius=top)
 
 
+def home_view(session: Editing) -> Mapping[str, float]:
+    """View of the whole planet, over the same place and under the same sun."""
+    planet = next(one for one in VIEWPOINTS if one.name == "planet")
+    view = view_in(session, planet)
+    return {path: value for path, value in view.items() if not path.startswith("view.sun_")}
+
+
 def as_json(bottom_radius: float, top_radius: float) -> list[dict[str, Any]]:
     """Viewpoints of a planet for a page.
 

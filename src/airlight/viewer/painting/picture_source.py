@@ -41,6 +41,8 @@ class Request:
         Exposure that eases towards the metered exposure; by default the metered exposure itself.
     held : bool
         Whether the automatic exposure is locked.
+    meters : bool
+        Whether the picture is metered though its exposure is given.
     display : DisplaySettings
         Display settings.
     orders : str
@@ -53,6 +55,7 @@ class Request:
     automatic: bool = False
     adaptation: Adaptation | None = None
     held: bool = False
+    meters: bool = False
     display: DisplaySettings = _BY_DAY
     orders: Orders = "all"
 
@@ -77,6 +80,7 @@ class Request:
             and self.exposure == other.exposure
             and self.automatic == other.automatic
             and self.held == other.held
+            and self.meters == other.meters
             and self.display == other.display
         )
 
@@ -95,6 +99,8 @@ class Picture:
         Request that the picture answers.
     exposure : float
         Exposure applied, including the automatic one. [EV]
+    metered : float or None
+        Metered exposure; None if the picture was not metered. [EV]
     seconds : float
         Time to compute it. [s]
     by : str
@@ -109,6 +115,7 @@ class Picture:
     finished: bool
     seconds: float
     by: str
+    metered: float | None = None
 
 
 class PictureSource(Protocol):

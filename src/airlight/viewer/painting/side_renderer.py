@@ -53,7 +53,8 @@ class SideRenderer:
 
     def _displayed(self, request: Request, step: LiveFrame) -> Picture:
         started, camera = perf_counter(), step.scene.camera
-        exposure, settled = self._exposure(request, step)
+        metered = self._metered(request, step)
+        exposure, settled = self._exposure(request, metered)
         texture = self._canvases.next()
         if step.frame is None:
             texture.resize(camera.width, camera.height)
@@ -75,22 +76,25 @@ class SideRenderer:
             finished=step.finished and settled,
             seconds=step.seconds + perf_counter() - started,
             by=step.by,
+            metered=metered,
         )
 
-    def _exposure(self, request: Request, step: LiveFrame) -> tuple[float, bool]:
+    @staticmethod
+    def _exposure(request: Request, metered: float | None) -> tuple[float, bool]:
         """Exposure of a step [EV], and whether it has settled."""
-        exposure, settled = request.exposure, True
-        if request.automatic:
-            measured, adaptation = self._automatic(request, step), request.adaptation
+        exposure, settled, adaptation = request.exposure, True, request.adaptation
+        if request.automatic and metered is not None:
             if adaptation is None:
-                exposure += measured
+                exposure += metered
             else:
-                exposure += adaptation.towards(measured, held=request.held)
-                settled = request.held or adaptation.reached(measured)
+                exposure += adaptation.towards(metered, held=request.held)
+                settled = request.held or adaptation.reached(metered)
         return min(max(exposure, -MOST_EXPOSURE), MOST_EXPOSURE), settled
 
-    def _automatic(self, request: Request, step: LiveFrame) -> float:
-        """Metered exposure, cached as the GPU has to render for it. [EV]"""
+    def _metered(self, request: Request, step: LiveFrame) -> float | None:
+        """Metered exposure if it is needed, cached as the GPU has to render for it. [EV]"""
+        if not (request.automatic or request.meters):
+            return None
         if step.frame is not None:
             return step.frame.exposure
         if self._measured is not None:

@@ -11,6 +11,8 @@ from airlight.image.exposure import eased
 
 #: Time constant of the adaptation: after 0.4 s, 5 % of a change remain. [s]
 TIME_CONSTANT: Final = 0.13
+#: Most by which a picture is brighter than metered while the exposure adapts. [EV]
+BRIGHTEST: Final = 1.0
 #: Distance at which the measured exposure counts as reached. [EV]
 _REACHED: Final = 0.02
 #: Largest interval between two pictures in the adaptation: it does not proceed during a pause. [s]
@@ -63,7 +65,8 @@ class Adaptation:
             if self._exposure is None:
                 self._exposure = measured
             elif not held:
-                near = eased(self._exposure, measured, since, TIME_CONSTANT)
+                before = min(self._exposure, measured + BRIGHTEST)
+                near = eased(before, measured, since, TIME_CONSTANT)
                 self._exposure = measured if abs(near - measured) < _REACHED else near
             return self._exposure
 

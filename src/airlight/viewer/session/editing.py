@@ -221,11 +221,17 @@ class Editing:
         return self._side.history.can_redo
 
     def forget_steps(self) -> None:
-        """Clear the history: the edits so far cannot be undone."""
+        """Clear the history; the view as it is becomes the first, which ``reset`` restores."""
         self._side.history = History()
+        self._side.first = dict(self._side.view)
+
+    @property
+    def first_view(self) -> Mapping[str, Value]:
+        """View values that ``reset`` restores, by path."""
+        return self._side.first
 
     def reset(self, what: str = "") -> None:
-        """Restore values of the planet's file and defaults of the view, as one undo step."""
+        """Restore values of the planet's file and of the first view, as one undo step."""
         self._changed(self._side.reset(what))
 
     def open(self, planet: str | Path) -> None:

@@ -14,7 +14,7 @@ from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
 from airlight.viewer.parameters.sun_clock import CLOCK, OF_DATE, with_sky
-from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
+from airlight.viewer.parameters.view_parameters import view_parameters
 from airlight.viewer.session.edited_amounts import amount_edited, amount_value, keys_of_amount
 from airlight.viewer.session.edits import edited, restored
 from airlight.viewer.session.history import Change, History, Step
@@ -56,7 +56,7 @@ class Side:
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.planet = planet
-        self.view = dict(view)
+        self.view = self.first = dict(view)
         self.history = History()
         self._clock = clock
         self.dragged = ""
@@ -191,13 +191,13 @@ class Side:
     # --- reset --------------------------------------------------------------------------------
 
     def reset(self, what: str) -> AbstractSet[str]:
-        """Restore values of the planet's file and defaults of the view, as one undo step."""
+        """Restore values of the planet's file and of the first view, as one undo step."""
         if not what or what in {one.group for one in self.parameters}:
             return self.change(what, self._group_reset(what))
         parameter = self.parameter(what)
         path = parameter.path
         if path in self.view:
-            return self.change(path, Change(view={path: DEFAULTS[path]}))
+            return self.change(path, Change(view={path: self.first[path]}))
         if path.startswith(_SWITCH):
             return self.change(path, Change(planet=self._switched(_index(path), True)))
         tables = self.planet.tables
@@ -214,7 +214,7 @@ class Side:
     def _group_reset(self, group: str) -> Change:
         members = [one for one in self.parameters if not group or one.group == group]
         paths = {one.path for one in members}
-        view = {path: DEFAULTS[path] for path in paths if path in self.view}
+        view = {path: self.first[path] for path in paths if path in self.view}
         state = self.planet
         if not group or any(path.startswith(_SWITCH) for path in paths):
             state = state.with_off(())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from airlight.viewer.navigation.keys import RATES
-from airlight.viewer.navigation.viewpoints import VIEWPOINTS, Viewpoint, view_in
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS, Viewpoint, home_view, view_in
 from airlight.viewer.painting.picture_source import Picture
 from airlight.viewer.session.saved_state import to_fragment
 from airlight.viewer.session.session import Session
@@ -68,6 +68,7 @@ class Actions:
             "fullscreen": canvas.toggle_fullscreen,
             "close": canvas.close,
             "gallery": gallery,
+            "home": self._go_home,
             "help": self._toggle_help,
             "leave": self._leave,
             "panels": self._toggle_panels,
@@ -90,6 +91,9 @@ class Actions:
     def _go(self, viewpoint: Viewpoint) -> None:
         view = view_in(self._session, viewpoint)
         self._session.change_view(f"viewpoint {viewpoint.name}", view)
+
+    def _go_home(self) -> None:
+        self._session.change_view("home", home_view(self._session))
 
     def _toggle_help(self) -> None:
         self.shows_help = not self.shows_help

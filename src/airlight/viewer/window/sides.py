@@ -77,12 +77,12 @@ class Sides:
         """Picture request of a side."""
         session = self._session
         view = session.view if side == session.showing else session.view_other or session.view
-        # Both sides share one exposure, that of the edited side, so that they can be compared.
         exposure = float(session.view["display.exposure"])
         automatic = bool(session.view["display.automatic"])
+        shared = bool(session.view["display.shared"])
+        leads = side == (self._brighter if shared else session.showing)
         adapted = session.adaptation.exposure
-        leads = side == session.showing
-        follows = automatic and not leads and adapted is not None
+        follows = automatic and shared and not leads and adapted is not None
         return Request(
             solution=solved.solution,
             scene=scene_of(view, *session.size),
@@ -90,9 +90,20 @@ class Sides:
             automatic=automatic and not follows,
             adaptation=session.adaptation if leads else None,
             held=session.holds_exposure,
+            meters=follows,
             display=settings_of(view),
             orders=cast(Orders, view["light.orders"]),
         )
+
+    @property
+    def _brighter(self) -> str:
+        """Side whose exposure both share: that of less exposure, so that neither is white."""
+        shown = {side: self._pictures.get(side) for side in self._wanted}
+        metered = {
+            side: one.metered for side, one in shown.items() if one and one.metered is not None
+        }
+        showing = self._session.showing
+        return min(metered, key=metered.__getitem__) if len(metered) > 1 else showing
 
     def picture(self, side: str = "") -> Picture | None:
         """Displayed picture of a side, by default of the edited side."""

@@ -15,7 +15,7 @@ from airlight.render.solve_planet import PlanetSolver
 from airlight.viewer.background.error_line import Faults
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.flight import Flight
-from airlight.viewer.navigation.keys import RATES
+from airlight.viewer.navigation.keys import LOST, RATES
 from airlight.viewer.painting.picture_source import Picture, PictureSource
 from airlight.viewer.painting.probing import Probing
 from airlight.viewer.session.session import Session
@@ -252,7 +252,8 @@ class Window:
                 self.area.draw_outdated(self._sides.outdated(), fitting, 0.0, 1.0)
             else:
                 words = self._sides.outdated().removeprefix(f"{self.session.showing}: ")
-                self.area.draw_working(words, fitting)
+                lost = LOST if self._flight.planet_hidden else ""
+                self.area.draw_working(words or lost, fitting)
         reading = self._probing.reading
         if self.panel.probes and reading is not None:
             self.area.draw_mark(fitting, reading.place)
@@ -307,12 +308,11 @@ class Window:
 
     def click(self, x: float, y: float) -> None:
         """Probe the picture at a clicked point; see ``Host.click``."""
-        if not self.panel.probes:
-            return
         rectangle = self.picture_rectangle()
         at = rectangle.place_of(x, y)
         if at is None:
             return
+        self.panel.probes = True
         side = self.session.showing
         if self.panel.compares and self.session.has_other:
             side = "A" if at[0] < self.area.divider else "B"

@@ -26,6 +26,7 @@ import {
   glare_share,
   luminance_of,
   scene_weight,
+  sky_magnitude,
   white_gains,
 } from "../generated/formulas.js";
 import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
@@ -394,13 +395,15 @@ function sceneWhite(rgba, factor, toXyz) {
  *
  * @param {Float32Array[]} found Linear sRGB of I and, if available, of Q and U. [W m⁻² sr⁻¹]
  */
-function described([rgb, ...polarised], { xyz, efficacy }) {
+function described([rgb, ...polarised], { xyz, efficacy, dark }) {
   const part = (light, i) => xyz.reduce((sum, row, c) => sum + row[i] * light[c], 0);
   const [x, y, z] = [0, 1, 2].map((i) => part(rgb, i));
   if (!(y > 0)) return "no light";
   const sum = x + y + z;
   const bright = `${(efficacy * y).toPrecision(3)} cd/m²`;
-  const lines = [`luminance ${bright}`, `x ${(x / sum).toFixed(4)}, y ${(y / sum).toFixed(4)}`];
+  const lines = [`luminance ${bright}`];
+  if (efficacy * y < dark) lines.push(`${sky_magnitude(efficacy * y).toFixed(2)} mag/arcsec²`);
+  lines.push(`x ${(x / sum).toFixed(4)}, y ${(y / sum).toFixed(4)}`);
   if (polarised.length) {
     const [q, u] = polarised.map((light) => part(light, 1));
     const degree = Math.min(Math.hypot(q, u) / y, 1);

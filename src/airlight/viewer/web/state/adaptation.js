@@ -2,7 +2,7 @@
 import { eased } from "../generated/formulas.js";
 import { KEYS } from "../generated/keys.js";
 
-const { adapted: TIME_CONSTANT } = KEYS.rates;
+const { adapted: TIME_CONSTANT, brightest: BRIGHTEST } = KEYS.rates;
 /** Tolerance of the metered exposure. [EV] */
 const REACHED = 0.02;
 /** Longest time step of adaptation. [s] */
@@ -29,7 +29,8 @@ export class Adaptation {
     this.before = now;
     if (this.exposure === null || (atOnce && !held)) this.exposure = measured;
     else if (!held) {
-      const near = eased(this.exposure, measured, since, TIME_CONSTANT);
+      const before = Math.min(this.exposure, measured + BRIGHTEST);
+      const near = eased(before, measured, since, TIME_CONSTANT);
       this.exposure = Math.abs(near - measured) < REACHED ? measured : near;
     }
     return this.exposure;

@@ -70,7 +70,20 @@ export function rounded(parameter, number) {
   return digits >= 0 ? Number(number.toFixed(digits)) : Math.round(number * 10 ** digits) / 10 ** digits;
 }
 
-/** Text of a number in a field, with at most six digits. */
-export function written(number) {
-  return typeof number === "number" ? String(Number(number.toPrecision(6))) : String(number);
+/** Length from which it is written in kilometres. [m] */
+const FAR = 1e4;
+
+/** Text of a value in a field: four digits, lengths in metres or kilometres. */
+export function written({ unit }, value) {
+  if (typeof value !== "number") return String(value);
+  const short = (number) => String(Number(number.toPrecision(4)));
+  if (unit !== "m") return short(value);
+  return Math.abs(value) < FAR ? `${short(value)} m` : `${short(value / 1000)} km`;
+}
+
+/** Number of a field's text [unit]; NaN for a text that is none. */
+export function read({ unit }, text) {
+  const [, number, word] = text.trim().replace(",", ".").match(/^(\S+?)\s*(k?m)?$/) ?? [];
+  if (number === undefined || (word && unit !== "m")) return NaN;
+  return Number(number) * (word === "km" ? 1000 : 1);
 }

@@ -17,6 +17,12 @@ export function actionsOf(viewer) {
   ]);
   return {
     ...Object.fromEntries(viewpoints),
+    home: () => {
+      // the whole planet, over the same place and under the same sun
+      const planet = viewer.viewpoints.find(({ name }) => name === "planet");
+      const kept = ([path]) => !path.startsWith("view.sun_");
+      flight.goTo({ view: Object.fromEntries(Object.entries(planet?.view ?? {}).filter(kept)) });
+    },
     undo: () => state.undo(),
     redo: () => state.redo(),
     reset: () => state.reset(),

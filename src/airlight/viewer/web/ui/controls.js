@@ -1,5 +1,5 @@
 /** Panel with one control per declared parameter, in collapsible groups, or those searched. */
-import { checked, numberAt, rounded, shareOf, written } from "../state/parameters.js";
+import { checked, numberAt, read, rounded, shareOf, written } from "../state/parameters.js";
 import { element } from "./element.js";
 import { answers } from "./search.js";
 
@@ -108,7 +108,8 @@ export class Controls {
 }
 
 function labelled(parameter, ...inputs) {
-  const unit = parameter.kind === "number" && parameter.unit !== "1" ? ` [${parameter.unit}]` : "";
+  const plain = parameter.kind !== "number" || ["1", "m"].includes(parameter.unit);
+  const unit = plain ? "" : ` [${parameter.unit}]`; // the field says m or km
   const label = element("span", { className: "airlight-label" }, parameter.label + unit);
   return element("label", { className: `airlight-row airlight-${parameter.kind}` }, label, ...inputs);
 }
@@ -131,16 +132,15 @@ function numberRow(parameter, set, rest) {
   });
   slider.addEventListener("change", rest);
   taken(field, () => {
-    const text = field.value.trim().replace(",", ".");
-    set(text === "" ? NaN : Number(text));
+    set(read(parameter, field.value));
   });
   let shown = 0;
   field.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") field.value = written(shown);
+    if (event.key === "Escape") field.value = written(parameter, shown);
     const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     if (!way) return;
     event.preventDefault();
-    const number = Number(field.value);
+    const number = read(parameter, field.value);
     const { step, scale } = parameter;
     const moved = scale === "log" ? number * step ** way : number + way * step;
     try {
@@ -153,8 +153,8 @@ function numberRow(parameter, set, rest) {
     element: labelled(parameter, field, slider),
     show(value) {
       shown = value;
-      if (document.activeElement !== field || Number(field.value) !== value) {
-        field.value = written(value);
+      if (document.activeElement !== field || read(parameter, field.value) !== value) {
+        field.value = written(parameter, value);
       }
       slider.value = String(Math.round(STEPS * shareOf(parameter, value)));
     },

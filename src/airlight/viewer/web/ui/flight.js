@@ -5,15 +5,19 @@
  * navigation/keys.py.
  */
 import {
+  angle_dragged,
   angle_flown,
   climbed,
   course_of,
   looked,
+  planet_hidden,
   risen,
   sun_at,
   sun_dragged,
+  horizon_kept,
   time_of,
   turned,
+  turns_planet,
 } from "../generated/formulas.js";
 import { KEYS } from "../generated/keys.js";
 import { later } from "../state/sun_clock.js";
@@ -42,14 +46,22 @@ export function flown(values, right, ahead, up, seconds, radius) {
   const [altitude, tilt, heading] = numbers(values, "altitude", "look_zenith", "heading");
   const reach = RATES.fly * seconds;
   const higher = climbed(altitude, tilt, ahead, up, reach);
-  const changed = ahead === 0 && up === 0 ? {} : { "view.altitude": higher };
+  const changed = ahead === 0 && up === 0 ? {} : lifted(values, higher, radius);
   const angle = angle_flown(altitude, higher, tilt, right, ahead, reach, radius);
-  if (angle > 0) {
-    const course = course_of(tilt, heading, right, ahead);
-    const moved = turned(...numbers(values, ...CARRIED), course, angle);
-    CARRIED.forEach((name, i) => (changed[`view.${name}`] = moved[i]));
-  }
+  if (angle > 0) Object.assign(changed, carried(values, course_of(tilt, heading, right, ahead), angle));
   return changed;
+}
+
+/** Altitude [m], and the tilt that keeps the horizon in the picture. */
+function lifted(values, higher, radius) {
+  const [altitude, tilt] = numbers(values, "altitude", "look_zenith");
+  return { "view.altitude": higher, "view.look_zenith": horizon_kept(tilt, altitude, higher, radius) };
+}
+
+/** Position, heading and sun after an angle [rad] of a great circle on a bearing [deg]. */
+function carried(values, course, angle) {
+  const moved = turned(...numbers(values, ...CARRIED), course, angle);
+  return Object.fromEntries(CARRIED.map((name, i) => [`view.${name}`, moved[i]]));
 }
 
 export class Flight {
@@ -155,10 +167,28 @@ export class Flight {
     this.state.set(changed, "keys");
   }
 
-  /** Turn the camera by a mouse drag, in fractions of the picture's width. [1] */
+  /** Whether a far planet is outside the picture. */
+  get planetHidden() {
+    const [tilt, altitude, field] = numbers(
+      this.state.values,
+      "look_zenith",
+      "altitude",
+      "field_of_view",
+    );
+    return planet_hidden(tilt, altitude, this.radius(), field);
+  }
+
+  /** Turn the camera, or a planet seen whole, by a drag in fractions of the width. [1] */
   look(right, down) {
-    const field = this.state.get("view.field_of_view");
-    this.state.set(lookedValues(this.state.values, -right * field, -down * field), "look");
+    const { values } = this.state;
+    const [field, altitude, heading] = numbers(values, "field_of_view", "altitude", "heading");
+    if (!turns_planet(altitude, this.radius())) {
+      this.state.set(lookedValues(values, -right * field, -down * field), "look");
+      return;
+    }
+    const course = heading + (Math.atan2(-right, down) * 180) / Math.PI;
+    const angle = angle_dragged(altitude, this.radius(), field * Math.hypot(right, down));
+    this.state.set(carried(values, course, angle), "look");
   }
 
   /** Move the sun by a mouse drag, in fractions of the picture's width. [1] */
@@ -169,8 +199,9 @@ export class Flight {
 
   /** Change the altitude by wheel notches, away from the ground if positive. */
   rise(notches, held = false) {
-    const altitude = risen(this.state.get("view.altitude"), notches);
-    this.state.set({ "view.altitude": altitude }, "wheel", held);
+    const { values } = this.state;
+    const higher = risen(values["view.altitude"], notches);
+    this.state.set(lifted(values, higher, this.radius()), "wheel", held);
   }
 
   /** Change the field of view by wheel notches, wider if positive. */

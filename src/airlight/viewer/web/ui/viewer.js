@@ -218,8 +218,9 @@ export class Viewer {
   showWork() {
     const { root, working } = this.parts;
     const what = this.edits?.stale ?? this.source.stale?.() ?? "";
-    working.hidden = !what;
-    working.textContent = what && `${this.state.hasOther ? `${this.state.showing}: ` : ""}${what}`;
+    const side = what && this.state.hasOther ? `${this.state.showing}: ` : "";
+    working.textContent = side + (what || (this.flight.planetHidden ? KEYS.lost : ""));
+    working.hidden = !working.textContent;
     root.classList.toggle("airlight-stale", what !== "" && this.state.hasOther);
   }
 

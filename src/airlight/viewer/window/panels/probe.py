@@ -7,6 +7,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from airlight.image.sky_magnitude import DARK, sky_magnitude
 from airlight.viewer.painting.probe import Probe
 from airlight.viewer.painting.probing import ProbeResult
 from airlight.viewer.window import style
@@ -77,12 +78,14 @@ def numbers_of(probe: Probe) -> tuple[tuple[str, str], ...]:
     nm = f"{probe.wavelengths[green]:.0f} nm"
     depth = sum(row[green] for row in probe.optical_depth)
     x, y = probe.chromaticity
+    dark = 0.0 < probe.luminance < DARK
     polarised = []
     if probe.polarised is not None:
         degree, angle = probe.polarised
         polarised = [("polarised", f"{100.0 * degree:.1f} % at {angle:.1f}°")]
     rows = [
         ("luminance", f"{probe.luminance:.4g} cd/m²"),
+        *([("", f"{sky_magnitude(probe.luminance):.2f} mag/arcsec²")] if dark else []),
         ("colour x, y", f"{x:.4f}, {y:.4f}"),
         *polarised,
         (f"at {nm}", f"{1e3 * probe.radiance[green]:.4g} mW/(m² sr nm)"),

@@ -11,6 +11,8 @@ from airlight.viewer.window import style
 #: Widths of the names and of the reset button. [logical pixel]
 NAME_WIDTH = 138.0
 RESET_WIDTH = 26.0
+#: Length from which it is shown in kilometres. [m]
+_FAR = 1e4
 #: Gap between a name and its control. [logical pixel]
 _GAP = 8.0
 
@@ -118,7 +120,20 @@ def shown(parameter: Parameter, value: Value) -> str:
         return "on" if value else "off"
     if isinstance(value, str):
         return value or "nothing"
-    return with_unit(f"{value:.6g}", parameter.unit)
+    return _number(float(value), parameter.unit)
+
+
+def _number(value: float, unit: str) -> str:
+    """Format a number with at most four digits, long lengths in km.
+
+    Examples
+    --------
+    >>> _number(4e5, "m"), _number(2.0, "m"), _number(187.7523, "1"), _number(1995.0, "1")
+    ('400 km', '2 m', '187.8', '1995')
+    """
+    if unit == "m" and abs(value) >= _FAR:
+        return with_unit(f"{1e-3 * value:.4g}", "km")
+    return with_unit(f"{value:.4g}", unit)
 
 
 def unit_text(unit: str) -> str:
@@ -190,16 +205,19 @@ def _control(parameter: Parameter, value: Any) -> tuple[bool, Any]:
         flags |= imgui.SliderFlags_.logarithmic.value
     number = float(value)
     moved, new = imgui.slider_float(
-        "##value", number, float(parameter.low), float(parameter.high), _form(parameter), flags
+        "##value",
+        number,
+        float(parameter.low),
+        float(parameter.high),
+        _form(parameter, number),
+        flags,
     )
     return moved, float(f"{new:.7g}")  # the slider has single precision
 
 
-def _form(parameter: Parameter) -> str:
-    """Format of a slider's number, for C's printf."""
-    unit = unit_text(parameter.unit).replace("%", "%%")
-    digits = "%.7g" if unit == "m" else "%.5g"
-    return f"{digits}{'' if unit == '°' else ' '}{unit}".rstrip()
+def _form(parameter: Parameter, value: float) -> str:
+    """Text of a slider, as a format of C's printf without a number in it."""
+    return _number(value, parameter.unit).replace("%", "%%")
 
 
 def _needed(parameter: Parameter, value: Value) -> float:
@@ -208,7 +226,7 @@ def _needed(parameter: Parameter, value: Value) -> float:
 
     padding = 2.0 * imgui.get_style().frame_padding.x
     if parameter.kind == "number":
-        return float(imgui.calc_text_size(_form(parameter) % value).x + padding)
+        return float(imgui.calc_text_size(_number(float(value), parameter.unit)).x + padding)
     if parameter.kind == "choice":  # with its arrow; all options, so that the row keeps its form
         widest = max(imgui.calc_text_size(one).x for one in (*parameter.options, str(value)))
         return float(widest + padding + imgui.get_frame_height())

@@ -8,7 +8,6 @@ from airlight.errors import AirlightError
 from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
-from airlight.viewer.parameters.view_parameters import DEFAULTS
 from airlight.viewer.session.edited_amounts import amount_value
 from airlight.viewer.session.session import Session, Versions
 
@@ -64,8 +63,8 @@ class PanelValues:
     def default(self, parameter: Parameter) -> Value:
         """Default or original value; the current value if there is none. [parameter.unit]"""
         path = parameter.path
-        if path in DEFAULTS:
-            return DEFAULTS[path]
+        if path in self._session.first_view:
+            return self._session.first_view[path]
         if path.startswith("light."):
             return True
         if path not in self._defaults:
