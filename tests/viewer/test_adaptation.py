@@ -146,7 +146,7 @@ def test_both_sides_share_the_exposure_of_the_brighter(
     metered: tuple[float, float], shared: bool, request_: Request
 ) -> None:
     session = Session("earth-atmosphere-plus")
-    session.set("display.shared", shared)
+    session.shares_exposure = shared
     session.store_b()
     asked: list[Request] = []
     measured = iter(metered)

@@ -47,6 +47,10 @@ def unsolved(*_: Any, **__: Any) -> Any:
     raise AirlightError("not solved here")
 
 
+#: No picture is finished here, so that nothing reads it.
+REQUEST: Any = None
+
+
 class Read:
     """Probe with a result."""
 
@@ -59,7 +63,9 @@ class Read:
             latitude=None, longitude=None,
             parts=(Contribution(name="single scattering", radiance=light, luminance=10.0),),
         )  # fmt: skip
-        self.reading = ProbeResult(probe=probe, spectrum=probe, quality="all", place=(0.5, 0.5))
+        self.reading = ProbeResult(
+            probe=probe, spectrum=probe, quality="all", place=(0.5, 0.5), request=REQUEST
+        )
         self.working = self.error = ""
         self.busy = False
 

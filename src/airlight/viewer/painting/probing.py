@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Final
 
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -30,12 +31,15 @@ class ProbeResult:
         Description of the wavelengths of ``spectrum``.
     place : (float, float)
         Position in the picture, as fractions of its width and height. [1]
+    request : Request
+        Request that the picture answers.
     """
 
     probe: Probe
     spectrum: Probe
     quality: str
     place: tuple[float, float]
+    request: Request
 
 
 class Probing(LatestThread[tuple[Request, tuple[float, float]]]):
@@ -76,6 +80,11 @@ class Probing(LatestThread[tuple[Request, tuple[float, float]]]):
         self._doing = "reading …"
         self.want((request, place))
 
+    def follow(self, request: Request) -> None:
+        """Probe the same point again if a picture has another view or other light."""
+        if self.reading is not None and not request.same_light(self.reading.request):
+            self.ask(request, self.reading.place)
+
     def serve(self, query: tuple[Request, tuple[float, float]]) -> None:
         """Probe a point with the displayed solution, then with a finer spectrum."""
         request, place = query
@@ -86,21 +95,20 @@ class Probing(LatestThread[tuple[Request, tuple[float, float]]]):
             self.reading = None
             return
         count = shown.wavelengths.size
-        words = f"{count} wavelengths, as shown"
+        read = partial(ProbeResult, probe=found, place=place, request=request)
+        as_shown = read(spectrum=found, quality=f"{count} wavelengths, as shown")
         known = self._finer[1] if self._finer[0] is shown else None
         if known is None and count < FINER:
-            self.reading = ProbeResult(probe=found, spectrum=found, quality=words, place=place)
+            self.reading = as_shown
             self._doing = f"{count} wavelengths as shown; {FINER} follow …"
             self._wake()
             known = self._solved(request)
             self._finer = (shown, known)
-        if known is not None:
-            finer = probe_pixel(known, request.scene, x, y)
-            if finer is not None:
-                words = f"{FINER} wavelengths"
-                self.reading = ProbeResult(probe=found, spectrum=finer, quality=words, place=place)
-                return
-        self.reading = ProbeResult(probe=found, spectrum=found, quality=words, place=place)
+        finer = None if known is None else probe_pixel(known, request.scene, x, y)
+        if finer is None:
+            self.reading = as_shown
+        else:
+            self.reading = read(spectrum=finer, quality=f"{FINER} wavelengths")
 
     def _solved(self, request: Request) -> Any:
         """Solution at more wavelengths; None without a planet."""

@@ -182,9 +182,6 @@ VIEW_VALUES: Final = (
     ViewValue(path="display.locked", label="lock exposure", group="display", kind="switch",
               help="Lock of the automatic exposure.", default=False, part="display",
               synonyms=("hold", "fix", "brightness", "ae lock")),
-    ViewValue(path="display.shared", label="one exposure", group="display", kind="switch",
-              help="One exposure for A and B, that of the brighter; otherwise one for each.",
-              default=True, part="display", synonyms=("compare", "both", "sides")),
     _of("display.exposure", "display", EXPOSURE, 0.0, step=0.25, part="display"),
     *(_displayed(name, declared) for name, declared in DISPLAY_FIELDS.items()),
     _choice("light.orders", "orders of scattering", "light", ORDERS,
@@ -219,7 +216,7 @@ def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]
     --------
     >>> [one.path for one in view_parameters(("air",)) if one.kind == "switch"]
     ['view.filter', 'view.clock', 'view.moon_by_date', 'display.automatic', 'display.locked',
-     'display.shared', 'display.eye', 'light.constituents[0]']
+     'display.eye', 'light.constituents[0]']
     """
     switches = tuple(
         Parameter(

@@ -50,6 +50,7 @@ class Editing:
         self._observers: list[Callable[[Versions], None]] = []
         self.size = DEFAULT_SIZE
         self.shares_camera = True
+        self.shares_exposure = True
         self.adaptation = Adaptation()
 
     # --- state --------------------------------------------------------------------------------

@@ -43,8 +43,10 @@ class Session(Editing):
         Size of the picture, set by ``resize``. [pixel]
     shares_camera : bool
         Whether both sides of a comparison share the camera and the sun.
+    shares_exposure : bool
+        Whether they share the exposure of the brighter one; otherwise each has its own.
     adaptation : Adaptation
-        Automatic exposure, which both sides share.
+        Automatic exposure.
 
     Examples
     --------

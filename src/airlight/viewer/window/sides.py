@@ -79,7 +79,7 @@ class Sides:
         view = session.view if side == session.showing else session.view_other or session.view
         exposure = float(session.view["display.exposure"])
         automatic = bool(session.view["display.automatic"])
-        shared = bool(session.view["display.shared"])
+        shared = session.shares_exposure
         leads = side == (self._brighter if shared else session.showing)
         adapted = session.adaptation.exposure
         follows = automatic and shared and not leads and adapted is not None

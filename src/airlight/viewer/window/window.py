@@ -100,6 +100,7 @@ class Window:
             self.gallery.open,
         )
         self._probing = Probing(canvas.wake)
+        self._probed = session.showing
         self._times = FrameTimes()
         self._parts: dict[str, Rectangle] = {}
         self._faults = Faults()
@@ -240,6 +241,10 @@ class Window:
             self._preparing.finish()
         fitting = self.picture_rectangle()
         both = self.panel.compares and self.session.has_other
+        pictured = shown.request.solution.planet
+        if not both and pictured is not None and pictured.name != self.session.planet_name:
+            self._draw_first_picture()  # another planet was opened
+            return
         if both:
             self.area.draw(self.shown("A"), self.shown("B"), fitting)
             middle = self.area.divider
@@ -268,6 +273,9 @@ class Window:
 
     def _draw_probe(self) -> None:
         reading, working = self._probing.reading, self._probing.working
+        shown = self.shown(self._probed)
+        if reading is not None and shown is not None and shown.finished and not working:
+            self._probing.follow(shown.request)
         self.panel.probes = draw_probe(reading, working, self._parts["probe"])
 
     def _names(self) -> tuple[str, str]:
@@ -318,6 +326,7 @@ class Window:
             side = "A" if at[0] < self.area.divider else "B"
         shown = self.shown(side)
         if shown is not None:
+            self._probed = side
             self._probing.ask(shown.request, at)
 
     def do(self, action: str) -> None:

@@ -19,6 +19,8 @@ PROBE_HEIGHT: Final = 236.0
 #: Widths of the columns of values and of parts. [logical pixel]
 _NUMBERS: Final = 236.0
 _PARTS: Final = 292.0
+#: Margins of the panel and the gap between the columns. [logical pixel]
+_GAPS: Final = 32.0
 #: Smallest width of a plot. [logical pixel]
 _PLOT: Final = 200.0
 #: Wavelength of single values; the nearest available one is used. [nm]
@@ -55,16 +57,20 @@ def draw_probe(reading: ProbeResult | None, working: str, into: Rectangle) -> bo
     still_open = not imgui.small_button("×")
     style.hint("close the probe (P)")
     if reading is not None:
-        imgui.begin_child("numbers", imgui.ImVec2(_NUMBERS, 0.0))
+        beside = into.width > _NUMBERS + _PARTS + _GAPS
+        imgui.begin_child("numbers", imgui.ImVec2(_NUMBERS if beside else 0.0, 0.0))
         for name, value in numbers_of(reading.spectrum):
             imgui.text_colored(imgui.ImVec4(*style.QUIET), name)
             imgui.same_line(96.0)
             imgui.text_unformatted(value)
+        if not beside:  # in a narrow window the parts follow, and the panel scrolls
+            _parts(reading.spectrum)
         imgui.end_child()
-        imgui.same_line()
-        imgui.begin_child("parts", imgui.ImVec2(_PARTS, 0.0))
-        _parts(reading.spectrum)
-        imgui.end_child()
+        if beside:
+            imgui.same_line()
+            imgui.begin_child("parts", imgui.ImVec2(_PARTS, 0.0))
+            _parts(reading.spectrum)
+            imgui.end_child()
         if into.width > _NUMBERS + _PARTS + _PLOT:
             imgui.same_line()
             _plot(reading.spectrum)

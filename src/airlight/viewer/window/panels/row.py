@@ -13,6 +13,9 @@ NAME_WIDTH = 138.0
 RESET_WIDTH = 26.0
 #: Length from which it is shown in kilometres. [m]
 _FAR = 1e4
+#: Smallest widths of a slider, and of the number beside it. [logical pixel]
+_SLIDER_WIDTH = 72.0
+_NUMBER_WIDTH = 76.0
 #: Gap between a name and its control. [logical pixel]
 _GAP = 8.0
 
@@ -65,7 +68,9 @@ def parameter_row(
     differs = not same_value(value, default)
     whole = imgui.get_content_region_avail().x
     label, needed = imgui.calc_text_size(parameter.label).x, _needed(parameter, value)
-    fits = label <= NAME_WIDTH - _GAP and needed <= whole - NAME_WIDTH - RESET_WIDTH
+    room = max(needed, _NUMBER_WIDTH) if parameter.kind == "number" else 0.0
+    least = room + _SLIDER_WIDTH if room else needed
+    fits = label <= NAME_WIDTH - _GAP and least <= whole - NAME_WIDTH - RESET_WIDTH
     imgui.push_text_wrap_pos(0.0)
     color = style.ACCENT if differs and marks else style.TEXT_COLOR
     imgui.text_colored(imgui.ImVec4(*color), parameter.label)
@@ -74,16 +79,23 @@ def parameter_row(
     if fits:
         imgui.same_line(left + NAME_WIDTH)
     right = imgui.get_content_region_avail().x
-    imgui.set_next_item_width(right - RESET_WIDTH)
+    imgui.set_next_item_width(right - RESET_WIDTH - room)
     texts = (
         (parameter.label, NAME_WIDTH - _GAP if fits else whole, min(label, whole)),
-        (shown(parameter, value), right - RESET_WIDTH, needed),
+        (shown(parameter, value), room or right - RESET_WIDTH, needed),
     )
     moved, new = _control(parameter, value)
     style.hint(_explained(parameter, default))
     if moved:
         changed = new
     place, reset = style.item_place(), False
+    if room:
+        imgui.same_line(0.0, _GAP)
+        start = imgui.get_cursor_pos_x()
+        imgui.text_unformatted(shown(parameter, value))
+        style.hint(_explained(parameter, default))
+        imgui.same_line(start + room - _GAP)
+        imgui.dummy(imgui.ImVec2(0.0, 0.0))
     if differs:
         imgui.same_line(0.0, 3.0)
         imgui.push_style_color(imgui.Col_.button, imgui.ImVec4(0.0, 0.0, 0.0, 0.0))
@@ -209,15 +221,10 @@ def _control(parameter: Parameter, value: Any) -> tuple[bool, Any]:
         number,
         float(parameter.low),
         float(parameter.high),
-        _form(parameter, number),
+        "",
         flags,
     )
     return moved, float(f"{new:.7g}")  # the slider has single precision
-
-
-def _form(parameter: Parameter, value: float) -> str:
-    """Text of a slider, as a format of C's printf without a number in it."""
-    return _number(value, parameter.unit).replace("%", "%%")
 
 
 def _needed(parameter: Parameter, value: Value) -> float:
@@ -226,7 +233,7 @@ def _needed(parameter: Parameter, value: Value) -> float:
 
     padding = 2.0 * imgui.get_style().frame_padding.x
     if parameter.kind == "number":
-        return float(imgui.calc_text_size(_number(float(value), parameter.unit)).x + padding)
+        return float(imgui.calc_text_size(shown(parameter, value)).x + _GAP)
     if parameter.kind == "choice":  # with its arrow; all options, so that the row keeps its form
         widest = max(imgui.calc_text_size(one).x for one in (*parameter.options, str(value)))
         return float(widest + padding + imgui.get_frame_height())

@@ -302,6 +302,9 @@ class SidePanel:
         _, session.shares_camera = imgui.checkbox("one camera", session.shares_camera)
         self.places["one camera"] = style.item_place()
         style.hint("both are seen from the same place under the same sun")
+        _, session.shares_exposure = imgui.checkbox("one exposure", session.shares_exposure)
+        self.places["one exposure"] = style.item_place()
+        style.hint("both have the exposure of the brighter; otherwise each its own")
         imgui.set_next_item_width(imgui.get_content_region_avail().x - 96.0)
         if imgui.begin_combo("B is planet", "choose", imgui.ComboFlags_.height_large):
             for name in planet_names():
