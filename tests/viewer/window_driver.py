@@ -142,9 +142,9 @@ class Answers:
     def typing(self) -> bool:
         return self.window.surface.typing
 
-    def probes(self) -> bool:
+    def probes(self, shown: bool) -> bool:
         """Show the probe, or hide it."""
-        self.window.panel.probes = not self.window.panel.probes
+        self.window.panel.probes = shown
         return self.draws(2)
 
     def probe_rows(self) -> dict[str, str]:

@@ -42,8 +42,10 @@ class ProbeResult:
     request: Request
 
 
-class Probing(LatestThread[tuple[Request, tuple[float, float]]]):
-    """Thread that evaluates the latest query: a picture's request, and a point of it as fractions.
+class Probing(LatestThread[tuple[Request, tuple[float, float], bool]]):
+    """Thread that evaluates the latest query.
+
+    A query is a picture's request, a point of it as fractions, and whether the spectrum is refined.
 
     Parameters
     ----------
@@ -78,16 +80,19 @@ class Probing(LatestThread[tuple[Request, tuple[float, float]]]):
             Position, as fractions of the picture's width and height. [1]
         """
         self._doing = "reading …"
-        self.want((request, place))
+        self.want((request, place, True))
 
     def follow(self, request: Request) -> None:
-        """Probe the same point again if a picture has another view or other light."""
-        if self.reading is not None and not request.same_light(self.reading.request):
-            self.ask(request, self.reading.place)
+        """Probe the same point of a picture with another view or other light.
 
-    def serve(self, query: tuple[Request, tuple[float, float]]) -> None:
+        A finer spectrum is used if it is solved already.
+        """
+        if self.reading is not None and not request.same_light(self.reading.request):
+            self.want((request, self.reading.place, False))
+
+    def serve(self, query: tuple[Request, tuple[float, float], bool]) -> None:
         """Probe a point with the displayed solution, then with a finer spectrum."""
-        request, place = query
+        request, place, solves = query
         camera, shown = request.scene.camera, request.solution
         x, y = place[0] * camera.width, place[1] * camera.height
         found = probe_pixel(shown, request.scene, x, y)
@@ -96,9 +101,10 @@ class Probing(LatestThread[tuple[Request, tuple[float, float]]]):
             return
         count = shown.wavelengths.size
         read = partial(ProbeResult, probe=found, place=place, request=request)
-        as_shown = read(spectrum=found, quality=f"{count} wavelengths, as shown")
+        more = "" if solves or count >= FINER else f"; a click solves {FINER}"
+        as_shown = read(spectrum=found, quality=f"{count} wavelengths, as shown{more}")
         known = self._finer[1] if self._finer[0] is shown else None
-        if known is None and count < FINER:
+        if known is None and count < FINER and solves:
             self.reading = as_shown
             self._doing = f"{count} wavelengths as shown; {FINER} follow …"
             self._wake()
