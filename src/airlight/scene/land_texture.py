@@ -8,14 +8,15 @@ stones and tufts hide what is behind them. Means of reflectance and of sunlight 
 
 from __future__ import annotations
 
-from math import floor, sqrt
+from math import sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import DEVIATION, PERIOD, smooth_noise
+from airlight.geometry.gradient_noise import DEVIATION, smooth_noise
 from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import DISPLACED, STEP
 from airlight.scene.ground_detail import OCTAVES as DETAIL_OCTAVES
+from airlight.scene.hills import along_lattice
 
 #: Number of octaves, and sizes of the cells of the coarsest and of the finest over the finest of
 #: ``ground_detail``: 460 m to 3 cm on Earth.
@@ -43,7 +44,7 @@ HEIGHT: Final = 0.014
 #: Height of stones and tufts of the finest octave that is shown, and number of heights at which a
 #: line of sight is compared with theirs: they hide what is behind them. [cell]
 TALL: Final = 0.3
-LEVELS: Final = 5
+LEVELS: Final = 8
 #: Largest cells with slopes over the finest of ``ground_detail``: 7 m on Earth.
 HIGHEST: Final = 64.0
 #: Standard deviation of the difference of that over a stride, over its own. [1]
@@ -98,37 +99,22 @@ def texture_footprint(footprint, cosine):
 
 
 @kernel
-def along_lattice(whole, beyond, inverse):
-    """Lattice coordinate along one axis, to a period; exact products, as sizes are powers of 2.
-
-    Parameters
-    ----------
-    whole : float
-        Result of ``lattice_origin``.
-    beyond : float
-        Distance from that lattice point. [finest cell]
-    inverse : float
-        Size of the finest cells over that of these. [1]
-    """
-    start = whole * inverse
-    return start - PERIOD * float(floor(start / PERIOD)) + beyond * inverse
-
-
-@kernel
-def stony(noise):
+def stony(noise, part):
     """Noise with stones and tufts: an even ground of which the highest eighth stands out. [1]
 
     Parameters
     ----------
     noise : float
         Result of ``smooth_noise``. [1]
+    part : float
+        How much they stand out, 0 to 1. [1]
 
     Examples
     --------
-    >>> stony(0.25), round(stony(0.65), 9)
+    >>> stony(0.25, 1.0), round(stony(0.65, 1.0), 9)
     (0.25, 1.15)
     """
-    return noise + STEEPER * max(noise - STONES, 0.0)
+    return noise + part * STEEPER * max(noise - STONES, 0.0)
 
 
 @kernel
@@ -158,7 +144,7 @@ def met_height(x, y, z, lean, tallest):
 
 
 @kernel
-def land_texture(place, footprint, cell, whole, part, way, lean):
+def land_texture(place, footprint, cell, whole, part, way, lean, leaf, snow):
     """Result of ``LandTexture`` at a place.
 
     The line of sight meets a height before the place on the level ground: each octave is seen on
@@ -174,9 +160,10 @@ def land_texture(place, footprint, cell, whole, part, way, lean):
         Horizontal way back towards the observer per height, in the planet's frame. [1]
     """
     tone, hue, ascent, shore, scale = 0.0, 0.0, 0.0, 0.0, COARSEST
+    part_stony = 1.0 - 0.8 * leaf - 0.5 * snow
     finest = Vec3(part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell)
     for octave in range(OCTAVES):
-        shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
+        shown = min(0.8 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             inverse = 1.0 / scale
             x = along_lattice(whole.x, finest.x, inverse)
@@ -185,8 +172,9 @@ def land_texture(place, footprint, cell, whole, part, way, lean):
             if scale <= HIGHEST:
                 finer = 0.0
                 if octave < OCTAVES - 1:
-                    finer = min(max(0.5 * cell * scale / (STEP * footprint) - 1.0, 0.0), 1.0)
-                tallest = TALL * shown * (1.0 - finer)
+                    finer = min(max(0.8 * cell * scale / (STEP * footprint) - 1.0, 0.0), 1.0)
+                tall = (1.0 - snow) * (1.0 - leaf) * TALL + leaf * (0.1 + 0.7 / max(scale, 1.0))
+                tallest = tall * shown * (1.0 - finer)
                 if tallest > 0.0:
                     met = met_height(x, y, z, lean, tallest)
                     x += lean.x * met
@@ -195,13 +183,14 @@ def land_texture(place, footprint, cell, whole, part, way, lean):
                     finest = plus(finest, scaled(lean, met * scale))
             here = smooth_noise(x, y, z)
             shore += shown * here * scale
-            here = stony(here)
-            change = shown * (here - STONY_MEAN)
+            here = stony(here, part_stony)
+            change = shown * (here - part_stony * STONY_MEAN)
             tone += change
             hue = change - hue  # signs alternate: no colour of its own for bright or dark
             if scale <= HIGHEST:
                 ahead = stony(
-                    smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
+                    smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z),
+                    part_stony,
                 )
                 ascent += shown * (ahead - here)
                 height = shown * here * HEIGHT * scale / STONY_DEVIATION
