@@ -96,7 +96,7 @@ def lattice_place(finest, whole, scale):
 
 
 @kernel
-def hills(finest, footprint, distance, whole, way, cell):
+def hills(finest, footprint, distance, whole, way, sloping, cell):
     """``Hills`` at a place.
 
     Parameters
@@ -109,6 +109,8 @@ def hills(finest, footprint, distance, whole, way, cell):
         Distance from a low observer. [finest cell]
     whole, way : Vec3
         Result of ``lattice_origin``; horizontal direction of the ascent. [1]
+    sloping : bool
+        Whether the ascent is asked for.
     cell : float
         Size of the finest cells. [m]
     """
@@ -121,11 +123,12 @@ def hills(finest, footprint, distance, whole, way, cell):
             at = lattice_place(finest, whole, scale)
             value = smooth_noise(at.x, at.y, at.z)
             here = HALF - abs(value)
-            at = plus(at, scaled(way, STRIDE))
-            ahead = HALF - abs(smooth_noise(at.x, at.y, at.z))
             part = shown * rough
             height += part * here * scale / COARSEST
-            ascent += part * (ahead - here) / (STRIDE * COARSEST * cell)
+            if sloping:
+                at = plus(at, scaled(way, STRIDE))
+                ahead = HALF - abs(smooth_noise(at.x, at.y, at.z))
+                ascent += part * (ahead - here) / (STRIDE * COARSEST * cell)
             if octave < TONED:
                 tone += shown * loud * value
             rough *= min(max(0.8 + 2.0 * here, 0.2), 1.0)

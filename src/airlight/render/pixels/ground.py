@@ -57,7 +57,6 @@ from airlight.scene.ground_place import (
 from airlight.scene.lamps import BENT, lamps_at
 from airlight.scene.land_texture import (
     FINEST_OF_MAP,
-    GRAZING,
     texture_footprint,
 )
 from airlight.scene.sea_waves import COARSEST, peak_wavenumber
@@ -174,11 +173,7 @@ def ground_color(ray, sine, angle, frame, color):
     mu_s = 0.0
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
-        blur = texture_footprint(footprint, cosine)
-        steep = max(cosine, GRAZING)
-        back = Vec3(-ray.x / steep, -ray.y / steep, 0.0)
-        lean = components(back, view.ground_x, view.ground_y, view.ground_z)
-        detailed_land(place, blur, lean, mu_s, width, reach, frame, color)
+        detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         shown, north, east = 0.0, 0.0, 0.0

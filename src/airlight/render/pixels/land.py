@@ -13,7 +13,14 @@ from airlight.render.pixels.relief import height_at
 from airlight.scene.ground_detail import moved_coast, sharper_share, unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
 from airlight.scene.hills import canopy, hills, woods
-from airlight.scene.land_texture import land_texture, texture_light, textured
+from airlight.scene.land_texture import (
+    ROW,
+    land_texture,
+    seen_row,
+    texture_footprint,
+    texture_light,
+    textured,
+)
 from airlight.solver.moments.source import transmittance_columns
 
 #: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
@@ -29,15 +36,21 @@ NEAR: Final = 250.0
 FAR: Final = 20e3
 AWAY: Final = 12.0
 #: Steepest line of sight that is compared with hills. [1]
-STEEP: Final = 0.12
+STEEP: Final = 0.05
 #: Number of distances at which heights are compared, and of halvings of the last step.
-STEPS: Final = 24
-HALVINGS: Final = 5
+STEPS: Final = 20
+HALVINGS: Final = 4
 #: Height of noise that lies on level ground, and highest value. [1]
 GROUND: Final = -0.05
 TOP: Final = 0.6
+#: Largest angle of elevation of hills over their height. [finest cell⁻¹]
+STEEPEST: Final = 6.5e-6
+#: Largest height of the coarsest octave around a low observer. [m]
+HIGHEST: Final = 700.0
 #: Share of hills on snow. [1]
 SNOWED: Final = 0.3
+#: Cosine of the zenith angle of a line of sight below which land is seen in rows. [1]
+GRAZING: Final = 0.35
 #: Reflectance of woods over that of what is between them. [1]
 SHADY: Final = 0.4
 #: Mean share of woods on green land. [1]
@@ -134,6 +147,8 @@ def seen_hill(ray, frame, color):
     if far < 2.0 * near or tables.ground.wet and not view.mapped:
         return ray, 1.0
     along, climb = Vec3(ray.x / sine, ray.y / sine, 0.0), ray.z / sine
+    if altitude + near * (climb + 0.5 * near / tables.bottom) <= 0.0:
+        return ray, 1.0
     aside = components(along, view.ground_x, view.ground_y, view.ground_z)
     up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
     middle = plus(up, scaled(aside, 0.3 * far / tables.bottom))
@@ -148,25 +163,24 @@ def seen_hill(ray, frame, color):
             return ray, 1.0
         snow = snowiness(color[0], color[2])
         leaf = leafiness(color[0], color[1], snow)
-    size = hill_size(latitude, longitude, view) * (1.0 + (SNOWED - 1.0) * snow)
+    size = min(hill_size(latitude, longitude, view), HIGHEST) * (1.0 + (SNOWED - 1.0) * snow)
     cell = view.detail_cell
     trees = 250.0 * cell * leaf
     step = (far / near) ** (1.0 / STEPS)
     before, distance, found, met, halvings = near, near * step, 0.0, 0.0, 0
-    start = altitude + near * (climb + 0.5 * near / tables.bottom)
-    while distance < far and start > 0.0 and halvings <= HALVINGS:
+    while distance < far and halvings <= HALVINGS:
         above = altitude + distance * (climb + 0.5 * distance / tables.bottom)
         share = risen(distance, altitude)
         hidden = above <= 0.0
         wooded = trees * grown(distance, altitude)
-        if above > 0.0 and above < share * TOP * size + wooded:
+        if above > 0.0 and above < size * min(TOP, STEEPEST * distance / cell) + wooded:
             finest = Vec3(
                 view.part.x + distance * aside.x / cell,
                 view.part.y + distance * aside.y / cell,
                 view.part.z + distance * aside.z / cell,
             )
             blur = view.pixel_angle * distance / cell
-            hill = hills(finest, blur, distance / cell, view.whole, aside, cell)
+            hill = hills(finest, blur, distance / cell, view.whole, aside, False, cell)
             height = share * size * max(hill.height - GROUND, 0.0)
             if above >= height and above < height + wooded:
                 wood = leaf * grown(distance, altitude)
@@ -222,17 +236,15 @@ def haze_beyond(ray, sine, beyond, frame, work):
 
 
 @inlined
-def detailed_land(place, blur, lean, mu_s, width, reach, frame, color):
+def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
     """Decorate land: coast and noise between texels, texture of reflectance and small slopes.
 
     Parameters
     ----------
     place : Vec3
         Result of ``ground_spot``. [m]
-    blur : float
-        Result of ``texture_footprint``. [m]
-    lean : Vec3
-        Argument of ``land_texture``. [1]
+    footprint, cosine : float
+        Longer axis of the pixel [m]; cosine of the zenith angle towards the observer. [1]
     mu_s : float
         Cosine of the star's zenith angle. [1]
     width : float
@@ -251,28 +263,40 @@ def detailed_land(place, blur, lean, mu_s, width, reach, frame, color):
         if view.mapped:
             snow = snowiness(color[0], color[2])
             leaf = leafiness(color[0], color[1], snow)
+        blur = texture_footprint(footprint, cosine) / cell
         # the star's azimuth is the observer's first axis
         way = Vec3(view.ground_x.x, view.ground_y.x, view.ground_z.x)
         finest = Vec3(
             view.part.x + place.x / cell, view.part.y + place.y / cell, view.part.z + place.z / cell
         )
         up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
-        latitude, longitude = latitude_longitude(plus(up, scaled(place, 1.0 / frame.tables.bottom)))
         high = risen(reach, observer.optical_altitude)
-        ascent, tone, wood = 0.0, 0.0, 0.0
+        ascent, tone, wood, height = 0.0, 0.0, 0.0, 0.0
         if high > 0.0:
+            middle = plus(up, scaled(place, 1.0 / frame.tables.bottom))
+            latitude, longitude = latitude_longitude(middle)
             size = hill_size(latitude, longitude, view) * (1.0 + (SNOWED - 1.0) * snow)
             from_there = reach if observer.optical_altitude < LOW else 1e9
-            hill = hills(finest, blur / cell, from_there / cell, view.whole, way, cell)
+            hill = hills(finest, blur, from_there / cell, view.whole, way, True, cell)
             ascent = high * size * hill.ascent
             tone = hill.tone
             wood = leaf * grown(reach, observer.optical_altitude)
-            wood *= woods(finest, blur / cell, view.whole, hill.tone)
+            wood *= woods(finest, blur, view.whole, hill.tone)
             height = high * size * max(hill.height - GROUND, 0.0)
             if wood > 0.0 and observer.optical_altitude < LOW:
                 height += wood * cell * canopy(finest, view.whole)
-            place = plus(place, scaled(up, height))
-        texture = land_texture(place, blur, cell, view.whole, view.part, way, lean, leaf, snow)
+            finest = plus(finest, scaled(up, height / cell))
+        row, shorter = finest, blur
+        if cosine < GRAZING and snow < 0.5:
+            row = seen_row(
+                place, observer.optical_altitude, ROW * view.pixel_angle, cell, leaf,
+                view.whole, view.part, up,
+            )  # fmt: skip
+            row = plus(row, scaled(up, height / cell))
+            shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
+        texture = land_texture(
+            finest, row, shorter, footprint / cell, view.whole, way, leaf, snow
+        )
         color[11] = texture_light(mu_s, texture.ascent + ascent)
         change, hue = texture.tone, texture.hue
         dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - (1.0 - SHADY) * leaf * COVER)

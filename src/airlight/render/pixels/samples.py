@@ -60,8 +60,8 @@ def samples_per_side(ray, frame, color):
         along = ray.z * observer.horizon_mu + sine * observer.horizon_sine
         corner = _CORNER * view.pixel_angle
         if along > 0.0:
-            top = angle_above_land(ray, corner, frame, color)
-            if top > 0.0 and angle_above_land(ray, -corner, frame, color) < 0.0:
+            low = angle_above_land(ray, -corner, frame, color)
+            if low < 0.0 and angle_above_land(ray, corner, frame, color) > 0.0:
                 return max(view.samples, EDGE)
     return view.samples
 
