@@ -9,7 +9,7 @@ there are woods.
 
 from __future__ import annotations
 
-from math import floor
+from math import floor, sqrt
 from typing import Final, NamedTuple
 
 from airlight.geometry.gradient_noise import PERIOD, smooth_noise
@@ -29,10 +29,8 @@ GROWTH: Final = 0.6
 HALF: Final = 0.33
 #: Distance of the two heights of a slope. [cell]
 STRIDE: Final = 0.25
-#: Ratio of the contrast of reflectance in an octave to that in the next coarser one. [1]
-TONE_FALL: Final = 0.84
-#: Cells of woods and of their edges; height of trees, and size of their crowns: on Earth 460 m,
-#: 115 m, 14 m and 7 m.
+#: Cells of woods and of their edges; height of trees, and size of their crowns: on Earth 460 m
+#: to 29 m, 14 m and 7 m.
 WOODS: Final = 4096.0
 CROWNS: Final = 64.0
 TREES: Final = 125.0
@@ -96,7 +94,7 @@ def lattice_place(finest, whole, scale):
 
 
 @kernel
-def hills(finest, footprint, distance, whole, way, sloping, cell):
+def hills(finest, footprint, distance, whole, way, sloping, cell, fall):
     """``Hills`` at a place.
 
     Parameters
@@ -113,6 +111,8 @@ def hills(finest, footprint, distance, whole, way, sloping, cell):
         Whether the ascent is asked for.
     cell : float
         Size of the finest cells. [m]
+    fall : float
+        Ratio of the contrast of land at a scale to that at four times the scale. [1]
     """
     height, ascent, tone, loud, rough = 0.0, 0.0, 0.0, 1.0, 1.0
     scale = COARSEST
@@ -132,7 +132,7 @@ def hills(finest, footprint, distance, whole, way, sloping, cell):
             if octave < TONED:
                 tone += shown * loud * value
             rough *= min(max(0.8 + 2.0 * here, 0.2), 1.0)
-        loud *= TONE_FALL
+        loud *= sqrt(fall)
         scale *= 0.5
     return Hills(height, ascent, tone)
 
@@ -149,13 +149,14 @@ def woods(finest, footprint, whole, tone):
         ``tone`` of ``Hills``. [1]
     """
     value = tone - WOODED
-    fine = WOODS
-    for octave in range(2):
+    fine, part = WOODS, 0.7
+    for _octave in range(3):
         shown = min(max(0.6 * fine / footprint - 1.0, 0.0), 1.0)
         if shown > 0.0:
             at = lattice_place(finest, whole, fine)
-            value += shown * (0.7 - 0.4 * octave) * smooth_noise(at.x, at.y, at.z)
+            value += shown * part * smooth_noise(at.x, at.y, at.z)
         fine *= 0.25
+        part *= 0.5
     edge = EDGE + 2.0 * footprint / WOODS
     return min(max(0.5 + value / edge, 0.0), 1.0)
 
@@ -175,4 +176,4 @@ def canopy(finest, whole):
     crowns += 0.5 * abs(smooth_noise(at.x, at.y, at.z))
     at = lattice_place(finest, whole, 8.0 * CROWNS)
     stands = smooth_noise(at.x, at.y, at.z)
-    return TREES * max(0.55 + 0.6 * crowns + 0.6 * stands, 0.3)
+    return TREES * max(0.7 + 0.4 * crowns + 0.5 * stands, 0.3)

@@ -8,11 +8,11 @@ stones and tufts hide what is behind them. Means of reflectance and of sunlight 
 
 from __future__ import annotations
 
-from math import ceil, exp, floor, log, log2, sqrt
+from math import exp, floor, log, log2, sqrt
 from typing import Final, NamedTuple
 
 from airlight.geometry.gradient_noise import DEVIATION, smooth_noise
-from airlight.geometry.vectors import Vec3, dot, plus, scaled
+from airlight.geometry.vectors import dot, plus, scaled
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import DISPLACED, STEP
 from airlight.scene.ground_detail import OCTAVES as DETAIL_OCTAVES
@@ -133,12 +133,12 @@ def row_before(dip, width):
     Examples
     --------
     >>> row_before(0.01, 0.004), round(row_before(0.4, 0.004), 3)
-    (0.012, 0.407)
+    (0.012, 0.406)
     """
     near = width / SPACING
     if dip <= near:
-        return width * ceil(dip / width)
-    return near * exp(SPACING * ceil(log(dip / near) / SPACING))
+        return width * (1.0 + floor(dip / width))
+    return near * exp(SPACING * (1.0 + floor(log(dip / near) / SPACING)))
 
 
 @kernel
@@ -231,8 +231,8 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow):
                 value, change = octave_change(row, scale, whole, way, part)
                 here += (shown - flat) * value
                 growth += (shown - flat) * change
-            shore += here * scale
             here -= shown * part * STONY_MEAN
+            shore += here * scale
             tone += here
             hue = here - hue  # signs alternate: no colour of its own for bright or dark
             ascent += growth

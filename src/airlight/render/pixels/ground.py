@@ -150,12 +150,12 @@ def ground_color(ray, sine, angle, frame, color):
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
     # of the straight line: how much a near one is bent is lost in rounding
-    noise, width = GroundNoise(0.0, 0.0, 0.0, 0.0, 0.0), 1.0
+    noise, width = GroundNoise(0.0, 0.0, 0.0, 0.0), 1.0
     place, footprint = ground_spot(reach, end, cosine, view, tables)
     if view.detailed:
         noise = ground_detail(
             place, max(footprint, 0.5 * view.detail_cell * STEP**FINEST_OF_MAP),
-            view.detail_cell, view.whole, view.part, view.grain_fall,
+            view.detail_cell, view.whole, view.part,
         )  # fmt: skip
     end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(

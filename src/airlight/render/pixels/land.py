@@ -47,6 +47,8 @@ TOP: Final = 0.6
 STEEPEST: Final = 6.5e-6
 #: Largest height of the coarsest octave around a low observer. [m]
 HIGHEST: Final = 700.0
+#: Contrast of hills over that of the grain of the map, which is half of that of its land. [1]
+LOUD: Final = 3.0
 #: Share of hills on snow. [1]
 SNOWED: Final = 0.3
 #: Cosine of the zenith angle of a line of sight below which land is seen in rows. [1]
@@ -54,7 +56,7 @@ GRAZING: Final = 0.35
 #: Reflectance of woods over that of what is between them. [1]
 SHADY: Final = 0.4
 #: Mean share of woods on green land. [1]
-COVER: Final = 0.33
+COVER: Final = 0.394
 
 
 @kernel
@@ -117,6 +119,31 @@ def hill_size(latitude, longitude, view):
 
 
 @inlined
+def land_color(place, view, color):
+    """Map values of a place, into ``color``. [1]
+
+    Parameters
+    ----------
+    place : Vec3
+        Place from the centre, in the planet's frame; any unit.
+    view, color :
+        Arguments of ``detailed_land``.
+    """
+    latitude, longitude = latitude_longitude(place)
+    map_color(
+        view.texels,
+        view.map_rows,
+        view.map_columns,
+        view.map_levels,
+        latitude,
+        longitude,
+        0.0,
+        color,
+        0,
+    )
+
+
+@inlined
 def seen_hill(ray, frame, color):
     """Line of sight to the level ground below the place where one meets hills.
 
@@ -144,7 +171,7 @@ def seen_hill(ray, frame, color):
     horizon = sqrt(2.0 * altitude * tables.bottom)
     near, edge = near_hills(altitude), 0.95 * horizon
     far = max(FAR, edge)
-    if far < 2.0 * near or tables.ground.wet and not view.mapped:
+    if far < 2.0 * near or (tables.ground.wet and not view.mapped):
         return ray, 1.0
     along, climb = Vec3(ray.x / sine, ray.y / sine, 0.0), ray.z / sine
     if altitude + near * (climb + 0.5 * near / tables.bottom) <= 0.0:
@@ -155,10 +182,7 @@ def seen_hill(ray, frame, color):
     latitude, longitude = latitude_longitude(middle)
     leaf, snow = 0.0, 0.0
     if view.mapped:
-        map_color(
-            view.texels, view.map_rows, view.map_columns, view.map_levels,
-            latitude, longitude, 0.0, color, 0,
-        )  # fmt: skip
+        land_color(middle, view, color)
         if color[3] > 0.5:
             return ray, 1.0
         snow = snowiness(color[0], color[2])
@@ -173,14 +197,16 @@ def seen_hill(ray, frame, color):
         share = risen(distance, altitude)
         hidden = above <= 0.0
         wooded = trees * grown(distance, altitude)
-        if above > 0.0 and above < size * min(TOP, STEEPEST * distance / cell) + wooded:
+        if above > 0.0 and above < size * min(TOP, STEEPEST * distance / cell - GROUND) + wooded:
             finest = Vec3(
                 view.part.x + distance * aside.x / cell,
                 view.part.y + distance * aside.y / cell,
                 view.part.z + distance * aside.z / cell,
             )
             blur = view.pixel_angle * distance / cell
-            hill = hills(finest, blur, distance / cell, view.whole, aside, False, cell)
+            hill = hills(
+                finest, blur, distance / cell, view.whole, aside, False, cell, view.grain_fall
+            )
             height = share * size * max(hill.height - GROUND, 0.0)
             if above >= height and above < height + wooded:
                 wood = leaf * grown(distance, altitude)
@@ -199,6 +225,10 @@ def seen_hill(ray, frame, color):
             distance *= step
     if met <= 0.0:
         return ray, 1.0
+    if view.mapped:
+        land_color(plus(up, scaled(aside, found / tables.bottom)), view, color)
+        if color[3] > 0.5:
+            return ray, 1.0
     end = min(found, edge)
     down = -altitude / end - 0.5 * end / tables.bottom
     length = sqrt(1.0 + down * down)
@@ -219,17 +249,17 @@ def haze_beyond(ray, sine, beyond, frame, work):
     frame, work : FrameTables, MarchWorkspace
         What the pixels read; the workspace has the light of the line, which is changed.
     """
-    tables, columns = frame.tables, work.columns_total
-    columns_to_ground(ray.z, sine, frame.observer, tables, columns, work.columns_so_far)
+    tables = frame.tables
+    columns_to_ground(ray.z, sine, frame.observer, tables, work.columns_total, work.columns_so_far)
     for at in range(0, tables.lanes, LANES):
         radiance = lane_view(work.radiance, at)
         extinction = lane_view(tables.extinction, at)
-        once = transmittance_columns(columns, extinction, tables.constituents)
+        once = transmittance_columns(work.columns_total, extinction, tables.constituents)
         for c in range(tables.constituents):
-            columns[c] *= beyond
-        more = transmittance_columns(columns, extinction, tables.constituents)
+            work.columns_total[c] *= beyond
+        more = transmittance_columns(work.columns_total, extinction, tables.constituents)
         for c in range(tables.constituents):
-            columns[c] /= beyond
+            work.columns_total[c] /= beyond
         growth = (1.0 - more) / maximum(1.0 - once, splat(1e-6))
         radiance[0] = radiance[0] * growth
         radiance[1] = radiance[1] * (more / maximum(once, splat(1e-30)))
@@ -277,7 +307,9 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
             latitude, longitude = latitude_longitude(middle)
             size = hill_size(latitude, longitude, view) * (1.0 + (SNOWED - 1.0) * snow)
             from_there = reach if observer.optical_altitude < LOW else 1e9
-            hill = hills(finest, blur, from_there / cell, view.whole, way, True, cell)
+            hill = hills(
+                finest, blur, from_there / cell, view.whole, way, True, cell, view.grain_fall
+            )
             ascent = high * size * hill.ascent
             tone = hill.tone
             wood = leaf * grown(reach, observer.optical_altitude)
@@ -288,29 +320,27 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
             finest = plus(finest, scaled(up, height / cell))
         row, shorter = finest, blur
         if cosine < GRAZING and snow < 0.5:
-            row = seen_row(
-                place, observer.optical_altitude, ROW * view.pixel_angle, cell, leaf,
-                view.whole, view.part, up,
-            )  # fmt: skip
+            low = observer.optical_altitude
+            band = ROW * view.pixel_angle
+            row = seen_row(place, low, band, cell, leaf, view.whole, view.part, up)
             row = plus(row, scaled(up, height / cell))
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
-        texture = land_texture(
-            finest, row, shorter, footprint / cell, view.whole, way, leaf, snow
-        )
+        texture = land_texture(finest, row, shorter, footprint / cell, view.whole, way, leaf, snow)
         color[11] = texture_light(mu_s, texture.ascent + ascent)
         change, hue = texture.tone, texture.hue
+        tone *= LOUD
         dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - (1.0 - SHADY) * leaf * COVER)
         if view.mapped:
             sharp = sharper_share(moved_coast(share, texture.shore), width)
             red = dark * unmixed(color[0], view.water.x, share)
             green = dark * unmixed(color[1], view.water.y, share)
             blue = dark * unmixed(color[2], view.water.z, share)
-            red = textured(red * max(1.0 + 3.0 * view.grain.x * tone, 0.0), change + hue)
-            green = textured(green * max(1.0 + 3.0 * view.grain.y * tone, 0.0), change)
-            blue = textured(blue * max(1.0 + 3.0 * view.grain.z * tone, 0.0), change - hue)
+            red = textured(red * max(1.0 + view.grain.x * tone, 0.0), change + hue)
+            green = textured(green * max(1.0 + view.grain.y * tone, 0.0), change)
+            blue = textured(blue * max(1.0 + view.grain.z * tone, 0.0), change - hue)
             color[0] = red + sharp * (view.water.x - red)
             color[1] = green + sharp * (view.water.y - green)
             color[2] = blue + sharp * (view.water.z - blue)
             color[3] = sharp
         else:
-            color[8] = 1.0 + 3.0 * view.grain.x * tone + change
+            color[8] = 1.0 + view.grain.x * tone + change
