@@ -2,8 +2,9 @@
 
 Tufts, stones, ripples, fields: octaves of equal contrast, since natural scenes have no scale of
 their own (Ruderman & Bialek 1994, Phys. Rev. Lett. 73, 814: power as the inverse square of the
-frequency). The same noise is the height of small relief, whose slopes sunlight shades and whose
-stones and tufts hide what is behind them. Means of reflectance and of sunlight remain.
+frequency). The same noise is the height of small relief, whose slopes sunlight shades. At a grazing
+angle plants and stones are seen in rows that hide what is behind them. Means of reflectance and of
+sunlight remain.
 """
 
 from __future__ import annotations
@@ -39,8 +40,8 @@ STRIDE: Final = 0.5
 #: Standard deviation of the slope of one octave. [1]
 SLOPE: Final = 0.08
 #: Angle of the least row over that of a pixel, ratio of distances of the nearest rows, size of
-#: ragged edges over the height of a row, how far they rise over it, and height over width of what
-#: is seen. [1]
+#: ragged edges over the height of a row, how far they rise over it, and width over height of blades
+#: and of stones. All chosen by looking at pictures. [1]
 ROW: Final = 3.0
 SPACING: Final = 0.04
 RAGGED: Final = 3.0
