@@ -26,7 +26,6 @@ from airlight.scene.observer import planet_frame
 
 BOTTOM = 6371e3
 CELL = finest_cell(BOTTOM, 2700)
-FALL = 0.5
 
 
 def detail(place: np.ndarray, below: np.ndarray, footprint: float) -> float:
@@ -34,7 +33,7 @@ def detail(place: np.ndarray, below: np.ndarray, footprint: float) -> float:
     origins = [lattice_origin(x, BOTTOM, CELL) for x in below / BOTTOM]
     wholes, parts = zip(*origins, strict=True)
     at = Vec3(*(place - below))
-    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts), FALL).land)
+    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts)).cloud)
 
 
 def noise_at(place: np.ndarray, footprint: float) -> GroundNoise:
@@ -44,7 +43,7 @@ def noise_at(place: np.ndarray, footprint: float) -> GroundNoise:
         for x in BOTTOM * planet_frame(20.0, 5.0, 0.0)[:, 2] / BOTTOM
     ]
     wholes, parts = zip(*origins, strict=True)
-    return ground_detail(Vec3(*place), footprint, CELL, Vec3(*wholes), Vec3(*parts), FALL)
+    return ground_detail(Vec3(*place), footprint, CELL, Vec3(*wholes), Vec3(*parts))
 
 
 @pytest.mark.parametrize("footprint", [1.0, 300.0, 1500.0])

@@ -1,16 +1,14 @@
 """Procedural noise on the ground below the resolution of its map; it is not data.
 
 Nine octaves of gradient noise, each a quarter of the previous scale, from a map texel to about
-10 cm, of mean 0. Their contrast in each channel, and its decrease from one to the next,
-continue those of the land of the map (``SurfaceMap.grain``). Scales below two pixels are omitted,
-with a fade between two and four. Coordinates are relative to the point below the observer, for
-single precision.
+10 cm, of mean 0. Scales below two pixels are omitted, with a fade between two and four. Coordinates
+are relative to the point below the observer, for single precision.
 
-The noise also displaces the places at which maps are read between texels, which breaks the straight
-lines of their interpolation: by an eighth of the cells of each octave, so that the map is bent, not
-folded, and coasts keep their shape. Water is where its interpolated share exceeds a half. Variance
-of clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its small scales k^-3.6 (Davis
-et al. 1997, J. Atmos. Sci. 54, 241).
+The noise breaks clouds, and displaces the places at which maps are read between texels, which
+breaks the straight lines of their interpolation: by an eighth of the cells of each octave, so that
+the map is bent, not folded, and coasts keep their shape. Water is where its interpolated share
+exceeds a half. Variance of clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its
+small scales k^-3.6 (Davis et al. 1997, J. Atmos. Sci. 54, 241).
 """
 
 from __future__ import annotations
@@ -52,15 +50,14 @@ class GroundNoise(NamedTuple):
 
     Attributes
     ----------
-    land, cloud : float
-        For reflectances, and for the cover of clouds. [1]
+    cloud : float
+        For the cover of clouds. [1]
     cloud_variance : float
         Variance of ``cloud``, less where fine octaves are not shown. [1]
     north, east : float
         For displacements. [1]
     """
 
-    land: float
     cloud: float
     cloud_variance: float
     north: float
@@ -108,7 +105,7 @@ def lattice_origin(component, radius, cell):
 
 
 @kernel
-def ground_detail(place, footprint, cell, whole, part, fall):
+def ground_detail(place, footprint, cell, whole, part):
     """``GroundNoise`` of a place.
 
     Parameters
@@ -119,12 +116,9 @@ def ground_detail(place, footprint, cell, whole, part, fall):
         Longer axis of the pixel footprint. [m]
     whole, part : Vec3
         Results of ``lattice_origin`` along each axis.
-    fall : float
-        Ratio of the contrast of land in an octave to that in the next coarser one. [1]
     """
-    land, cloud, variance, north, east, scale = 0.0, 0.0, 0.0, 0.0, 0.0, 1
+    cloud, variance, north, east, scale = 0.0, 0.0, 0.0, 0.0, 1
     for _octave in range(OCTAVES):
-        land *= fall
         cloud *= CLOUD_FALL
         variance *= CLOUD_FALL * CLOUD_FALL
         north *= DISPLACED_FALL
@@ -142,14 +136,13 @@ def ground_detail(place, footprint, cell, whole, part, fall):
                 (whole.z - period * floor(whole.z / period)) / scale
                 + (part.z + place.z / cell) / scale,
             )
-            land += noise
             cloud += noise
             variance += shown * shown
             north += noise
             east += noise
         scale *= STEP
     inverse = 1.0 / GRADIENT_DEVIATION
-    return GroundNoise(land * inverse, cloud * inverse, variance, north * inverse, east * inverse)
+    return GroundNoise(cloud * inverse, variance, north * inverse, east * inverse)
 
 
 @kernel

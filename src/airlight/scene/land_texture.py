@@ -2,20 +2,22 @@
 
 Tufts, stones, ripples, fields: octaves of equal contrast, since natural scenes have no scale of
 their own (Ruderman & Bialek 1994, Phys. Rev. Lett. 73, 814: power as the inverse square of the
-frequency). The same noise is the height of small relief, whose slopes sunlight shades and whose
-stones and tufts hide what is behind them. Means of reflectance and of sunlight remain.
+frequency). The same noise is the height of small relief, whose slopes sunlight shades. At a grazing
+angle plants and stones are seen in rows that hide what is behind them. Means of reflectance and of
+sunlight remain.
 """
 
 from __future__ import annotations
 
-from math import floor, sqrt
+from math import exp, floor, log, log2, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import DEVIATION, PERIOD, smooth_noise
-from airlight.geometry.vectors import Vec3, plus, scaled
+from airlight.geometry.gradient_noise import DEVIATION, smooth_noise
+from airlight.geometry.vectors import dot, plus, scaled
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import DISPLACED, STEP
 from airlight.scene.ground_detail import OCTAVES as DETAIL_OCTAVES
+from airlight.scene.hills import lattice_place
 
 #: Number of octaves, and sizes of the cells of the coarsest and of the finest over the finest of
 #: ``ground_detail``: 460 m to 3 cm on Earth.
@@ -37,13 +39,18 @@ HUE: Final = 0.012
 STRIDE: Final = 0.5
 #: Standard deviation of the slope of one octave. [1]
 SLOPE: Final = 0.08
-#: Standard deviation of the heights of one octave that displace finer ones: less than slopes
-#: state, so that no far side is seen through a near one. [cell]
-HEIGHT: Final = 0.014
-#: Height of stones and tufts of the finest octave that is shown, and number of heights at which a
-#: line of sight is compared with theirs: they hide what is behind them. [cell]
-TALL: Final = 0.3
-LEVELS: Final = 5
+#: Angle of the least row over that of a pixel, ratio of distances of the nearest rows, size of
+#: ragged edges over the height of a row, how far they rise over it, and width over height of blades
+#: and of stones. All chosen by looking at pictures. [1]
+ROW: Final = 3.0
+SPACING: Final = 0.04
+RAGGED: Final = 3.0
+RAISED: Final = 1.0
+UPRIGHT: Final = 0.5
+FLAT: Final = 2.5
+#: Least blur of a pixel seen at a grazing angle over its longer axis: relief shows more than the
+#: level ground would. [1]
+FORESHORTENED: Final = 0.12
 #: Largest cells with slopes over the finest of ``ground_detail``: 7 m on Earth.
 HIGHEST: Final = 64.0
 #: Standard deviation of the difference of that over a stride, over its own. [1]
@@ -52,11 +59,6 @@ RISE: Final = 0.886
 STEEPEST: Final = 0.45
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
 LOWEST: Final = 0.06
-#: Cosine of the zenith angle of a line of sight below which heights are displaced as at it. [1]
-GRAZING: Final = 0.15
-#: Least blur of a pixel seen at a grazing angle over its longer axis: relief shows more than the
-#: level ground would. [1]
-FORESHORTENED: Final = 0.12
 
 
 class LandTexture(NamedTuple):
@@ -98,117 +100,146 @@ def texture_footprint(footprint, cosine):
 
 
 @kernel
-def along_lattice(whole, beyond, inverse):
-    """Lattice coordinate along one axis, to a period; exact products, as sizes are powers of 2.
-
-    Parameters
-    ----------
-    whole : float
-        Result of ``lattice_origin``.
-    beyond : float
-        Distance from that lattice point. [finest cell]
-    inverse : float
-        Size of the finest cells over that of these. [1]
-    """
-    start = whole * inverse
-    return start - PERIOD * float(floor(start / PERIOD)) + beyond * inverse
-
-
-@kernel
-def stony(noise):
+def stony(noise, part):
     """Noise with stones and tufts: an even ground of which the highest eighth stands out. [1]
 
     Parameters
     ----------
     noise : float
         Result of ``smooth_noise``. [1]
+    part : float
+        How much they stand out, 0 to 1. [1]
 
     Examples
     --------
-    >>> stony(0.25), round(stony(0.65), 9)
+    >>> stony(0.25, 1.0), round(stony(0.65, 1.0), 9)
     (0.25, 1.15)
     """
-    return noise + STEEPER * max(noise - STONES, 0.0)
+    return noise + part * STEEPER * max(noise - STONES, 0.0)
 
 
 @kernel
-def met_height(x, y, z, lean, tallest):
-    """Height at which a line of sight meets the stones and tufts of an octave. [cell]
+def row_before(dip, width):
+    """Dip of the row of plants, stones or crests before a place. [1]
+
+    Rows are wider than pixels, and near a low observer as far apart as they are tall.
 
     Parameters
     ----------
-    x, y, z : float
-        End of the line on level ground. [cell]
-    lean : Vec3
-        Argument of ``land_texture``. [1]
-    tallest : float
-        Largest height. [cell]
+    dip : float
+        Height of the observer over the distance of the place. [1]
+    width : float
+        Angle of a row. [rad]
+
+    Examples
+    --------
+    >>> row_before(0.01, 0.004), round(row_before(0.4, 0.004), 3)
+    (0.012, 0.406)
     """
-    step = tallest / LEVELS
-    level, above, found = tallest, 1.0, 0.0
-    while level > 0.5 * step:
-        place = plus(Vec3(x, y, z), scaled(lean, level))
-        height = tallest * max(smooth_noise(place.x, place.y, place.z), 0.0)
-        if height >= level:
-            found = level + step * (height - level) / (height - level + above)
-            level = 0.0
-        above = max(level - height, 1e-6)
-        level -= step
-    return found
+    near = width / SPACING
+    if dip <= near:
+        return width * (1.0 + floor(dip / width))
+    return near * exp(SPACING * (1.0 + floor(log(dip / near) / SPACING)))
 
 
 @kernel
-def land_texture(place, footprint, cell, whole, part, way, lean):
+def seen_row(place, altitude, width, cell, leaf, whole, part, up):
+    """Place of what stands up before a place on level ground, and hides it. [finest cell]
+
+    Whatever is as tall as it is wide is seen at a grazing angle as a row before the next one, whose
+    edge is ragged.
+
+    Parameters
+    ----------
+    place, cell, whole, part :
+        Arguments of ``land_texture``.
+    altitude, width : float
+        Height of the observer [m]; angle of a row [rad].
+    leaf : float
+        Share of green plants: blades are taller than wide, stones wider than tall. [1]
+    up : Vec3
+        Vertical of the observer, in the planet's frame. [1]
+    """
+    distance = max(sqrt(dot(place, place)), 1e-3 * cell)
+    dip = altitude / distance
+    row = row_before(dip, width)
+    scale = 2.0 ** floor(log2(max(RAGGED * width * distance / cell, 0.25)))
+    share = dip / (row * cell)
+    at = lattice_place(plus(part, scaled(place, share)), whole, scale)
+    moved = dip + RAISED * max(width, SPACING * dip) * smooth_noise(at.x, at.y, at.z)
+    row = max(row_before(moved, width), dip)
+    share = dip / row
+    upright = UPRIGHT + (FLAT - UPRIGHT) * (1.0 - leaf)
+    return plus(
+        part,
+        plus(scaled(place, share / cell), scaled(up, upright * altitude * (1.0 - share) / cell)),
+    )
+
+
+@kernel
+def octave_change(finest, scale, whole, way, part):
+    """Noise of an octave, and its growth along a direction. [1]
+
+    Parameters
+    ----------
+    finest : Vec3
+        Place. [finest cell]
+    scale : float
+        Size of the cells. [finest cell]
+    whole, way : Vec3
+        Arguments of ``land_texture``.
+    part : float
+        Argument of ``stony``.
+    """
+    at = lattice_place(finest, whole, scale)
+    here = stony(smooth_noise(at.x, at.y, at.z), part)
+    growth = 0.0
+    if scale <= HIGHEST:
+        at = plus(at, scaled(way, STRIDE))
+        growth = stony(smooth_noise(at.x, at.y, at.z), part) - here
+    return here, growth
+
+
+@kernel
+def land_texture(ground, row, footprint, longer, whole, way, leaf, snow):
     """Result of ``LandTexture`` at a place.
 
-    The line of sight meets a height before the place on the level ground: each octave is seen on
-    the coarser ones.
-
     Parameters
     ----------
-    place, footprint, cell, whole, part :
-        Arguments of ``ground_detail``; footprint from ``texture_footprint``.
+    ground, row : Vec3
+        Place, and result of ``seen_row``. [finest cell]
+    footprint, longer : float
+        Axes of the pixel. [finest cell]
+    whole : Vec3
+        Result of ``lattice_origin``.
     way : Vec3
         Horizontal direction towards the star, in the planet's frame. [1]
-    lean : Vec3
-        Horizontal way back towards the observer per height, in the planet's frame. [1]
+    leaf, snow : float
+        Shares of green plants and of snow. [1]
     """
     tone, hue, ascent, shore, scale = 0.0, 0.0, 0.0, 0.0, COARSEST
-    finest = Vec3(part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell)
-    for octave in range(OCTAVES):
-        shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
+    part = 1.0 - 0.8 * leaf - 0.5 * snow
+    for _octave in range(OCTAVES):
+        shown = min(0.8 * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
-            inverse = 1.0 / scale
-            x = along_lattice(whole.x, finest.x, inverse)
-            y = along_lattice(whole.y, finest.y, inverse)
-            z = along_lattice(whole.z, finest.z, inverse)
-            if scale <= HIGHEST:
-                finer = 0.0
-                if octave < OCTAVES - 1:
-                    finer = min(max(0.5 * cell * scale / (STEP * footprint) - 1.0, 0.0), 1.0)
-                tallest = TALL * shown * (1.0 - finer)
-                if tallest > 0.0:
-                    met = met_height(x, y, z, lean, tallest)
-                    x += lean.x * met
-                    y += lean.y * met
-                    z += lean.z * met
-                    finest = plus(finest, scaled(lean, met * scale))
-            here = smooth_noise(x, y, z)
-            shore += shown * here * scale
-            here = stony(here)
-            change = shown * (here - STONY_MEAN)
-            tone += change
-            hue = change - hue  # signs alternate: no colour of its own for bright or dark
-            if scale <= HIGHEST:
-                ahead = stony(
-                    smooth_noise(x + STRIDE * way.x, y + STRIDE * way.y, z + STRIDE * way.z)
-                )
-                ascent += shown * (ahead - here)
-                height = shown * here * HEIGHT * scale / STONY_DEVIATION
-                finest = plus(finest, scaled(lean, height))
+            flat = min(max(1.2 * scale / longer - 1.0, 0.0), shown)
+            here, growth = 0.0, 0.0
+            if flat > 0.0:
+                value, change = octave_change(ground, scale, whole, way, part)
+                here += flat * value
+                growth += flat * change
+            if flat < shown:
+                value, change = octave_change(row, scale, whole, way, part)
+                here += (shown - flat) * value
+                growth += (shown - flat) * change
+            here -= shown * part * STONY_MEAN
+            shore += here * scale
+            tone += here
+            hue = here - hue  # signs alternate: no colour of its own for bright or dark
+            ascent += growth
         scale /= STEP
     return LandTexture(
-        CONTRAST * tone / STONY_DEVIATION,
+        CONTRAST * (0.6 + 0.4 * leaf) * tone / STONY_DEVIATION,
         HUE * hue / STONY_DEVIATION,
         SLOPE * ascent / (RISE * STONY_DEVIATION),
         DISPLACED * shore / (float(STEP ** (DETAIL_OCTAVES - 1)) * DEVIATION),

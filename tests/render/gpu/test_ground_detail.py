@@ -18,7 +18,6 @@ from airlight.scene.ground_detail import WHOLE_PERIOD, finest_cell, ground_detai
 from airlight.solver.moments.solution import MomentsSolution
 
 CELL = np.float32(finest_cell(6371e3, 2700))
-FALL = np.float32(0.6)
 
 
 def test_noise_is_that_of_the_cpu(on_gpu: Callable[..., Any]) -> None:
@@ -37,10 +36,9 @@ def test_detail_near_the_observer_is_that_of_the_cpu(on_gpu: Callable[..., Any])
     wholes = np.floor(random.uniform(0.0, WHOLE_PERIOD, (3, 500))).astype(np.float32)
     parts = random.uniform(0.0, 1.0, (3, 500)).astype(np.float32)
     cell = np.full(500, CELL)
-    falls = np.full(500, FALL)
-    given = Vec3(*steps), footprint, cell, Vec3(*wholes), Vec3(*parts), falls
+    given = Vec3(*steps), footprint, cell, Vec3(*wholes), Vec3(*parts)
     wanted = [
-        ground_detail(Vec3(*step), float(size), float(CELL), Vec3(*whole), Vec3(*part), float(FALL))
+        ground_detail(Vec3(*step), float(size), float(CELL), Vec3(*whole), Vec3(*part))
         for step, size, whole, part in zip(
             *(one.T.tolist() for one in (steps, footprint, wholes, parts)), strict=True
         )
@@ -48,9 +46,16 @@ def test_detail_near_the_observer_is_that_of_the_cpu(on_gpu: Callable[..., Any])
     assert_allclose(np.stack(on_gpu(ground_detail, *given), -1), wanted, atol=2e-3)
 
 
-@pytest.mark.parametrize("altitude", [2.0, 1.7, 50.0])
+@pytest.mark.parametrize(
+    ("altitude", "latitude", "longitude"),
+    [(2.0, 25.0, 30.0), (1.7, 48.0, 11.0), (50.0, 25.0, 30.0)],
+)
 def test_the_ground_before_a_low_observer_is_that_of_the_cpu(
-    device: Device, solved: Callable[..., MomentsSolution], altitude: float
+    device: Device,
+    solved: Callable[..., MomentsSolution],
+    altitude: float,
+    latitude: float,
+    longitude: float,
 ) -> None:
     # The cpu in double precision is the second method. A radius has half a metre in single
     # precision, so that the device's ground was displaced by up to a quarter of its distance, and
@@ -59,7 +64,7 @@ def test_the_ground_before_a_low_observer_is_that_of_the_cpu(
     solution = solved(load_planet("earth"), (680.0, 550.0, 440.0), "preview")
     camera = Camera(width=320, height=180, look_zenith=90.0, look_azimuth=-75.0)
     scene = Scene(
-        camera=camera, altitude=altitude, sun_zenith=93.0, latitude=25.0, longitude=30.0,
+        camera=camera, altitude=altitude, sun_zenith=93.0, latitude=latitude, longitude=longitude,
         sun_azimuth=105.0, ground="detailed",
     )  # fmt: skip
     pictures = GpuRenderer(device)

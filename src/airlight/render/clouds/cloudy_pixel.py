@@ -23,6 +23,7 @@ from airlight.render.clouds.cloud_tables import ONCE, PARTS, WHOLE, CloudTables,
 from airlight.render.clouds.line_of_air import line_of_air
 from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.ground_angles import ground_angles
+from airlight.render.pixels.land import haze_beyond, seen_hill
 from airlight.render.pixels.pixel import (
     disc_light,
     filtered,
@@ -65,6 +66,7 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
     """
     observer, view, tables = frame.observer, frame.camera, frame.tables
     air_work, clouds, front = work
+    ray, beyond = seen_hill(ray, frame, color)
     found = classify_ray(ray, observer, tables)
     polarised = view.filter > 0
     no_light(tables, front)
@@ -80,6 +82,8 @@ def cloudy_light(px, py, ray, exact, frame, work, color, result):
         if extent.last > extent.first:
             add_clouds(ray, half_sine, extent, polarised, clouds, tables, front)
     seen = seen_line(ray, found, exact, frame, air_work, color)
+    if beyond > 1.0:
+        haze_beyond(ray, found.sine, beyond, frame, air_work)
     if seen.through_air and seen.to_ground:
         mu_s, _, _ = ground_angles(ray.x, ray.z, found.sine, seen.refraction, observer, tables)
         ground_light(mu_s, observer.orders, tables, air_work)

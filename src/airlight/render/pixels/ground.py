@@ -27,6 +27,7 @@ from airlight.render.pixels.ground_clouds import (
     clouded_light,
     keep_clouds,
 )
+from airlight.render.pixels.land import NEARLY_WATER, detailed_land
 from airlight.render.pixels.relief import relief_light
 from airlight.render.pixels.sea_sky import mirror_place
 from airlight.render.pixels.sea_surface import (
@@ -44,10 +45,7 @@ from airlight.scene.ground_detail import (
     displacement,
     grained_cover,
     ground_detail,
-    moved_coast,
     pixel_width,
-    sharper_share,
-    unmixed,
 )
 from airlight.scene.ground_place import (
     latitude_longitude,
@@ -59,11 +57,7 @@ from airlight.scene.ground_place import (
 from airlight.scene.lamps import BENT, lamps_at
 from airlight.scene.land_texture import (
     FINEST_OF_MAP,
-    GRAZING,
-    land_texture,
     texture_footprint,
-    texture_light,
-    textured,
 )
 from airlight.scene.sea_waves import COARSEST, peak_wavenumber
 from airlight.solver.moments.irradiance import ground_light
@@ -75,8 +69,6 @@ GROUND_VALUES: Final = 12 + CLOUD_VALUES
 #: Cosine of the star's zenith angle from which light of the night is lost in its light on the
 #: ground: skyglow of cities is 2e-4 of it, and lamps keep their mean, without a pattern. [1]
 DAYLIGHT: Final = 0.1
-#: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
-NEARLY_WATER: Final = 0.999
 
 
 @inlined
@@ -132,7 +124,7 @@ def ground_spot(reach, end, cosine, view, tables):
     # z - bottom of a point of the sphere, which single precision has to half a metre only
     below = -(end.x * end.x + end.y * end.y) / max(tables.bottom + end.z, 1e-3 * tables.bottom)
     place = components(Vec3(end.x, end.y, below), view.ground_x, view.ground_y, view.ground_z)
-    return place, view.pixel_angle * reach / max(cosine, 0.01)
+    return place, view.pixel_angle * reach / max(cosine, 0.02)
 
 
 @inlined
@@ -158,12 +150,12 @@ def ground_color(ray, sine, angle, frame, color):
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
     # of the straight line: how much a near one is bent is lost in rounding
-    noise, width = GroundNoise(0.0, 0.0, 0.0, 0.0, 0.0), 1.0
+    noise, width = GroundNoise(0.0, 0.0, 0.0, 0.0), 1.0
     place, footprint = ground_spot(reach, end, cosine, view, tables)
     if view.detailed:
         noise = ground_detail(
             place, max(footprint, 0.5 * view.detail_cell * STEP**FINEST_OF_MAP),
-            view.detail_cell, view.whole, view.part, view.grain_fall,
+            view.detail_cell, view.whole, view.part,
         )  # fmt: skip
     end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
@@ -181,11 +173,7 @@ def ground_color(ray, sine, angle, frame, color):
     mu_s = 0.0
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
-        blur = texture_footprint(footprint, cosine)
-        steep = max(cosine, GRAZING)
-        back = Vec3(-ray.x / steep, -ray.y / steep, 0.0)
-        lean = components(back, view.ground_x, view.ground_y, view.ground_z)
-        detailed_land(place, blur, lean, mu_s, width, noise.land, view, color)
+        detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         shown, north, east = 0.0, 0.0, 0.0
@@ -227,52 +215,6 @@ def ground_color(ray, sine, angle, frame, color):
         color[4] = lamps * (1.0 - color[9] * plane_albedo(cosine, tables.ground.layer))
         color[5] = color[4]
         color[6] = color[4]
-
-
-@inlined
-def detailed_land(place, blur, lean, mu_s, width, noise, view, color):
-    """Decorate land: coast and noise between texels, texture of reflectance and small slopes.
-
-    Parameters
-    ----------
-    place : Vec3
-        Result of ``ground_spot``. [m]
-    blur : float
-        Result of ``texture_footprint``. [m]
-    lean : Vec3
-        Argument of ``land_texture``. [1]
-    mu_s : float
-        Cosine of the star's zenith angle. [1]
-    width : float
-        Width of the pixel. [texel]
-    noise : float
-        ``land`` of ``GroundNoise``. [1]
-    view : ViewUniforms
-        Camera with its maps.
-    color : array, shape (GROUND_VALUES,)
-        Values of the map, which are changed. [1]
-    """
-    share = color[3] if view.mapped else 0.0
-    if share < NEARLY_WATER:
-        # the star's azimuth is the observer's first axis
-        way = Vec3(view.ground_x.x, view.ground_y.x, view.ground_z.x)
-        texture = land_texture(place, blur, view.detail_cell, view.whole, view.part, way, lean)
-        color[11] = texture_light(mu_s, texture.ascent)
-        tone, hue = texture.tone, texture.hue
-        if view.mapped:
-            sharp = sharper_share(moved_coast(share, texture.shore), width)
-            red = unmixed(color[0], view.water.x, share)
-            green = unmixed(color[1], view.water.y, share)
-            blue = unmixed(color[2], view.water.z, share)
-            red = textured(red * max(1.0 + view.grain.x * noise, 0.0), tone + hue)
-            green = textured(green * max(1.0 + view.grain.y * noise, 0.0), tone)
-            blue = textured(blue * max(1.0 + view.grain.z * noise, 0.0), tone - hue)
-            color[0] = red + sharp * (view.water.x - red)
-            color[1] = green + sharp * (view.water.y - green)
-            color[2] = blue + sharp * (view.water.z - blue)
-            color[3] = sharp
-        else:
-            color[8] = 1.0 + view.grain.x * noise + tone
 
 
 @inlined

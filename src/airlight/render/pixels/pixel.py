@@ -15,6 +15,7 @@ from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground
+from airlight.render.pixels.land import haze_beyond, seen_hill
 from airlight.render.pixels.polarising_filter import filter_shares
 from airlight.render.pixels.sky_lookup import classify_ray, sky_lookup
 from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
@@ -334,8 +335,11 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
         Receives the radiance. [sr⁻¹]
     """
     view, tables = frame.camera, frame.tables
+    ray, beyond = seen_hill(ray, frame, color)
     found = classify_ray(ray, frame.observer, tables)
     seen = seen_line(ray, found, exact, frame, work, color)
+    if beyond > 1.0:
+        haze_beyond(ray, found.sine, beyond, frame, work)
     for at in range(0, tables.lanes, LANES):
         radiance = lane_view(work.radiance, at)
         total = line_radiance(radiance[0], seen, color, frame, work, at)

@@ -11,8 +11,10 @@ from typing import Final
 
 import numpy as np
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, store
+from airlight.render.pixels.land import seen_hill
 from airlight.render.pixels.star_disc import camera_direction
 from airlight.scene.projections import PROJECTIONS
 
@@ -25,22 +27,42 @@ _CORNER: Final = 0.75
 
 
 @inlined
-def samples_per_side(ray, observer, view):
+def angle_above_land(ray, moved, frame, color):
+    """Sine of the angle above the horizon; on hills, of that of the level ground before them. [1]
+
+    Parameters
+    ----------
+    ray, moved : Vec3, float
+        Viewing direction, and by how much its zenith component is changed. [1]
+    frame, color : FrameTables, array
+        Arguments of ``seen_hill``.
+    """
+    observer = frame.observer
+    ray, _ = seen_hill(Vec3(ray.x, ray.y, ray.z + moved), frame, color)
+    sine = sqrt(ray.x * ray.x + ray.y * ray.y)
+    return ray.z * observer.horizon_sine - sine * observer.horizon_mu
+
+
+@inlined
+def samples_per_side(ray, frame, color):
     """Samples per side of a pixel.
 
     Parameters
     ----------
     ray : Vec3
         Viewing direction of its centre. [1]
-    observer, view : Observer, ViewUniforms
-        Observer, and camera with ``samples`` and ``edges``.
+    frame, color : FrameTables, array
+        Arguments of ``seen_hill``.
     """
+    observer, view = frame.observer, frame.camera
     if view.edges:
         sine = sqrt(ray.x * ray.x + ray.y * ray.y)
-        above = ray.z * observer.horizon_sine - sine * observer.horizon_mu
         along = ray.z * observer.horizon_mu + sine * observer.horizon_sine
-        if along > 0.0 and abs(above) < _CORNER * view.pixel_angle:
-            return max(view.samples, EDGE)
+        corner = _CORNER * view.pixel_angle
+        if along > 0.0:
+            low = angle_above_land(ray, -corner, frame, color)
+            if low < 0.0 and angle_above_land(ray, corner, frame, color) > 0.0:
+                return max(view.samples, EDGE)
     return view.samples
 
 
@@ -97,7 +119,7 @@ def sampled_light(px, py, light, exact, frame, work, color, total, result):
     """
     view, tables = frame.camera, frame.tables
     ray = camera_direction(px, py, view)
-    side = samples_per_side(ray, frame.observer, view)
+    side = samples_per_side(ray, frame, color)
     step = 1.0 / side
     for sample in range(side * side):
         sx, sy = px, py

@@ -23,6 +23,10 @@ _FINEST: Final = 4.0
 #: Target pixels per texel; and fewest pixels per texel for which a LUT is worthwhile.
 _PIXELS_A_TEXEL: Final = 48
 _FEWEST_PIXELS_A_TEXEL: Final = 2
+#: Deepest angle below the horizon of the lines of sight to the ground before hills on it. [rad]
+_BEFORE_HILLS: Final = 0.09
+#: Largest angle of hills above the horizon. [rad]
+_HILLS: Final = 0.05
 #: Sampling step over the frame. [pixel]
 _STEP: Final = 8
 
@@ -97,7 +101,7 @@ def sky_view_window(
     shape = (round(finer * COARSEST[0]), round(finer * COARSEST[1]))
     if camera.crop is not None:
         seen = _seen_ranges(camera, observer, bottom, top)
-    return _window(shape, *seen)
+    return _window(shape, *seen[:2], _with_hills(*seen[1:], observer))
 
 
 def coarse_window(
@@ -112,7 +116,20 @@ def coarse_window(
     shape : tuple of two int
         Azimuths from 0 to π, and rows of each half.
     """
-    return _window(shape, *_seen_ranges(replace(camera, crop=None), observer, bottom, top))
+    seen = _seen_ranges(replace(camera, crop=None), observer, bottom, top)
+    return _window(shape, *seen[:2], _with_hills(*seen[1:], observer))
+
+
+def _with_hills(
+    sky: tuple[float, float], ground: tuple[float, float], observer: Observer
+) -> tuple[float, float]:
+    """Range of ground rows of a frame, with those before hills that rise above its lower edge."""
+    highest, lowest = (
+        float(row_from_angle(one, observer.horizon_mu)) for one in (_HILLS, -_BEFORE_HILLS)
+    )
+    if observer.outside or sky[0] > highest or ground[0] > 0.0:
+        return ground
+    return 0.0, max(ground[1], lowest)
 
 
 def is_always_read(camera: Camera) -> bool:

@@ -1,0 +1,349 @@
+"""Decoration of land in pictures: hills, woods, coasts and texture, on the colours of the map."""
+
+from __future__ import annotations
+
+from math import cos, pi, sqrt
+from typing import Final
+
+from airlight.geometry.vectors import Vec3, components, plus, scaled
+from airlight.kernel import inlined, kernel
+from airlight.kernel.lanes import LANES, lane_view, maximum, splat
+from airlight.render.pixels.ground_angles import columns_to_ground
+from airlight.render.pixels.relief import height_at
+from airlight.scene.ground_detail import moved_coast, sharper_share, unmixed
+from airlight.scene.ground_place import latitude_longitude, map_color
+from airlight.scene.hills import canopy, hills, woods
+from airlight.scene.land_texture import (
+    ROW,
+    land_texture,
+    seen_row,
+    texture_footprint,
+    texture_light,
+    textured,
+)
+from airlight.solver.moments.source import transmittance_columns
+
+#: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
+NEARLY_WATER: Final = 0.999
+#: Height of the coarsest octave of hills in a plain, and its ratio to differences of height
+#: between texels of the map of heights. [m], [1]
+LEAST: Final = 200.0
+RUGGED: Final = 3.0
+#: Altitude over which hills hide nothing; distance of the nearest and of the farthest hills that
+#: do, and distance of the nearest per altitude. [m], [1]
+LOW: Final = 1000.0
+NEAR: Final = 250.0
+FAR: Final = 20e3
+AWAY: Final = 12.0
+#: Steepest line of sight that is compared with hills. [1]
+STEEP: Final = 0.05
+#: Number of distances at which heights are compared, and of halvings of the last step.
+STEPS: Final = 20
+HALVINGS: Final = 4
+#: Height of noise that lies on level ground, and highest value. [1]
+GROUND: Final = -0.05
+TOP: Final = 0.6
+#: Largest angle of elevation of hills over their height. [finest cell⁻¹]
+STEEPEST: Final = 6.5e-6
+#: Largest height of the coarsest octave around a low observer. [m]
+HIGHEST: Final = 700.0
+#: Contrast of hills over that of the grain of the map, which is half of that of its land. [1]
+LOUD: Final = 3.0
+#: Share of hills on snow. [1]
+SNOWED: Final = 0.3
+#: Cosine of the zenith angle of a line of sight below which land is seen in rows. [1]
+GRAZING: Final = 0.35
+#: Reflectance of woods over that of what is between them. [1]
+SHADY: Final = 0.4
+#: Mean share of woods on green land. [1]
+COVER: Final = 0.394
+#: What mean reflectance loses as woods are where the ground between them would be bright, of 12 000
+#: places with the contrast of the packaged map of Earth. [1]
+COMMON: Final = 0.031
+
+
+@kernel
+def leafiness(red, green, snow):
+    """Share of green plants, 0 to 1, by the reflectances of a map. [1]"""
+    ratio = green / max(red, 1e-3)
+    return min(max(4.0 * (ratio - 0.85), 0.0), 1.0) * (1.0 - snow)
+
+
+@kernel
+def snowiness(red, blue):
+    """Share of snow, 0 to 1, by the reflectances of a map. [1]"""
+    return min(max(5.0 * (min(red, blue) - 0.3), 0.0), 1.0)
+
+
+@kernel
+def near_hills(altitude):
+    """Distance at which hills begin. [m]"""
+    return max(NEAR, AWAY * altitude)
+
+
+@kernel
+def risen(distance, altitude):
+    """Share of the height of hills at a distance: a low observer stands on level ground. [1]"""
+    if altitude > LOW:
+        return 1.0
+    near = near_hills(altitude)
+    return min(max((distance - near) / (2.0 * near), 0.0), 1.0)
+
+
+@kernel
+def grown(distance, altitude):
+    """Share of the height of trees at a distance: a low observer stands on open ground. [1]"""
+    if altitude > LOW:
+        return 1.0
+    near = near_hills(altitude)
+    return min(max(2.0 * (distance / near - 2.0), 0.0), 1.0)
+
+
+@inlined
+def hill_size(latitude, longitude, view):
+    """Height of the coarsest octave of hills, by differences of the map of heights. [m]
+
+    Parameters
+    ----------
+    latitude, longitude : float
+        Geocentric coordinates. [rad]
+    view : ViewUniforms
+        Camera with its maps.
+    """
+    size = LEAST
+    if view.relieved:
+        angle = pi / view.over_rows
+        parallel = max(cos(latitude), 0.05)
+        here = height_at(latitude, longitude, 0, view)
+        north = height_at(latitude + angle, longitude, 0, view)
+        east = height_at(latitude, longitude + angle / parallel, 0, view)
+        size += RUGGED * sqrt((north - here) * (north - here) + (east - here) * (east - here))
+    return size
+
+
+@inlined
+def land_color(place, view, color):
+    """Map values of a place, into ``color``. [1]
+
+    Parameters
+    ----------
+    place : Vec3
+        Place from the centre, in the planet's frame; any unit.
+    view, color :
+        Arguments of ``detailed_land``.
+    """
+    latitude, longitude = latitude_longitude(place)
+    map_color(
+        view.texels,
+        view.map_rows,
+        view.map_columns,
+        view.map_levels,
+        latitude,
+        longitude,
+        0.0,
+        color,
+        0,
+    )
+
+
+@inlined
+def seen_hill(ray, frame, color):
+    """Line of sight to the level ground below the place where one meets hills.
+
+    A line that meets none remains. Of hills beyond the horizon it ends before that.
+
+    Parameters
+    ----------
+    ray : Vec3
+        Direction in the observer's frame. [1]
+    frame : FrameTables
+        What the pixels read.
+    color : array, shape (GROUND_VALUES,)
+        Workspace.
+
+    Returns
+    -------
+    ray, beyond : Vec3, float
+        Direction, and distance of the hills over that of the ground at its end. [1]
+    """
+    observer, view, tables = frame.observer, frame.camera, frame.tables
+    altitude = observer.optical_altitude
+    sine = sqrt(ray.x * ray.x + ray.y * ray.y)
+    if not view.detailed or observer.outside or altitude > LOW or abs(ray.z) > STEEP * sine:
+        return ray, 1.0
+    horizon = sqrt(2.0 * altitude * tables.bottom)
+    near, edge = near_hills(altitude), 0.95 * horizon
+    far = max(FAR, edge)
+    if far < 2.0 * near or (tables.ground.wet and not view.mapped):
+        return ray, 1.0
+    along, climb = Vec3(ray.x / sine, ray.y / sine, 0.0), ray.z / sine
+    if altitude + near * (climb + 0.5 * near / tables.bottom) <= 0.0:
+        return ray, 1.0
+    aside = components(along, view.ground_x, view.ground_y, view.ground_z)
+    up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
+    middle = plus(up, scaled(aside, 0.3 * far / tables.bottom))
+    latitude, longitude = latitude_longitude(middle)
+    leaf, snow = 0.0, 0.0
+    if view.mapped:
+        land_color(middle, view, color)
+        if color[3] > 0.5:
+            return ray, 1.0
+        snow = snowiness(color[0], color[2])
+        leaf = leafiness(color[0], color[1], snow)
+    size = min(hill_size(latitude, longitude, view), HIGHEST) * (1.0 + (SNOWED - 1.0) * snow)
+    cell = view.detail_cell
+    trees = 250.0 * cell * leaf
+    step = (far / near) ** (1.0 / STEPS)
+    before, distance, found, met, halvings = near, near * step, 0.0, 0.0, 0
+    while distance < far and halvings <= HALVINGS:
+        above = altitude + distance * (climb + 0.5 * distance / tables.bottom)
+        share = risen(distance, altitude)
+        hidden = above <= 0.0
+        wooded = trees * grown(distance, altitude)
+        if above > 0.0 and above < size * min(TOP, STEEPEST * distance / cell - GROUND) + wooded:
+            finest = Vec3(
+                view.part.x + distance * aside.x / cell,
+                view.part.y + distance * aside.y / cell,
+                view.part.z + distance * aside.z / cell,
+            )
+            blur = view.pixel_angle * distance / cell
+            hill = hills(
+                finest, blur, distance / cell, view.whole, aside, False, cell, view.grain_fall
+            )
+            height = share * size * max(hill.height - GROUND, 0.0)
+            if above >= height and above < height + wooded:
+                wood = leaf * grown(distance, altitude)
+                wood *= woods(finest, blur, view.whole, hill.tone)
+                if wood > 0.0:
+                    height += wood * cell * canopy(finest, view.whole)
+            hidden = above < height
+        if hidden:
+            found, met = distance, above
+        else:
+            before = distance
+        if found > 0.0:
+            halvings += 1
+            distance = 0.5 * (before + found)
+        else:
+            distance *= step
+    if met <= 0.0:
+        return ray, 1.0
+    if view.mapped:
+        land_color(plus(up, scaled(aside, found / tables.bottom)), view, color)
+        if color[3] > 0.5:
+            return ray, 1.0
+    end = min(found, edge)
+    down = -altitude / end - 0.5 * end / tables.bottom
+    length = sqrt(1.0 + down * down)
+    return Vec3(along.x / length, along.y / length, down / length), found / end
+
+
+@inlined
+def haze_beyond(ray, sine, beyond, frame, work):
+    """Carry light of a line of sight on to hills beyond the ground at its end.
+
+    The air is even along it: its radiance is (1 - T^b)/(1 - T) as large, what is behind it T^(b-1),
+    for the transmittance T of the line and the ratio b of the distances.
+
+    Parameters
+    ----------
+    ray, sine, beyond : Vec3, float, float
+        Direction of the line, sine of its zenith angle, and result of ``seen_hill``. [1]
+    frame, work : FrameTables, MarchWorkspace
+        What the pixels read; the workspace has the light of the line, which is changed.
+    """
+    tables = frame.tables
+    columns_to_ground(ray.z, sine, frame.observer, tables, work.columns_total, work.columns_so_far)
+    for at in range(0, tables.lanes, LANES):
+        radiance = lane_view(work.radiance, at)
+        extinction = lane_view(tables.extinction, at)
+        once = transmittance_columns(work.columns_total, extinction, tables.constituents)
+        for c in range(tables.constituents):
+            work.columns_total[c] *= beyond
+        more = transmittance_columns(work.columns_total, extinction, tables.constituents)
+        for c in range(tables.constituents):
+            work.columns_total[c] /= beyond
+        growth = (1.0 - more) / maximum(1.0 - once, splat(1e-6))
+        radiance[0] = radiance[0] * growth
+        radiance[1] = radiance[1] * (more / maximum(once, splat(1e-30)))
+
+
+@inlined
+def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
+    """Decorate land: coast and noise between texels, texture of reflectance and small slopes.
+
+    Parameters
+    ----------
+    place : Vec3
+        Result of ``ground_spot``. [m]
+    footprint, cosine : float
+        Longer axis of the pixel [m]; cosine of the zenith angle towards the observer. [1]
+    mu_s : float
+        Cosine of the star's zenith angle. [1]
+    width : float
+        Width of the pixel. [texel]
+    reach : float
+        Distance. [m]
+    frame : FrameTables
+        What the pixels read.
+    color : array, shape (GROUND_VALUES,)
+        Values of the map, which are changed. [1]
+    """
+    observer, view = frame.observer, frame.camera
+    share = color[3] if view.mapped else 0.0
+    if share < NEARLY_WATER:
+        cell, snow, leaf = view.detail_cell, 0.0, 0.0
+        if view.mapped:
+            snow = snowiness(color[0], color[2])
+            leaf = leafiness(color[0], color[1], snow)
+        blur = texture_footprint(footprint, cosine) / cell
+        # the star's azimuth is the observer's first axis
+        way = Vec3(view.ground_x.x, view.ground_y.x, view.ground_z.x)
+        finest = Vec3(
+            view.part.x + place.x / cell, view.part.y + place.y / cell, view.part.z + place.z / cell
+        )
+        up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
+        high = risen(reach, observer.optical_altitude)
+        ascent, tone, wood, height = 0.0, 0.0, 0.0, 0.0
+        if high > 0.0:
+            middle = plus(up, scaled(place, 1.0 / frame.tables.bottom))
+            latitude, longitude = latitude_longitude(middle)
+            size = hill_size(latitude, longitude, view) * (1.0 + (SNOWED - 1.0) * snow)
+            from_there = reach if observer.optical_altitude < LOW else 1e9
+            hill = hills(
+                finest, blur, from_there / cell, view.whole, way, True, cell, view.grain_fall
+            )
+            ascent = high * size * hill.ascent
+            tone = hill.tone
+            wood = leaf * grown(reach, observer.optical_altitude)
+            wood *= woods(finest, blur, view.whole, hill.tone)
+            height = high * size * max(hill.height - GROUND, 0.0)
+            if wood > 0.0 and observer.optical_altitude < LOW:
+                height += wood * cell * canopy(finest, view.whole)
+            finest = plus(finest, scaled(up, height / cell))
+        row, shorter = finest, blur
+        if cosine < GRAZING and snow < 0.5:
+            low = observer.optical_altitude
+            band = ROW * view.pixel_angle
+            row = seen_row(place, low, band, cell, leaf, view.whole, view.part, up)
+            row = plus(row, scaled(up, height / cell))
+            shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
+        texture = land_texture(finest, row, shorter, footprint / cell, view.whole, way, leaf, snow)
+        color[11] = texture_light(mu_s, texture.ascent + ascent)
+        change, hue = texture.tone, texture.hue
+        tone *= LOUD
+        dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - leaf * ((1.0 - SHADY) * COVER + COMMON))
+        if view.mapped:
+            sharp = sharper_share(moved_coast(share, texture.shore), width)
+            red = dark * unmixed(color[0], view.water.x, share)
+            green = dark * unmixed(color[1], view.water.y, share)
+            blue = dark * unmixed(color[2], view.water.z, share)
+            red = textured(red * max(1.0 + view.grain.x * tone, 0.0), change + hue)
+            green = textured(green * max(1.0 + view.grain.y * tone, 0.0), change)
+            blue = textured(blue * max(1.0 + view.grain.z * tone, 0.0), change - hue)
+            color[0] = red + sharp * (view.water.x - red)
+            color[1] = green + sharp * (view.water.y - green)
+            color[2] = blue + sharp * (view.water.z - blue)
+            color[3] = sharp
+        else:
+            color[8] = 1.0 + view.grain.x * tone + change

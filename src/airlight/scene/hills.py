@@ -1,0 +1,179 @@
+"""Hills, valleys and woods between the resolution of maps and that of the texture of land.
+
+Decoration: fractal relief of cells from a texel of the map (7 km on Earth) to a sixty-fourth of
+it, each with half the height of the next coarser one, so that slopes have no scale of their own.
+Crests are sharp and rough, valleys smooth: finer relief grows with the height of coarser one, as in
+the multifractals of Musgrave, Kolb & Mace (1989, SIGGRAPH Comput. Graph. 23(3), 41). On green land
+there are woods.
+"""
+
+from __future__ import annotations
+
+from math import floor, sqrt
+from typing import Final, NamedTuple
+
+from airlight.geometry.gradient_noise import PERIOD, smooth_noise
+from airlight.geometry.vectors import Vec3, plus, scaled
+from airlight.kernel import kernel
+
+#: Number of octaves of hills, and cells of the coarsest over the finest of ``ground_detail``.
+OCTAVES: Final = 7
+COARSEST: Final = 65536.0
+#: Number of coarsest octaves that change the reflectance: finer ones are texture of the land.
+TONED: Final = 4
+#: Distance in cells at which an octave begins around a low observer, who stands on level ground,
+#: and growth of its height with the distance in cells. [1]
+BEGIN: Final = 0.5
+GROWTH: Final = 0.6
+#: Mean of the size of the noise, which crests are measured from. [1]
+HALF: Final = 0.33
+#: Distance of the two heights of a slope. [cell]
+STRIDE: Final = 0.25
+#: Cells of woods and of their edges; height of trees, and size of their crowns: on Earth 460 m
+#: to 29 m, 14 m and 7 m.
+WOODS: Final = 4096.0
+CROWNS: Final = 64.0
+TREES: Final = 125.0
+#: Noise above which there are woods, and width of their edges. [1]
+WOODED: Final = 0.2
+EDGE: Final = 0.05
+
+
+class Hills(NamedTuple):
+    """Hills at a place.
+
+    Attributes
+    ----------
+    height : float
+        Height over that of the coarsest octave. [1]
+    ascent : float
+        Ascent along a horizontal direction, per height of the coarsest octave. [m⁻¹]
+    tone : float
+        Relative change of the reflectance over that of the coarsest octave. [1]
+    """
+
+    height: float
+    ascent: float
+    tone: float
+
+
+@kernel
+def along_lattice(whole, beyond, inverse):
+    """Lattice coordinate along one axis, to a period; exact products, as sizes are powers of 2.
+
+    Parameters
+    ----------
+    whole : float
+        Result of ``lattice_origin``.
+    beyond : float
+        Distance from that lattice point. [finest cell]
+    inverse : float
+        Size of the finest cells over that of these. [1]
+    """
+    start = whole * inverse
+    return start - PERIOD * float(floor(start / PERIOD)) + beyond * inverse
+
+
+@kernel
+def lattice_place(finest, whole, scale):
+    """Place on the lattice of cells of a size. [cell]
+
+    Parameters
+    ----------
+    finest, whole : Vec3
+        Place from the observer's lattice point [finest cell], and that point.
+    scale : float
+        Size of the cells. [finest cell]
+    """
+    inverse = 1.0 / scale
+    return Vec3(
+        along_lattice(whole.x, finest.x, inverse),
+        along_lattice(whole.y, finest.y, inverse),
+        along_lattice(whole.z, finest.z, inverse),
+    )
+
+
+@kernel
+def hills(finest, footprint, distance, whole, way, sloping, cell, fall):
+    """``Hills`` at a place.
+
+    Parameters
+    ----------
+    finest : Vec3
+        Place from the observer's lattice point. [finest cell]
+    footprint : float
+        Size of the pixel. [finest cell]
+    distance : float
+        Distance from a low observer. [finest cell]
+    whole, way : Vec3
+        Result of ``lattice_origin``; horizontal direction of the ascent. [1]
+    sloping : bool
+        Whether the ascent is asked for.
+    cell : float
+        Size of the finest cells. [m]
+    fall : float
+        Ratio of the contrast of land at a scale to that at four times the scale. [1]
+    """
+    height, ascent, tone, loud, rough = 0.0, 0.0, 0.0, 1.0, 1.0
+    scale = COARSEST
+    for octave in range(OCTAVES):
+        shown = min(0.6 * scale / footprint - 1.0, 1.0)
+        shown = min(shown, GROWTH * (distance / scale - BEGIN))
+        if shown > 0.0:
+            at = lattice_place(finest, whole, scale)
+            value = smooth_noise(at.x, at.y, at.z)
+            here = HALF - abs(value)
+            part = shown * rough
+            height += part * here * scale / COARSEST
+            if sloping:
+                at = plus(at, scaled(way, STRIDE))
+                ahead = HALF - abs(smooth_noise(at.x, at.y, at.z))
+                ascent += part * (ahead - here) / (STRIDE * COARSEST * cell)
+            if octave < TONED:
+                tone += shown * loud * value
+            rough *= min(max(0.8 + 2.0 * here, 0.2), 1.0)
+        loud *= sqrt(fall)
+        scale *= 0.5
+    return Hills(height, ascent, tone)
+
+
+@kernel
+def woods(finest, footprint, whole, tone):
+    """Share of woods, 0 to 1: they cover crests rather than valleys. [1]
+
+    Parameters
+    ----------
+    finest, footprint, whole :
+        Arguments of ``hills``.
+    tone : float
+        ``tone`` of ``Hills``. [1]
+    """
+    value = tone - WOODED
+    fine, part = WOODS, 0.7
+    for _octave in range(3):
+        shown = min(max(0.6 * fine / footprint - 1.0, 0.0), 1.0)
+        if shown > 0.0:
+            at = lattice_place(finest, whole, fine)
+            value += shown * part * smooth_noise(at.x, at.y, at.z)
+        fine *= 0.25
+        part *= 0.5
+    edge = EDGE + 2.0 * footprint / WOODS
+    return min(max(0.5 + value / edge, 0.0), 1.0)
+
+
+@kernel
+def canopy(finest, whole):
+    """Height of trees. [finest cell]
+
+    Parameters
+    ----------
+    finest, whole : Vec3
+        Arguments of ``hills``.
+    """
+    at = lattice_place(finest, whole, CROWNS)
+    crowns = abs(smooth_noise(at.x, at.y, at.z))
+    at = lattice_place(finest, whole, 0.5 * CROWNS)
+    crowns += 0.5 * abs(smooth_noise(at.x, at.y, at.z))
+    at = lattice_place(finest, whole, 8.0 * CROWNS)
+    stands = smooth_noise(at.x, at.y, at.z)
+    return TREES * max(0.7 + 0.4 * crowns + 0.5 * stands, 0.3)
