@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
+from math import isqrt
 from typing import Any, Final
 
 import numpy as np
@@ -112,15 +113,22 @@ class BoxIteration:
     ----------
     problem : BoxProblem
     settings : BoxSettings
-    sides : array, shape (2, 4, levels, 1, pairs, 8), optional
-        Light that enters at clear sides. [sr⁻¹]
+    sides : tuple of two arrays, shapes (2, 4, levels, ny or 1, pairs, 8), optional
+        Light that enters at sides that are not periodic, along x and (nx or 1) along y. [sr⁻¹]
+    start : array, shape (levels, ny, nx, terms, 4), optional
+        Moments to begin with, of any degree; by default those of diffusion. [1]
     """
 
     def __init__(
-        self, problem: BoxProblem, settings: BoxSettings, sides: Float32Array | None = None
+        self,
+        problem: BoxProblem,
+        settings: BoxSettings,
+        sides: tuple[Float32Array, Float32Array] | None = None,
+        start: Float32Array | None = None,
     ) -> None:
         grid, optics = problem.grid, problem.optics
         self.problem, self.settings, self.boundary = problem, settings, sides
+        self.start = start
         levels, ny, nx = grid.extinction.shape
         self.thickness = np.asarray(np.diff(grid.edges), np.float32)
         self.ways = directions(settings.zenith_angles, settings.azimuths)
@@ -230,16 +238,16 @@ class BoxIteration:
         if self.boundary is None:
             return
         light = self.light
-        light.sides[...] = self.boundary
+        light.sides[...] = self.boundary[0]
         grid = self.problem.grid
-        split = (*self.boundary.shape[:3], -1, HALF_LANES)
-        values = self.boundary[:, :, :, 0].reshape(split)
         for axis, octants in ((0, ((0, 2), (1, 3))), (1, ((0, 1), (2, 3)))):
+            given = self.boundary[axis]
+            values = given.reshape(*given.shape[:4], -1, HALF_LANES)
             for last, some in enumerate(octants):
                 flux = np.abs(vectors[:, some, :, axis]) * weights[:, some]
-                inside = np.einsum("hokdw,hod->kw", values[:, some], flux) / grid.widths[axis]
+                inside = np.einsum("hokndw,hod->knw", values[:, some], flux) / grid.widths[axis]
                 at = (slice(None),) * (2 - axis) + (-last,)
-                self.gain[at] += inside[:, None].astype(np.float32)
+                self.gain[at] += inside.astype(np.float32)
 
     def phi(self) -> Float32Array:
         """Mean radiance times 4π of the cells, shape (levels, ny, nx, 4). [1]"""
@@ -266,6 +274,18 @@ class BoxIteration:
         in_chunks(lambda a, b: add_currents(a, b, *given), len(forward), forward.size // 4)
         if self.problem.grid.periodic:
             self._fill_sides()
+
+    def _begin(self, moments: Float32Array) -> None:
+        """Fill the moments of both hemispheres, and the light of the ground, with given light."""
+        vectors, weights = self.ways
+        known = harmonics(vectors, isqrt(moments.shape[3]) - 1)
+        weighted = harmonics(vectors, self.settings.degree) * weights[..., None]
+        for half, kept in enumerate(self.light.moments):
+            share = np.einsum("odt,odi->ti", weighted[half], known[half]).astype(np.float32)
+            for level, row in enumerate(moments):
+                kept[level] = share @ row
+        falling = np.einsum("od,odi->i", weights[0] * -vectors[0, ..., 2], known[0])
+        self.down = np.maximum(falling.astype(np.float32) @ moments[0], 0.0)
 
     def _scattered_forward(self) -> Float32Array:
         """Net current in the beam's direction by its anisotropic scattering, of diffusion. [1]"""
@@ -329,7 +349,7 @@ class BoxIteration:
         for current in light.currents:
             current[:] = 0.0
         if not periodic and self.boundary is not None:
-            light.fronts[...] = self.boundary
+            light.fronts[...] = self.boundary[1]
         elif not periodic:
             light.fronts[...] = 0.0
         light.heads[0] = self.sky[:, None, None]
@@ -387,7 +407,11 @@ class BoxIteration:
         AirlightWarning
             If it still changes by more than ten times the tolerance, or levels are too thick.
         """
-        self.guess()
+        if self.start is None:
+            self.guess()
+        else:
+            self._begin(self.start)
+            self.start = None
         phi = self.phi()
         change = np.full(HALF_LANES, np.inf)
         sweeps, error = 0, np.inf

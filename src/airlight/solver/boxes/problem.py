@@ -56,18 +56,27 @@ def beam_depths(
     grid: BoxGrid,
     towards: tuple[float, float, float],
     points: int,
-    curvature: float,
+    cells: BeamCells,
+    corner: tuple[float, float],
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Float32Array:
-    """Unscaled optical depths of the cloud along the beam, see ``BoxProblem``."""
+    """Unscaled optical depths of the cloud along the beam, see ``BoxProblem``.
+
+    Parameters
+    ----------
+    cells : BeamCells
+        Cells that the beam crosses.
+    corner : tuple of two float
+        Coordinates of the western and southern sides of the box. [m]
+    """
     levels, ny, nx = grid.extinction.shape
     across = across_column(grid, points)
     found = np.zeros((ny, across[0] * across[1], nx, levels + 1), np.float32)
-    cells = beam_cells(grid, curvature)
+    columns = grid.edges, corner, grid.widths
     run_blocks(
-        lambda y: beam_row(y, towards, across, cells, found[y]),
+        lambda y: beam_row(y, towards, across, columns, cells, found[y]),
         ny,
         progress=progress,
         cancel=cancel,
