@@ -52,6 +52,7 @@ def pixels(run: SuiteRun, quality: str = "preview") -> FloatArray:
     green = solution.lights[0].colors()[:, 1].sum()
     found = np.zeros((len(SUNS), len(VIEWS)))
     for i, sun in enumerate(SUNS):
+        around: dict[tuple[float, float], CloudsAround] = {}
         for k, (altitude, zenith, azimuth) in enumerate(VIEWS):
             run.step(len(VIEWS) * i + k, found.size, "pixels past cumuli")
             scene = Scene(
@@ -68,11 +69,11 @@ def pixels(run: SuiteRun, quality: str = "preview") -> FloatArray:
                     look_azimuth=azimuth,
                 ),
             )
-            deck = CloudDeck(
-                field, lambda nm: field_at(nm)[1], place=seen_place(field, scene, radius)
-            )
-            clouds = CloudsAround((deck,), quality=quality, cache=False)
-            frame = render(solution, scene, exact=True, disc=False, clouds=clouds)
+            place = seen_place(field, scene, radius)
+            if place not in around:  # views of one place share their light
+                deck = CloudDeck(field, lambda nm: field_at(nm)[1], place=place)
+                around[place] = CloudsAround((deck,), quality=quality, cache=False)
+            frame = render(solution, scene, exact=True, disc=False, clouds=around[place])
             found[i, k] = frame.rgb[0, 0, 1] / green
     return found
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from math import isqrt
 from typing import Any, Final
 
 import numpy as np
@@ -22,14 +21,15 @@ from airlight.solver.boxes.directions import (
     harmonics,
     term_count,
 )
-from airlight.solver.boxes.grid import BoxGrid
 from airlight.solver.boxes.linear import solve_linear
 from airlight.solver.boxes.problem import (
     BoxProblem,
     across_column,
+    begin,
     four_wide,
     half_range,
     in_pairs,
+    lost_light,
     sweep_directions,
 )
 from airlight.solver.boxes.rebalance import (
@@ -38,7 +38,6 @@ from airlight.solver.boxes.rebalance import (
     coefficients_for,
     correct,
 )
-from airlight.solver.boxes.scaled_optics import BoxOptics
 from airlight.solver.boxes.settings import BoxSettings
 from airlight.solver.boxes.stopping import change_of, remaining_error
 from airlight.solver.boxes.sweep import SweepCells, SweepLight, sweep_level
@@ -60,10 +59,6 @@ _COARSE: Final = 6.0
 _SETTLED: Final = 3
 _DAMPING: Final = np.float32(0.7)
 _LEAST_RELAXATION: Final = np.float32(0.2)
-#: Limits of the factor that conserves the energy of the beam; and cosine of the sun's zenith angle
-#: below which the factor fades, as horizontal planes get beam from beyond the box. [1]
-_LOST: Final = (0.9, 1.1)
-_LOW: Final = 0.1
 #: Least irradiance of the beam over the largest. [1]
 _DARK: Final = 1e-12
 #: Sweeps that progress expects after the present one.
@@ -188,25 +183,10 @@ class BoxIteration:
         run_blocks(lambda y: mean_beam_row(y, depths[y], given, across, out), ny)
         self.direct *= np.float32(self.cosine)
         if grid.periodic and self.cosine > 0.0:
-            self.beam *= self._lost(grid, optics)
+            self.beam *= lost_light(self.problem, self.thickness, self.beam, self.direct)
         amounts = (grid.extinction * self.thickness[:, None, None])[..., None] * self.beam
         amounts = centred(amounts, grid.extinction, offset, grid.periodic)
         self.lit[...] = amounts / self.thickness[:, None, None, None]
-
-    def _lost(self, grid: BoxGrid, optics: BoxOptics) -> Float32Array:
-        """Light that a periodic box takes from the beam, over that of its cells' means. [1]"""
-        thickness = np.asarray(self.thickness, np.float64)
-        cloud = np.einsum("kyx,kyxw->kw", grid.extinction, self.beam) * four_wide(optics.cloud)
-        clear = self.beam.sum(axis=(1, 2)) * four_wide(optics.air)
-        columns = grid.extinction[0].size
-        given = thickness @ (cloud + clear) / columns
-        top = self.cosine * four_wide(self.problem.direct)[-1]
-        lost = top - self.direct.mean(axis=(0, 1), dtype=np.float64)
-        factor = np.divide(lost, given, out=np.ones_like(given), where=given > 1e-9)
-        factor = np.clip(factor, *_LOST)
-        if self.problem.curvature > 0.0:
-            factor = 1.0 + min(self.cosine / _LOW, 1.0) * (factor - 1.0)
-        return np.asarray(factor, np.float32)
 
     def _balance_cells(self) -> None:
         grid, cells = self.problem.grid, self.cells
@@ -274,18 +254,6 @@ class BoxIteration:
         in_chunks(lambda a, b: add_currents(a, b, *given), len(forward), forward.size // 4)
         if self.problem.grid.periodic:
             self._fill_sides()
-
-    def _begin(self, moments: Float32Array) -> None:
-        """Fill the moments of both hemispheres, and the light of the ground, with given light."""
-        vectors, weights = self.ways
-        known = harmonics(vectors, isqrt(moments.shape[3]) - 1)
-        weighted = harmonics(vectors, self.settings.degree) * weights[..., None]
-        for half, kept in enumerate(self.light.moments):
-            share = np.einsum("odt,odi->ti", weighted[half], known[half]).astype(np.float32)
-            for level, row in enumerate(moments):
-                kept[level] = share @ row
-        falling = np.einsum("od,odi->i", weights[0] * -vectors[0, ..., 2], known[0])
-        self.down = np.maximum(falling.astype(np.float32) @ moments[0], 0.0)
 
     def _scattered_forward(self) -> Float32Array:
         """Net current in the beam's direction by its anisotropic scattering, of diffusion. [1]"""
@@ -410,7 +378,7 @@ class BoxIteration:
         if self.start is None:
             self.guess()
         else:
-            self._begin(self.start)
+            self.down = begin(self.start, self.ways, self.settings.degree, self.light.moments)
             self.start = None
         phi = self.phi()
         change = np.full(HALF_LANES, np.inf)
