@@ -73,6 +73,7 @@ def compile_cloudy_loops() -> None:
 def empty_clouds() -> CloudTables:
     """Tables of clouds of one kind, with one cell."""
     from airlight.render.clouds.cloud_tables import CloudTables, LayerTables
+    from airlight.render.clouds.higher_orders import no_inner
     from airlight.render.clouds.patches import PatchEdges
 
     def table(rank: int, last: int = 1) -> Float32Array:
@@ -106,6 +107,7 @@ def empty_clouds() -> CloudTables:
         base_depth=table(2),
         mean_visibility=number,
         source=table(5, 8),
+        inner=no_inner(),
         down=table(3, 8),
         solved_extinction=table(2, 8),
         spectrum=lanes,
@@ -116,8 +118,10 @@ def empty_clouds() -> CloudTables:
         phase_f12=table(3, LANES),
         norms=norms,
         beam=table(3, LANES),
-        beam_low=number,
+        beam_low=-number,
         beam_high=number,
+        slant=np.ones(2),
+        local=np.ones((2, 1, 8), np.float32),
     )
     return CloudTables(
         radius=number,

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.clouds_around import CloudsAround
+from airlight.render.clouds.layer_geometry import seen_place
 from airlight.render.render import render
 from airlight.scene import Camera, Scene
 from airlight.studies.plots.figure import GREY, PALETTE, grid, new_figure
@@ -47,11 +48,11 @@ def pixels(run: SuiteRun, quality: str = "preview") -> FloatArray:
         cumuli_over_sea().without_clouds, _WAVELENGTHS, quality, polarisation=False
     )
     field, _ = field_at(_WAVELENGTHS)
-    deck = CloudDeck(field, lambda nm: field_at(nm)[1])
-    clouds = CloudsAround((deck,), quality=quality, cache=False)
+    radius = solution.medium.bottom_radius
     green = solution.lights[0].colors()[:, 1].sum()
     found = np.zeros((len(SUNS), len(VIEWS)))
     for i, sun in enumerate(SUNS):
+        around: dict[tuple[float, float], CloudsAround] = {}
         for k, (altitude, zenith, azimuth) in enumerate(VIEWS):
             run.step(len(VIEWS) * i + k, found.size, "pixels past cumuli")
             scene = Scene(
@@ -68,7 +69,11 @@ def pixels(run: SuiteRun, quality: str = "preview") -> FloatArray:
                     look_azimuth=azimuth,
                 ),
             )
-            frame = render(solution, scene, exact=True, disc=False, clouds=clouds)
+            place = seen_place(field, scene, radius)
+            if place not in around:  # views of one place share their light
+                deck = CloudDeck(field, lambda nm: field_at(nm)[1], place=place)
+                around[place] = CloudsAround((deck,), quality=quality, cache=False)
+            frame = render(solution, scene, exact=True, disc=False, clouds=around[place])
             found[i, k] = frame.rgb[0, 0, 1] / green
     return found
 

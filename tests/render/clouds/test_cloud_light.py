@@ -5,7 +5,7 @@ import pytest
 
 from airlight import Scene, load_planet
 from airlight.clouds.cloud_field import CloudField
-from airlight.errors import AirlightWarning, ParameterError
+from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop
 from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.clear_distance import clear_distances
@@ -172,10 +172,3 @@ def test_a_picture_has_at_most_three_kinds_of_clouds():
     kinds = [{"kind": kind} for kind in ("cumulus", "stratus", "altocumulus", "cirrus")]
     with pytest.raises(ParameterError, match="4 kinds'; allowed: at most 3 kinds in a picture"):
         CloudsAround.of(load_planet("earth", {"clouds": kinds}), Scene())
-
-
-def test_clouds_of_a_whole_disc_are_warned_of():
-    planet = load_planet("earth", {"clouds": [{"kind": "stratus"}]})
-    with pytest.warns(AirlightWarning, match="sun of one place and seen up to 28°"):
-        CloudsAround.of(planet, Scene(altitude=850e3))
-    assert CloudsAround.of(planet, Scene(altitude=400e3)) is not None

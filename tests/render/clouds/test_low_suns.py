@@ -6,7 +6,8 @@ from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
 from airlight.planets import load_planet
 from airlight.render.clouds.cloud_deck import CloudDeck
-from airlight.render.clouds.cloud_light import OtherClouds, solve_clouds
+from airlight.render.clouds.cloud_light import solve_clouds
+from airlight.render.clouds.incident_light import OtherClouds
 from airlight.scene import Scene
 from airlight.solver.solve import solve
 

@@ -31,11 +31,14 @@ class CloudDeck(NamedTuple):
         Optical properties of the particles at wavelengths, as ``CloudOptics.of_particles``.
     number : int
         Number among the clouds of the planet.
+    place : tuple of two float
+        Place of the finer box in the field: east and north of its middle. [m]
     """
 
     field: CloudField
     optics_at: OpticsAt
     number: int = 0
+    place: tuple[float, float] = (0.0, 0.0)
 
 
 def solved_wavelengths(count: int) -> NDArray[np.int64]:

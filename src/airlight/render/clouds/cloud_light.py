@@ -3,29 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
-from airlight.geometry.vectors import Vec3
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.box_air import box_air, with_deck
 from airlight.render.clouds.clear_distance import clear_distances
 from airlight.render.clouds.cloud_deck import CloudDeck, solved_wavelengths
 from airlight.render.clouds.cloud_tables import SOLVED
+from airlight.render.clouds.incident_light import Incident, OtherClouds, incident, sun_over
+from airlight.render.clouds.inner_box import inner_field
+from airlight.render.clouds.local_sun import LocalSun, local_suns, same_everywhere
 from airlight.render.clouds.mean_layer import MeanLayer
 from airlight.scene import Scene
 from airlight.solver.boxes.directions import directions
 from airlight.solver.boxes.light import BoxAir, BoxBeam, BoxLight
+from airlight.solver.boxes.nest import Nest
 from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.boxes.solve import solve_box
-from airlight.solver.lines_of_sight import enter_shell
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -39,6 +41,8 @@ LARGE: Final = 4_000_000
 FEWEST_LEVELS: Final = 8
 #: Zenith angles and azimuths of the light of the ground.
 _AROUND: Final = (4, 8)
+#: Largest zenith angle of the sun of a box that is seen from far away. [deg]
+LOWEST: Final = 85.0
 #: Singular value over the largest below which spectra of beam and sky count as alike. [1]
 _ALIKE: Final = 1e-6
 
@@ -54,8 +58,12 @@ class CloudLight:
         At the wavelengths of the solution.
     box : BoxSolution
         Multiple scattering at some of these wavelengths, per irradiance of the star.
+    inner : BoxSolution or None
+        The same in a finer box in the middle of the field.
     towards : tuple of three float
-        Unit vector to the light at the place of the field: east, north, up. [1]
+        Unit vector to the light of the box: east, north, up. [1]
+    local : LocalSun
+        Light under suns of other places.
     spectrum : array, shape (SOLVED, nl)
         Weights of the solved wavelengths. [1]
     layer : MeanLayer or None
@@ -72,7 +80,9 @@ class CloudLight:
     field: CloudField
     optics: CloudOptics
     box: BoxSolution
+    inner: BoxSolution | None
     towards: tuple[float, float, float]
+    local: LocalSun
     spectrum: FloatArray
     layer: MeanLayer | None
     diffuse: FloatArray
@@ -96,126 +106,15 @@ class CloudLight:
         return np.array([np.exp(-depth * one).mean() for one in self.scaled])
 
 
-def field_axes(field: CloudField, scene: Scene) -> tuple[Vec3, Vec3, Vec3]:
-    """Axes of a field's place in the observer's frame: east, north, up. [1]"""
-    lat, lon = math.radians(field.latitude), math.radians(field.longitude)
-    up = np.array([math.cos(lat) * math.cos(lon), math.cos(lat) * math.sin(lon), math.sin(lat)])
-    east = np.array([-math.sin(lon), math.cos(lon), 0.0])
-    rows = np.array([east, np.cross(up, east), up]) @ scene.ground_frame
-    return tuple(Vec3(*row) for row in rows.tolist())  # type: ignore[return-value]
-
-
-def sun_in_frame(scene: Scene) -> Vec3:
-    """Direction to the light in the observer's frame, whose first axis is below it. [1]"""
-    sun = scene.sun_direction
-    return Vec3(float(np.hypot(sun[0], sun[1])), 0.0, float(sun[2]))
-
-
-class OtherClouds(NamedTuple):
-    """Clouds around those of a kind, which act on them by their mean.
-
-    Attributes
-    ----------
-    layer : MeanLayer or None
-        Mean layer of all clouds.
-    higher : sequence of CloudLight
-        Those with higher tops, which dim the beam.
-    decks : sequence of CloudDeck
-        All of them; parts below the top of the box are even layers in it.
-    """
-
-    layer: MeanLayer | None = None
-    higher: Sequence[CloudLight] = ()
-    decks: Sequence[CloudDeck] = ()
-
-
-class Incident(NamedTuple):
-    """Light that falls on a field from above.
-
-    Attributes
-    ----------
-    towards : tuple of three float
-        Unit vector to the light at the place of the field: east, north, up. [1]
-    beam, sky : array, shape (nl,)
-        Direct normal irradiance at the top, and diffuse irradiance, over that of the star. [1]
-    direct : callable
-        Direct normal irradiance of altitudes [m], shape (n,) to (n, nl). [1]
-    radiance : callable
-        Diffuse radiance from directions of propagation, shape (n, 3) to (n, nl). [sr⁻¹]
-    """
-
-    towards: tuple[float, float, float]
-    beam: FloatArray
-    sky: FloatArray
-    direct: Callable[[FloatArray], FloatArray]
-    radiance: Callable[[FloatArray], FloatArray]
-
-    @property
-    def irradiance(self) -> FloatArray:
-        """Irradiance of the horizontal top over that of the star, shape (nl,). [1]"""
-        return np.asarray(np.maximum(self.sky + self.beam * max(self.towards[2], 0.0), 1e-30))
-
-
-def incident(
-    solution: MomentsSolution,
-    field: CloudField,
-    towards: tuple[float, float, float],
-    around: OtherClouds,
-) -> Incident:
-    """Light on a field under a light in a direction, with clouds around it.
-
-    Parameters
-    ----------
-    solution, field : MomentsSolution, CloudField
-        Planet without clouds, and clouds.
-    towards : tuple of three float
-        Unit vector to the light at the place of the field: east, north, up. [1]
-    around : OtherClouds
-        Other clouds.
-    """
-    medium = solution.medium
-    top, mu_s = np.array([medium.bottom_radius + field.top]), np.array([towards[2]])
-
-    def radiance(along: FloatArray) -> FloatArray:
-        looking = -np.asarray(along, float)
-        count = looking.shape[0]
-        lines = enter_shell(
-            np.full(count, top[0]),
-            looking[:, 2],
-            np.hypot(looking[:, 0], looking[:, 1]),
-            np.full(count, towards[2]),
-            np.clip(looking @ np.array(towards), -1.0, 1.0),
-            medium.bottom_radius,
-            medium.top_radius,
-        )
-        found = np.maximum(solution.relative_radiance(lines), 0.0)
-        ratio = 1.0 if around.layer is None else around.layer.radiance_ratio(lines)
-        return np.asarray(found * ratio)
-
-    sky, layer = solution.relative_sky_irradiance(top, mu_s), around.layer
-    seen = np.ones(medium.wavelengths.size)
-    for one in around.higher:
-        seen = seen * one.visibility(field.top)
-
-    def direct(altitudes: FloatArray) -> FloatArray:
-        r = medium.bottom_radius + np.asarray(altitudes, float)
-        found = solution.relative_normal_irradiance(r, np.full(r.size, towards[2]))
-        return np.asarray(np.maximum(found, 0.0) * seen)
-
-    return Incident(
-        towards,
-        direct(np.array([field.top]))[0],
-        (sky if layer is None else sky * layer.sky_ratio(top, mu_s))[0],
-        direct,
-        radiance,
-    )
-
-
-def sun_over(field: CloudField, scene: Scene) -> tuple[float, float, float]:
-    """Direction to a scene's light at the place of a field: east, north, up. [1]"""
-    sun = np.array(sun_in_frame(scene))
-    east, north, up = (float(sun @ np.array(axis)) for axis in field_axes(field, scene))
-    return east, north, up
+def _raised(towards: tuple[float, float, float]) -> tuple[float, float, float]:
+    """Direction with a zenith angle of at most ``LOWEST``."""
+    out, up = math.sin(math.radians(LOWEST)), math.cos(math.radians(LOWEST))
+    across = math.hypot(towards[0], towards[1])
+    if towards[2] >= up:
+        return towards
+    if across < 1e-6:
+        return out, 0.0, up
+    return out * towards[0] / across, out * towards[1] / across, up
 
 
 def solve_clouds(
@@ -225,6 +124,7 @@ def solve_clouds(
     around: OtherClouds,
     *,
     solved_at: Sequence[tuple[float, Scene]] = (),
+    wide: bool = False,
     quality: str = "default",
     cache: bool = True,
     progress: Progress | None = None,
@@ -245,6 +145,9 @@ def solve_clouds(
     solved_at : sequence of (float, Scene), optional
         Weights and scenes of the same place between which higher orders are interpolated, see
         ``blended``; by default they are those of ``scene``.
+    wide : bool
+        Whether clouds are seen so far away that other suns are above them, which are solved too;
+        the box has a sun that is not lower than ``LOWEST`` then.
     quality, cache : str, bool
         As for ``solve_box``.
     progress, cancel : callable, optional
@@ -252,28 +155,53 @@ def solve_clouds(
     """
     field, optics_at, nm = deck.field, deck.optics_at, solution.medium.wavelengths
     chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
-    light = incident(solution, field, sun_over(field, scene), around)
+    finer = inner_field(field, coarse, deck.place)
+
+    def sun_of(one: Scene) -> tuple[float, float, float]:
+        sun = sun_over(field, one)
+        return _raised(sun) if wide else sun
+
+    light = incident(solution, field, sun_of(scene), around)
     air = clear = box_air(solution, field.top, chosen)
     for other in around.decks:
         air = with_deck(air, other, nm[chosen])
 
-    def box_under(one: Incident) -> BoxSolution:
+    def box_of(cells: CloudField, one: Incident, nest: Nest | None = None) -> BoxSolution:
         return solve_box(
-            coarse,
+            cells,
             optics_at(nm[chosen]),
             _box_light(solution, (air, clear), one, chosen),
+            nest=nest,
             quality=quality,
             cache=cache,
             progress=progress,
             cancel=cancel,
         )
 
+    def boxes_under(one: Incident) -> list[BoxSolution]:
+        box = box_of(coarse, one)
+        return [box] if finer is None else [box, box_of(finer, one, Nest(box, field))]
+
     if solved_at:
-        suns = [(weight, sun_over(field, one)) for weight, one in solved_at]
+        suns = [(weight, sun_of(one)) for weight, one in solved_at]
         others = [(weight, incident(solution, field, sun, around)) for weight, sun in suns]
-        box = blended([(weight, one, box_under(one)) for weight, one in others], light, chosen)
+        parts = [(weight, one, boxes_under(one)) for weight, one in others]
+        boxes = [
+            blended([(weight, one, some[n]) for weight, one, some in parts], light, chosen)
+            for n in range(len(parts[0][2]))
+        ]
     else:
-        box = box_under(light)
+        boxes = boxes_under(light)
+    box = boxes[0]
+
+    def under(cells: CloudField, sun: tuple[float, float, float]) -> tuple[BoxSolution, FloatArray]:
+        one = incident(solution, field, sun, around)
+        return box_of(cells, one), one.irradiance[chosen]
+
+    if wide:
+        local = local_suns(coarse, light.towards, under)
+    else:
+        local = same_everywhere(coarse.extinction.shape[2], chosen.size)
     nothing = clear_distances(field)
     depth, base_depth = beam_depths(
         field,
@@ -290,7 +218,9 @@ def solve_clouds(
         field=field,
         optics=optics_at(nm),
         box=box,
+        inner=boxes[1] if len(boxes) > 1 else None,
         towards=light.towards,
+        local=local,
         spectrum=spectrum,
         layer=around.layer,
         diffuse=np.maximum(cloudy / np.maximum(clear, 1e-30), 0.0),

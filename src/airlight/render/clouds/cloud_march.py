@@ -25,12 +25,10 @@ from airlight.kernel.lanes import (
     largest,
     load,
     maximum,
-    pair,
     splat,
 )
 from airlight.kernel.tuple_item import tuple_item
-from airlight.render.clouds.beam_depth import cell_after, cell_before
-from airlight.render.clouds.cell_level import cell_level, level_number
+from airlight.render.clouds.cell_level import CellLevel, cell_level, level_number
 from airlight.render.clouds.cloud_place import (
     beam_depth_at,
     box_place,
@@ -43,6 +41,8 @@ from airlight.render.clouds.cloud_tables import (
 )
 from airlight.render.clouds.detailed_extinction import extinction_at
 from airlight.render.clouds.directions import fill_harmonics
+from airlight.render.clouds.higher_orders import inner_place, mixed_source
+from airlight.render.clouds.local_sun import local_light, sun_place
 from airlight.render.clouds.sight_extent import (
     node_of_distance,
     way_out_of_layer,
@@ -222,13 +222,10 @@ def add_step(ray, point, number, step, half_sine, polarised, clouds, tables, wor
     z = place.z
     nz, (nx, ny, _) = layer.extinction.shape[0], cell_level(0, layer.levels)
     radius = sqrt(dot(point, point))
-    height = dot(point, layer.sun) / radius
-    angle = (height - layer.beam_low) / (layer.beam_high - layer.beam_low)
-    angle = min(max(angle, 0.0), 1.0) * (layer.beam.shape[1] - 1)
-    low = min(int(angle), layer.beam.shape[1] - 2)
+    low, lower = sun_place(point, layer)
     up = (radius - layer.base) / (layer.top - layer.base) * (layer.beam.shape[0] - 1)
     level = min(max(int(up), 0), layer.beam.shape[0] - 2)
-    e, f = np.float32(angle - low), np.float32(min(max(up - level, 0.0), 1.0))
+    e, f = np.float32(lower), np.float32(min(max(up - level, 0.0), 1.0))
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     for at in range(0, tables.lanes, LANES):
         scaled_extinction = load(layer.scaled[0], at)
@@ -265,40 +262,31 @@ def add_step(ray, point, number, step, half_sine, polarised, clouds, tables, wor
     fill_harmonics(
         -dot(ray, eastern), -dot(ray, northern), -dot(ray, upward), layer.norms, work.harmonics
     )
-    mz = layer.source.shape[0]
-    mx, my, first_row = cell_level(work.numbers[number], layer.source_levels)
-    # linear also in the outer halves of the lowest and the highest levels
-    level_z = (z + 0.5) * mz / nz - 0.5
-    k = min(max(int(level_z), 0), max(mz - 2, 0))
-    ez = level_z - k
-    above = min(k + 1, mz - 1)
-    source = lane_view(layer.source)
+    rows = cell_level(work.numbers[number], layer.source_levels)
+    height = (z + 0.5) / nz
     total = splat(0.0)
     share, x, y = 1.0 - place.share, place.x, place.y
     for _ in range(2):
-        i, ex = cell_before((x + 0.5) * mx / nx - 0.5, mx, layer.periodic)
-        j, ey = cell_before((y + 0.5) * my / ny - 0.5, my, layer.periodic)
-        right, back = cell_after(i, mx, layer.periodic), cell_after(j, my, layer.periodic)
-        for corner in range(8):
-            column = right if corner & 1 else i
-            line = first_row + (back if corner & 2 else j)
-            row = above if corner & 4 else k
-            weight = (
-                share
-                * (ex if corner & 1 else 1.0 - ex)
-                * (ey if corner & 2 else 1.0 - ey)
-                * (ez if corner & 4 else 1.0 - ez)
-            )
-            if weight != 0.0:
-                part = splat(0.0)
-                for n in range(layer.source.shape[3]):
-                    factor = pair(
-                        np.float32(work.harmonics[2 * n]), np.float32(work.harmonics[2 * n + 1])
-                    )
-                    part = part + factor * source[row, line, column, n]
-                total = total + part * np.float32(weight)
+        if share > 0.0:
+            u, v, inner = 0.0, 0.0, 0.0
+            if work.numbers[number] == 0 and layer.inner.source.shape[2] > 0:
+                u, v, inner = inner_place(x, y, nx, ny, layer.inner, layer.periodic)
+            if inner > 0.0:
+                shape = layer.inner.source.shape
+                found = mixed_source(
+                    layer.inner.source,
+                    CellLevel(shape[2], shape[1], 0),
+                    (u, v, height),
+                    False,
+                    work.harmonics,
+                )
+                total = total + found * np.float32(share * inner)
+            if inner < 1.0:
+                outer = ((x + 0.5) / nx, (y + 0.5) / ny, height)
+                found = mixed_source(layer.source, rows, outer, layer.periodic, work.harmonics)
+                total = total + found * np.float32(share * (1.0 - inner))
         share, x, y = place.share, place.other_x, place.other_y
-    total = maximum(folded(total), 0.0)
+    total = maximum(folded(total), 0.0) * local_light(height, low, lower, layer)
     solved = lane_view(work.solved)
     scaled_extinction = load(layer.solved_extinction[0], 0)
     kept = exponential(scaled_extinction * np.float32(-extinction * step))

@@ -9,6 +9,7 @@ from airlight.geometry.vectors import dot, plus, scaled
 from airlight.kernel import inlined
 from airlight.render.clouds.beam_depth import cell_before, cell_value, plane_value
 from airlight.render.clouds.cell_level import cell_level, level_number, place_in_level
+from airlight.render.clouds.local_sun import local_slant
 from airlight.render.clouds.patches import MIXED, Patch, patch_at
 
 
@@ -129,7 +130,7 @@ def beam_depth_at(point, number, layer):
     nx, ny, _ = cell_level(0, layer.levels)
     level = cell_level(number, layer.levels)
     radius = sqrt(dot(point, point))
-    depth = 0.0
+    depth, start = 0.0, point
     if radius < layer.base:
         rising = dot(point, layer.sun)
         gap = (layer.base - radius) * (layer.base + radius)
@@ -149,7 +150,7 @@ def beam_depth_at(point, number, layer):
             elif share > 0.0 and inside:
                 depth += share * plane_value(layer.base_depth, level, x, y, layer.periodic)
             share, x, y = place.share, place.other_x, place.other_y
-    return depth
+    return depth * local_slant(start, layer)
 
 
 @inlined
@@ -161,4 +162,5 @@ def visibility(point, footprint, layer):
     if depth > 0.0:
         seen = exp(-depth * layer.scaled[0, 0])
     wide = min(2.0 * footprint / (layer.step_x * layer.levels[0, 0]), 1.0)
-    return seen + wide * (layer.mean_visibility - seen)
+    mean = layer.mean_visibility ** local_slant(point, layer)
+    return seen + wide * (mean - seen)

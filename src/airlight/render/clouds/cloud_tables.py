@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.vectors import Vec3
+from airlight.render.clouds.higher_orders import InnerSource
 from airlight.render.clouds.patches import PatchEdges
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 
@@ -84,6 +85,8 @@ class LayerTables(NamedTuple):
     source : array, shape (mz, rows, mx, pairs, 8)
         Multiple scattering by a cloud of extinction 1, as harmonics of the direction of light:
         pairs of terms at the solved wavelengths, per irradiance of the star. [sr⁻¹]
+    inner : InnerSource
+        The same of the finer box, for the first level of detail.
     down : array, shape (rows, mx, 8)
         Diffuse irradiance of the ground at the solved wavelengths, twice. [1]
     solved_extinction : array, shape (1, 8)
@@ -101,6 +104,10 @@ class LayerTables(NamedTuple):
         Direct normal irradiance between base and top, over the sine of the sun's height. [1]
     beam_low, beam_high : float
         Sines of the sun's height of the first and of the last angle. [1]
+    slant : array, shape (angles,)
+        Optical depth towards the sun over that towards the sun of the box. [1]
+    local : array, shape (angles, levels, 8)
+        Higher orders over those under the sun of the box, at the solved wavelengths, twice. [1]
     """
 
     radius: float
@@ -127,6 +134,7 @@ class LayerTables(NamedTuple):
     base_depth: Float32Array
     mean_visibility: float
     source: Float32Array
+    inner: InnerSource
     down: Float32Array
     solved_extinction: Float32Array
     spectrum: Float32Array
@@ -139,6 +147,8 @@ class LayerTables(NamedTuple):
     beam: Float32Array
     beam_low: float
     beam_high: float
+    slant: FloatArray
+    local: Float32Array
 
 
 class CloudTables(NamedTuple):

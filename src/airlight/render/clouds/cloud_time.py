@@ -93,8 +93,9 @@ def clouds_at(
     if time is not None:
         first = replace(scene, latitude=time.latitude, longitude=time.longitude)
     place = first.latitude, first.longitude
+    aim = None if time is not None else (scene.altitude, scene.sun_azimuth, *scene.camera.axes[2])
     kept = _CLOUDS.of(
-        (planet.clouds, planet.bottom_radius, planet.thickness, place, quality, cache),
-        lambda: CloudsAround.of(planet, first, quality=quality, cache=cache),
+        (planet.clouds, planet.bottom_radius, planet.thickness, place, quality, cache, aim),
+        lambda: CloudsAround.of(planet, first, quality=quality, cache=cache, aimed=time is None),
     )
     return kept if kept is None or time is None else time.of(kept, planet, scene)

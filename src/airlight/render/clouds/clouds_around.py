@@ -15,12 +15,14 @@ from numpy.typing import NDArray
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
 from airlight.clouds.planet_clouds import Box, clouds_of
-from airlight.errors import ParameterError, warn
+from airlight.errors import ParameterError
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
 from airlight.render.clouds.cloud_deck import CloudDeck
-from airlight.render.clouds.cloud_light import CloudLight, OtherClouds, solve_clouds, sun_over
+from airlight.render.clouds.cloud_light import CloudLight, solve_clouds
+from airlight.render.clouds.incident_light import OtherClouds, sun_over
+from airlight.render.clouds.layer_geometry import seen_place
 from airlight.render.clouds.mean_layer import mean_layer
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
@@ -32,9 +34,9 @@ _Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, tuple[CloudLight, ...]]]
 
 #: Largest number of kinds of clouds in a picture.
 MOST_KINDS: Final = 3
-#: Distance of the horizon, seen from the planet's centre, above which a picture is warned of: boxes
-#: have the same sun from side to side. [deg]
-_WIDE: Final = 25.0
+#: Distance of the horizon, seen from the planet's centre, above which clouds are lit by other suns
+#: than that of their box. [deg]
+_WIDE: Final = 5.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +66,13 @@ class CloudsAround:
 
     @classmethod
     def of(
-        cls, planet: Planet, scene: Scene, *, quality: str = "default", cache: bool = True
+        cls,
+        planet: Planet,
+        scene: Scene,
+        *,
+        quality: str = "default",
+        cache: bool = True,
+        aimed: bool = True,
     ) -> CloudsAround | None:
         """Clouds of a planet around a scene's place; None without clouds.
 
@@ -76,6 +84,8 @@ class CloudsAround:
             Scene, in whose place boxes of generated clouds have their middle.
         quality : str
             Quality of the picture; that of the boxes is ``"preview"`` below ``"high"``.
+        aimed : bool
+            Whether finer boxes are where the middle of the picture is, or below the observer.
 
         Raises
         ------
@@ -88,12 +98,6 @@ class CloudsAround:
             allowed = f"at most {MOST_KINDS} kinds in a picture"
             raise ParameterError("clouds", f"{len(planet.clouds)} kinds", allowed)
         radius = planet.bottom_radius
-        horizon = math.degrees(math.acos(radius / (radius + max(scene.altitude, 0.0))))
-        if horizon > _WIDE:
-            warn(
-                f"clouds are lit by the sun of one place and seen up to {horizon:.0f}° from it: "
-                "there their light is wrong; a map, ground.clouds, has the sun of each place"
-            )
         box = Box(latitude=scene.latitude, longitude=scene.longitude)
 
         @functools.cache
@@ -101,7 +105,8 @@ class CloudsAround:
             return clouds_of(planet, nm, box)
 
         def deck(number: int, field: CloudField) -> CloudDeck:
-            return CloudDeck(field, lambda nm: at(*nm)[number][1], number)
+            place = seen_place(field, scene, radius) if aimed else (0.0, 0.0)
+            return CloudDeck(field, lambda nm: at(*nm)[number][1], number, place)
 
         decks = [deck(number, field) for number, (field, _) in enumerate(at(550.0))]
         return cls(
@@ -126,11 +131,13 @@ class CloudsAround:
         light : int
             Number of the light among those of the scenes of ``solved_at``.
         """
+        wide = _horizon(scene, solution.medium.bottom_radius) > _WIDE
         nodes = [(weight, one.with_light(one.lights[light])) for weight, one in self.solved_at]
         suns = [(1.0, scene), *nodes]
         key = (
             id(solution.moments),
             solution.lights[0].angular_radius,
+            wide,
             *((weight, sun_over(deck.field, one)) for weight, one in suns for deck in self.decks),
         )
 
@@ -147,6 +154,7 @@ class CloudsAround:
                     self.decks[number],
                     OtherClouds(layer, tuple(found), tuple(others)),
                     solved_at=nodes,
+                    wide=wide,
                     quality=self.quality,
                     cache=self.cache,
                     progress=progress,
@@ -173,3 +181,8 @@ class CloudsAround:
         from airlight.render.clouds.through_clouds import ThroughClouds
 
         return ThroughClouds(self.decks, solution, scene).transmittance
+
+
+def _horizon(scene: Scene, radius: float) -> float:
+    """Distance of the horizon, seen from the planet's centre. [deg]"""
+    return math.degrees(math.acos(radius / (radius + max(scene.altitude, 0.0))))

@@ -21,6 +21,7 @@ from airlight.render.clouds.cloud_march import add_clouds, no_light
 from airlight.render.clouds.cloud_place import beam_depth_at, box_place
 from airlight.render.clouds.cloud_tables import ONCE, PARTS, WHOLE, CloudTables, CloudWork, Q, U
 from airlight.render.clouds.line_of_air import line_of_air
+from airlight.render.clouds.local_sun import local_light, local_slant, sun_place
 from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.ground_angles import ground_angles
 from airlight.render.pixels.land import haze_beyond, seen_hill
@@ -141,7 +142,9 @@ def shade_ground(ray, distance, orders, clouds, tables, work, front):
         nx, ny, _ = cell_level(0, layer.levels)
         if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
             lowest = n
-            lane_view(front.solved)[0] = ground_below(x, y, number, layer)
+            low, share = sun_place(point, layer)
+            below = ground_below(x, y, number, layer)
+            lane_view(front.solved)[0] = below * local_light(0.0, low, share, layer)
     for at in range(0, tables.lanes, LANES):
         received, behind = lane_view(work.irradiance, at), lane_view(work.radiance, at)
         before = maximum(received[0] + received[1], splat(1e-30))
@@ -149,9 +152,10 @@ def shade_ground(ray, distance, orders, clouds, tables, work, front):
         for n in range(len(clouds.layers)):
             layer = tuple_item(clouds.layers, n)
             width = 0.5 * layer.step_x * layer.levels[0, 0]
+            mean = np.float32(layer.mean_visibility ** local_slant(point, layer))
             wide = np.float32(min(distance * clouds.pixel_angle / width, 1.0))
             seen = exponential(load(layer.scaled[0], at) * np.float32(-front.beams[n]))
-            received[0] = received[0] * (seen + (splat(layer.mean_visibility) - seen) * wide)
+            received[0] = received[0] * (seen + (splat(mean) - seen) * wide)
             if n == lowest and orders != 1:
                 spectrum, diffuse = lane_view(layer.spectrum, at), splat(0.0)
                 for k in range(4):

@@ -11,15 +11,19 @@ from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.clouds.air_table import DIRECTIONS, air_table
-from airlight.render.clouds.cloud_light import CloudLight, sun_in_frame
+from airlight.render.clouds.cloud_deck import solved_wavelengths
+from airlight.render.clouds.cloud_light import CloudLight
 from airlight.render.clouds.cloud_tables import SOLVED, CloudTables, LayerTables
 from airlight.render.clouds.detail_levels import Cells, detail_levels, stacked
 from airlight.render.clouds.directions import harmonic_norms
+from airlight.render.clouds.higher_orders import InnerSource, no_inner
+from airlight.render.clouds.incident_light import sun_in_frame
 from airlight.render.clouds.layer_geometry import layer_geometry
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.render.pixels.sky_view_window import coarse_window
 from airlight.scene import Scene
 from airlight.solver.boxes.directions import degrees
+from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.moments.march_tables import MarchTables
 from airlight.solver.moments.packing import pack
 from airlight.solver.moments.solution import MomentsSolution
@@ -31,6 +35,9 @@ Float32Array = NDArray[np.float32]
 _PHASES: Final = 40001
 _ALTITUDES: Final = 4
 _ANGLES: Final = 256
+#: Least irradiance of the star's, and largest ratio of that of two places. [1]
+_DARK: Final = 1e-12
+_MOST: Final = 1000.0
 
 
 def cloud_tables(
@@ -94,11 +101,9 @@ def _layer(
 ) -> LayerTables:
     """Tables of one of the clouds."""
     box, optics = light.box, light.optics
-    moments = box.moments[:, :, box.below :]
-    per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
     factor = 0.0 if observer.orders == 1 else 1.0
-    source = moments * (factor * per_degree).astype(np.float32)
     beam, low, high = _beam(light, solution, scene)
+    sines = np.linspace(low, high, _ANGLES)
     if observer.orders == 0:
         beam = np.zeros_like(beam)
     scaled = light.scaled
@@ -112,7 +117,7 @@ def _layer(
         clear=light.clear,
         depth=light.depth,
         base_depth=light.base_depth,
-        source=_in_pairs(source),
+        source=_source(box, factor),
         down=_twice(box.down.transpose(1, 0, 2) * np.float32(factor)),
     )
     radius, eye = solution.medium.bottom_radius, solution.medium.bottom_radius + scene.altitude
@@ -123,6 +128,7 @@ def _layer(
     return LayerTables(
         **stacked(detail_levels(light, finest, width, eye > 0.5 * (base + top))),
         **layer_geometry(light.field, scene, solution.medium.bottom_radius),
+        inner=_inner(light, factor),
         sun=sun_in_frame(scene),
         mean_visibility=float(light.visibility(light.field.base).mean()),
         solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], missing=1.0),
@@ -136,7 +142,25 @@ def _layer(
         beam=pack(beam),
         beam_low=low,
         beam_high=high,
+        slant=light.local.depth_over(sines, light.towards[2]),
+        local=_local(light, solution, sines),
     )
+
+
+def _local(light: CloudLight, solution: MomentsSolution, sines: FloatArray) -> Float32Array:
+    """Higher orders under the suns of sines over those under the sun of the box."""
+    own = light.towards[2]
+    mu_s = np.append(sines, own)
+    r = np.full(mu_s.size, solution.medium.bottom_radius + light.field.top)
+    sky = solution.relative_sky_irradiance(r, mu_s)
+    if light.layer is not None:
+        sky = sky * light.layer.sky_ratio(r, mu_s)
+    beam = np.maximum(solution.relative_normal_irradiance(r, mu_s), 0.0)
+    received = sky + beam * np.maximum(mu_s, 0.0)[:, None]
+    received = received[:, solved_wavelengths(received.shape[1])]
+    ratio = received[:-1] / np.maximum(received[-1], _DARK)
+    found = light.local.light_over(sines, own) * np.clip(ratio, 0.0, _MOST)[:, None]
+    return _twice(found.astype(np.float32), missing=1.0)
 
 
 def _twice(values: Float32Array, missing: float = 0.0) -> Float32Array:
@@ -144,6 +168,25 @@ def _twice(values: Float32Array, missing: float = 0.0) -> Float32Array:
     half = np.full((*values.shape[:-1], SOLVED), missing, np.float32)
     half[..., : values.shape[-1]] = values
     return np.ascontiguousarray(np.concatenate([half, half], axis=-1))
+
+
+def _source(box: BoxSolution, factor: float) -> Float32Array:
+    """Multiple scattering by a cloud of extinction 1 in a box, times a factor. [sr⁻¹]"""
+    per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
+    return _in_pairs(box.moments[:, :, box.below :] * (factor * per_degree).astype(np.float32))
+
+
+def _inner(light: CloudLight, factor: float) -> InnerSource:
+    """Source of the finer box."""
+    inner, field = light.inner, light.box.field
+    if inner is None:
+        return no_inner()
+    east, north, _ = light.field.spacing
+    corner = inner.field.west - field.west, inner.field.south - field.south
+    wide, long = inner.field.sides
+    return InnerSource(
+        corner[0] / east, corner[1] / north, wide / east, long / north, _source(inner, factor)
+    )
 
 
 def _in_pairs(source: Float32Array) -> Float32Array:

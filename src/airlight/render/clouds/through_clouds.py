@@ -23,6 +23,7 @@ from airlight.render.clouds.cloud_tables import (
 )
 from airlight.render.clouds.detail_levels import Cells, stacked
 from airlight.render.clouds.directions import harmonic_norms
+from airlight.render.clouds.higher_orders import no_inner
 from airlight.render.clouds.layer_geometry import layer_geometry
 from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.sky_view_window import SkyViewWindow
@@ -116,6 +117,7 @@ def _dark_layer(deck: CloudDeck, solution: MomentsSolution, scene: Scene) -> Lay
         **geometry,
         sun=Vec3(0.0, 0.0, 1.0),
         **stacked([finest]),
+        inner=no_inner(),
         mean_visibility=1.0,
         solved_extinction=dark + np.float32(1.0),
         spectrum=pack(np.zeros((SOLVED, nl))),
@@ -128,4 +130,6 @@ def _dark_layer(deck: CloudDeck, solution: MomentsSolution, scene: Scene) -> Lay
         beam=pack(np.zeros((2, 2, nl))),
         beam_low=-1.0,
         beam_high=1.0,
+        slant=np.ones(2),
+        local=np.ones((2, 1, 2 * SOLVED), np.float32),
     )

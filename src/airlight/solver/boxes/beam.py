@@ -260,7 +260,7 @@ def depth_towards(point, direction, cells):
 
 
 @compiled_loop
-def beam_row(y, sun, points, cells, out):
+def beam_row(y, sun, points, columns, cells, out):
     """Optical depths at 550 nm along the beam at level edges in a row of columns.
 
     Parameters
@@ -271,18 +271,19 @@ def beam_row(y, sun, points, cells, out):
         Unit vector to the sun.
     points : tuple of two int
         Points across a column along x and y.
+    columns : tuple
+        Altitudes of edges, and corner and widths of the columns, as of ``BeamCells``.
     cells : BeamCells
-    out : array, shape (points, nx, levels + 1)
+    out : array, shape (points, nx, edges)
         Receives the depths. [1]
     """
-    extinction, edges, corner, widths, _, _, _, _ = cells
-    levels, _, nx = extinction.shape
+    edges, corner, widths = columns
     across, along = points
-    for x in range(nx):
+    for x in range(out.shape[1]):
         for p in range(across * along):
             east = corner[0] + widths[0] * (x + (p % across + 0.5) / across)
             north = corner[1] + widths[1] * (y + (p // across + 0.5) / along)
-            for k in range(levels + 1):
+            for k in range(edges.size):
                 place = (east, north, edges[k])
                 out[p, x, k] = np.float32(depth_towards(place, sun, cells))
 

@@ -21,14 +21,15 @@ from airlight.solver.boxes.directions import (
     harmonics,
     term_count,
 )
-from airlight.solver.boxes.grid import BoxGrid
 from airlight.solver.boxes.linear import solve_linear
 from airlight.solver.boxes.problem import (
     BoxProblem,
     across_column,
+    begin,
     four_wide,
     half_range,
     in_pairs,
+    lost_light,
     sweep_directions,
 )
 from airlight.solver.boxes.rebalance import (
@@ -37,7 +38,6 @@ from airlight.solver.boxes.rebalance import (
     coefficients_for,
     correct,
 )
-from airlight.solver.boxes.scaled_optics import BoxOptics
 from airlight.solver.boxes.settings import BoxSettings
 from airlight.solver.boxes.stopping import change_of, remaining_error
 from airlight.solver.boxes.sweep import SweepCells, SweepLight, sweep_level
@@ -59,10 +59,6 @@ _COARSE: Final = 6.0
 _SETTLED: Final = 3
 _DAMPING: Final = np.float32(0.7)
 _LEAST_RELAXATION: Final = np.float32(0.2)
-#: Limits of the factor that conserves the energy of the beam; and cosine of the sun's zenith angle
-#: below which the factor fades, as horizontal planes get beam from beyond the box. [1]
-_LOST: Final = (0.9, 1.1)
-_LOW: Final = 0.1
 #: Least irradiance of the beam over the largest. [1]
 _DARK: Final = 1e-12
 #: Sweeps that progress expects after the present one.
@@ -112,15 +108,22 @@ class BoxIteration:
     ----------
     problem : BoxProblem
     settings : BoxSettings
-    sides : array, shape (2, 4, levels, 1, pairs, 8), optional
-        Light that enters at clear sides. [sr⁻¹]
+    sides : tuple of two arrays, shapes (2, 4, levels, ny or 1, pairs, 8), optional
+        Light that enters at sides that are not periodic, along x and (nx or 1) along y. [sr⁻¹]
+    start : array, shape (levels, ny, nx, terms, 4), optional
+        Moments to begin with, of any degree; by default those of diffusion. [1]
     """
 
     def __init__(
-        self, problem: BoxProblem, settings: BoxSettings, sides: Float32Array | None = None
+        self,
+        problem: BoxProblem,
+        settings: BoxSettings,
+        sides: tuple[Float32Array, Float32Array] | None = None,
+        start: Float32Array | None = None,
     ) -> None:
         grid, optics = problem.grid, problem.optics
         self.problem, self.settings, self.boundary = problem, settings, sides
+        self.start = start
         levels, ny, nx = grid.extinction.shape
         self.thickness = np.asarray(np.diff(grid.edges), np.float32)
         self.ways = directions(settings.zenith_angles, settings.azimuths)
@@ -180,25 +183,10 @@ class BoxIteration:
         run_blocks(lambda y: mean_beam_row(y, depths[y], given, across, out), ny)
         self.direct *= np.float32(self.cosine)
         if grid.periodic and self.cosine > 0.0:
-            self.beam *= self._lost(grid, optics)
+            self.beam *= lost_light(self.problem, self.thickness, self.beam, self.direct)
         amounts = (grid.extinction * self.thickness[:, None, None])[..., None] * self.beam
         amounts = centred(amounts, grid.extinction, offset, grid.periodic)
         self.lit[...] = amounts / self.thickness[:, None, None, None]
-
-    def _lost(self, grid: BoxGrid, optics: BoxOptics) -> Float32Array:
-        """Light that a periodic box takes from the beam, over that of its cells' means. [1]"""
-        thickness = np.asarray(self.thickness, np.float64)
-        cloud = np.einsum("kyx,kyxw->kw", grid.extinction, self.beam) * four_wide(optics.cloud)
-        clear = self.beam.sum(axis=(1, 2)) * four_wide(optics.air)
-        columns = grid.extinction[0].size
-        given = thickness @ (cloud + clear) / columns
-        top = self.cosine * four_wide(self.problem.direct)[-1]
-        lost = top - self.direct.mean(axis=(0, 1), dtype=np.float64)
-        factor = np.divide(lost, given, out=np.ones_like(given), where=given > 1e-9)
-        factor = np.clip(factor, *_LOST)
-        if self.problem.curvature > 0.0:
-            factor = 1.0 + min(self.cosine / _LOW, 1.0) * (factor - 1.0)
-        return np.asarray(factor, np.float32)
 
     def _balance_cells(self) -> None:
         grid, cells = self.problem.grid, self.cells
@@ -230,16 +218,16 @@ class BoxIteration:
         if self.boundary is None:
             return
         light = self.light
-        light.sides[...] = self.boundary
+        light.sides[...] = self.boundary[0]
         grid = self.problem.grid
-        split = (*self.boundary.shape[:3], -1, HALF_LANES)
-        values = self.boundary[:, :, :, 0].reshape(split)
         for axis, octants in ((0, ((0, 2), (1, 3))), (1, ((0, 1), (2, 3)))):
+            given = self.boundary[axis]
+            values = given.reshape(*given.shape[:4], -1, HALF_LANES)
             for last, some in enumerate(octants):
                 flux = np.abs(vectors[:, some, :, axis]) * weights[:, some]
-                inside = np.einsum("hokdw,hod->kw", values[:, some], flux) / grid.widths[axis]
+                inside = np.einsum("hokndw,hod->knw", values[:, some], flux) / grid.widths[axis]
                 at = (slice(None),) * (2 - axis) + (-last,)
-                self.gain[at] += inside[:, None].astype(np.float32)
+                self.gain[at] += inside.astype(np.float32)
 
     def phi(self) -> Float32Array:
         """Mean radiance times 4π of the cells, shape (levels, ny, nx, 4). [1]"""
@@ -329,7 +317,7 @@ class BoxIteration:
         for current in light.currents:
             current[:] = 0.0
         if not periodic and self.boundary is not None:
-            light.fronts[...] = self.boundary
+            light.fronts[...] = self.boundary[1]
         elif not periodic:
             light.fronts[...] = 0.0
         light.heads[0] = self.sky[:, None, None]
@@ -387,7 +375,11 @@ class BoxIteration:
         AirlightWarning
             If it still changes by more than ten times the tolerance, or levels are too thick.
         """
-        self.guess()
+        if self.start is None:
+            self.guess()
+        else:
+            self.down = begin(self.start, self.ways, self.settings.degree, self.light.moments)
+            self.start = None
         phi = self.phi()
         change = np.full(HALF_LANES, np.inf)
         sweeps, error = 0, np.inf

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from math import isqrt
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,11 @@ from airlight.solver.boxes.sweep import SweepDirections
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
+
+#: Limits of the factor that conserves the energy of the beam; and cosine of the sun's zenith angle
+#: below which the factor fades, as horizontal planes get beam from beyond the box. [1]
+_LOST: Final = (0.9, 1.1)
+_LOW: Final = 0.1
 
 
 class BoxProblem(NamedTuple):
@@ -56,18 +62,27 @@ def beam_depths(
     grid: BoxGrid,
     towards: tuple[float, float, float],
     points: int,
-    curvature: float,
+    cells: BeamCells,
+    corner: tuple[float, float],
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Float32Array:
-    """Unscaled optical depths of the cloud along the beam, see ``BoxProblem``."""
+    """Unscaled optical depths of the cloud along the beam, see ``BoxProblem``.
+
+    Parameters
+    ----------
+    cells : BeamCells
+        Cells that the beam crosses.
+    corner : tuple of two float
+        Coordinates of the western and southern sides of the box. [m]
+    """
     levels, ny, nx = grid.extinction.shape
     across = across_column(grid, points)
     found = np.zeros((ny, across[0] * across[1], nx, levels + 1), np.float32)
-    cells = beam_cells(grid, curvature)
+    columns = grid.edges, corner, grid.widths
     run_blocks(
-        lambda y: beam_row(y, towards, across, cells, found[y]),
+        lambda y: beam_row(y, towards, across, columns, cells, found[y]),
         ny,
         progress=progress,
         cancel=cancel,
@@ -150,3 +165,59 @@ def half_range(ways: BoxDirections, degree: int) -> Float32Array:
     basis = np.concatenate([np.ones_like(vectors[..., :1]), 3.0 * vectors], axis=-1)
     functions = harmonics(vectors, degree) * weights[..., None] / (4.0 * np.pi)
     return np.asarray(np.einsum("hodt,hodi->hti", functions, basis), np.float32)
+
+
+def begin(
+    moments: Float32Array,
+    ways: BoxDirections,
+    degree: int,
+    halves: tuple[Float32Array, Float32Array],
+) -> Float32Array:
+    """Fill moments of both hemispheres with given light; diffuse irradiance of the ground. [1]
+
+    Parameters
+    ----------
+    moments : array, shape (levels, ny, nx, terms, 4)
+        Moments of all directions, of any degree. [1]
+    ways : BoxDirections
+    degree : int
+        Degree of the moments that are filled.
+    halves : tuple of two arrays
+        See ``SweepLight.moments``.
+    """
+    vectors, weights = ways
+    known = harmonics(vectors, isqrt(moments.shape[3]) - 1)
+    weighted = harmonics(vectors, degree) * weights[..., None]
+    for half, kept in enumerate(halves):
+        share = np.einsum("odt,odi->ti", weighted[half], known[half]).astype(np.float32)
+        for level, row in enumerate(moments):
+            kept[level] = share @ row
+    falling = np.einsum("od,odi->i", weights[0] * -vectors[0, ..., 2], known[0])
+    return np.asarray(np.maximum(falling.astype(np.float32) @ moments[0], 0.0))
+
+
+def lost_light(
+    problem: BoxProblem, thickness: Float32Array, beam: Float32Array, direct: Float32Array
+) -> Float32Array:
+    """Light that a periodic box takes from the beam, over that of its cells' means. [1]
+
+    Parameters
+    ----------
+    problem : BoxProblem
+    thickness : array, shape (levels,)
+        Depth of the levels. [m]
+    beam, direct : array
+        See ``BoxLevels``.
+    """
+    grid, optics, cosine = problem.grid, problem.optics, max(problem.towards[2], 0.0)
+    depths = np.asarray(thickness, np.float64)
+    cloud = np.einsum("kyx,kyxw->kw", grid.extinction, beam) * four_wide(optics.cloud)
+    clear = beam.sum(axis=(1, 2)) * four_wide(optics.air)
+    given = depths @ (cloud + clear) / grid.extinction[0].size
+    top = cosine * four_wide(problem.direct)[-1]
+    lost = top - direct.mean(axis=(0, 1), dtype=np.float64)
+    factor = np.divide(lost, given, out=np.ones_like(given), where=given > 1e-9)
+    factor = np.clip(factor, *_LOST)
+    if problem.curvature > 0.0:
+        factor = 1.0 + min(cosine / _LOW, 1.0) * (factor - 1.0)
+    return np.asarray(factor, np.float32)

@@ -22,7 +22,8 @@ from airlight.solver.boxes.directions import TOGETHER, directions, term_count
 from airlight.solver.boxes.grid import BoxGrid, box_grid
 from airlight.solver.boxes.iterate import BoxIteration, BoxLevels
 from airlight.solver.boxes.light import BoxLight
-from airlight.solver.boxes.problem import BoxProblem, beam_depths
+from airlight.solver.boxes.nest import Nest
+from airlight.solver.boxes.problem import BoxProblem, beam_cells, beam_depths
 from airlight.solver.boxes.scaled_optics import BoxOptics, scaled_optics
 from airlight.solver.boxes.settings import BoxSettings, settings_for
 from airlight.solver.boxes.solution import BoxSolution
@@ -51,6 +52,7 @@ def solve_box(
     optics: CloudOptics,
     light: BoxLight,
     *,
+    nest: Nest | None = None,
     quality: str | BoxSettings = "default",
     cache: bool = True,
     progress: Progress | None = None,
@@ -69,6 +71,8 @@ def solve_box(
         Optical properties of its particles, at any number of wavelengths.
     light : BoxLight
         Sun, sky, ground and air.
+    nest : Nest, optional
+        Larger box, whose light enters at the sides.
     quality : str or BoxSettings
         ``"preview"``, ``"default"`` or ``"high"``, or settings.
     cache : bool
@@ -96,10 +100,10 @@ def solve_box(
     given = light.sky_at(sky_directions(settings), count), _direct(light, optics, grid, settings)
 
     def make() -> BoxSolution:
-        return _computed(field, optics, light, settings, grid, given, progress, cancel)
+        return _computed(field, optics, light, settings, grid, given, nest, progress, cancel)
 
     return disk.cached(
-        _key(field, optics, light, settings, given),
+        _key(field, optics, light, settings, given, nest),
         make,
         _to_arrays,
         lambda stored: _of_arrays(stored, field, optics, light, settings, grid),
@@ -124,6 +128,7 @@ def _computed(
     settings: BoxSettings,
     grid: BoxGrid,
     given: tuple[FloatArray, FloatArray],
+    nest: Nest | None,
     progress: Progress | None,
     cancel: Cancel | None,
 ) -> BoxSolution:
@@ -134,11 +139,15 @@ def _computed(
     shape = grid.extinction.shape[1:]
     depth = np.zeros((shape[0], 1, shape[1], beam.shape[0]), np.float32)
     if beam.any():
+        cells = beam_cells(grid, light.curvature)
+        if nest is not None:
+            cells = nest.beam_cells(float(grid.edges[0]), light.curvature)
         depth = beam_depths(
             grid,
             light.towards,
             settings.beam_points,
-            light.curvature,
+            cells,
+            cells.corner if nest is None else (field.west, field.south),
             progress=progress,
             cancel=cancel,
         )
@@ -158,11 +167,16 @@ def _computed(
             light.curvature,
             depth,
         )
-        sides = None if grid.periodic else _sides(problem, settings)
+        sides, start = None, None
+        if nest is not None:
+            ways = directions(settings.zenith_angles, settings.azimuths)
+            sides, start = nest.sides(field, grid, ways, some), nest.start(field, grid, some)
+        elif not grid.periodic:
+            sides = _sides(problem, settings)
         # Without names, so that workspaces are free when moments are copied.
         parts.append(
             _BoxPart.of(
-                BoxIteration(problem, settings, sides).run(progress=progress, cancel=cancel),
+                BoxIteration(problem, settings, sides, start).run(progress=progress, cancel=cancel),
                 grid,
                 settings,
                 some.stop - some.start,
@@ -262,7 +276,7 @@ class _BoxPart(tuple[NDArray[Any], ...]):
         )
 
 
-def _sides(problem: BoxProblem, settings: BoxSettings) -> Float32Array:
+def _sides(problem: BoxProblem, settings: BoxSettings) -> tuple[Float32Array, Float32Array]:
     """Light at the sides: that of one column without cloud, which repeats itself."""
     grid = problem.grid
     levels = grid.extinction.shape[0]
@@ -272,7 +286,8 @@ def _sides(problem: BoxProblem, settings: BoxSettings) -> Float32Array:
     )  # fmt: skip
     depth = np.zeros((1, 1, 1, levels + 1), np.float32)
     alone = problem._replace(grid=column, beam_depth=depth)
-    return BoxIteration(alone, settings).run().sides
+    sides = BoxIteration(alone, settings).run().sides
+    return sides, sides
 
 
 def _key(
@@ -281,6 +296,7 @@ def _key(
     light: BoxLight,
     settings: BoxSettings,
     given: tuple[FloatArray, FloatArray],
+    nest: Nest | None,
 ) -> str:
     """Fingerprint of all that a solution depends on."""
     digest = hashlib.sha256(f"boxes {fingerprint(Path(__file__))} {settings.as_text()}".encode())
@@ -293,6 +309,9 @@ def _key(
     arrays.append(optics.phase.values(np.cos(np.radians(_ANGLES)), nm))
     if light.air is not None:
         arrays += [light.air.edges, light.air.extinction, light.air.albedo, light.air.moments]
+    if nest is not None:
+        digest.update(f"{field.drift} {nest.field.drift} {nest.field.spacing}".encode())
+        arrays += [nest.around.moments, nest.field.extinction]
     for one in arrays:
         digest.update(np.ascontiguousarray(one).tobytes())
     return digest.hexdigest()[:40]
