@@ -97,7 +97,6 @@ def _layer(
     moments = box.moments[:, :, box.below :]
     per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
     factor = 0.0 if observer.orders == 1 else 1.0
-    source = moments * (factor * per_degree).astype(np.float32)
     beam, low, high = _beam(light, solution, scene)
     if observer.orders == 0:
         beam = np.zeros_like(beam)
@@ -112,7 +111,7 @@ def _layer(
         clear=light.clear,
         depth=light.depth,
         base_depth=light.base_depth,
-        source=_in_pairs(source),
+        source=_in_pairs(moments, (factor * per_degree).astype(np.float32)),
         down=_twice(box.down.transpose(1, 0, 2) * np.float32(factor)),
     )
     radius, eye = solution.medium.bottom_radius, solution.medium.bottom_radius + scene.altitude
@@ -146,12 +145,12 @@ def _twice(values: Float32Array, missing: float = 0.0) -> Float32Array:
     return np.ascontiguousarray(np.concatenate([half, half], axis=-1))
 
 
-def _in_pairs(source: Float32Array) -> Float32Array:
-    """Source (nx, ny, nz, terms, solved) as (nz, ny, nx, pairs, 8)."""
-    nx, ny, nz, terms, count = source.shape
+def _in_pairs(moments: Float32Array, factors: Float32Array) -> Float32Array:
+    """Moments (nx, ny, nz, terms, solved) times factors, as (nz, ny, nx, pairs, 8)."""
+    nx, ny, nz, terms, count = moments.shape
     pairs = (terms + 1) // 2
     out = np.zeros((nz, ny, nx, 2 * pairs, SOLVED), np.float32)
-    out[..., :terms, :count] = source.transpose(2, 1, 0, 3, 4)
+    np.multiply(moments.transpose(2, 1, 0, 3, 4), factors, out=out[..., :terms, :count])
     return out.reshape(nz, ny, nx, pairs, 2 * SOLVED)
 
 
