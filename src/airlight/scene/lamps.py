@@ -39,11 +39,11 @@ _IN_TOWN: Final = 0.4
 #: Half of the width of roads, and the largest of wide pixels. [cell]
 _ROAD: Final = 0.05
 _WIDEST: Final = 0.15
-#: Mean of the cubes of the 289 hashed values from 0 to 1. [1]
-_ROAD_MEAN: Final = sum((k / 288.0) ** 3 for k in range(289)) / 289.0
+#: Mean of the fourth powers of the 289 hashed values from 0 to 1: few roads are bright. [1]
+_ROAD_MEAN: Final = sum((k / 288.0) ** 4 for k in range(289)) / 289.0
 #: Share of a lattice's light that is between its places and roads, in the brightest towns; and of
 #: the coarsest lattice, in addition, in dark land, where the map knows better. [1]
-_BETWEEN: Final = 0.5
+_BETWEEN: Final = 0.4
 #: Share of the rest that is on the roads of the coarsest lattice, and its increase per lattice. [1]
 _ON_ROADS: Final = 0.06
 _MORE_ROADS: Final = 0.12
@@ -56,7 +56,7 @@ _NEAREST: Final = 150.0
 _GRAZING: Final = 0.02
 _STEEP: Final = 0.08
 #: Height of houses, from which on an observer sees all lamps. [m]
-ROOFS: Final = 30.0
+ROOFS: Final = 12.0
 #: Displacement of towns over that of coasts. [1]
 BENT: Final = 4.0
 
@@ -140,8 +140,8 @@ def road_light(x, y, narrow, width, start, end, value):
     length = sqrt(square)
     away = (dx * along_y - dy * along_x) / (length * width)
     inside = max(1.0 - away * away, 0.0)
-    value *= value * value / 288.0**3
-    return value * inside * inside * narrow * (15.0 / 16.0) / (width * length * _ROAD_MEAN)
+    value *= value / 288.0**2
+    return value * value * inside * inside * narrow * (15.0 / 16.0) / (width * length * _ROAD_MEAN)
 
 
 @kernel
