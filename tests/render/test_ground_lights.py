@@ -54,9 +54,9 @@ def test_lights_are_as_bright_as_their_map_says(
     assert TOWN_LUMINANCE * clear.min() * 0.98 <= seen <= TOWN_LUMINANCE * clear.max() * more
     if altitude < 1e5:
         assert_allclose(seen, TOWN_LUMINANCE, rtol=0.02)
-        # CIE 15: the chromaticity of a black body of 2700 K.
+        # CIE 15: the chromaticity of a black body of 2250 K.
         xyz = rgb_to_xyz(rgb.astype(float))
-        assert_allclose(chromaticity(xyz), [0.4599, 0.4106], atol=0.02)
+        assert_allclose(chromaticity(xyz), [0.5003, 0.4153], atol=0.02)
 
 
 def test_lights_are_added_to_what_the_ground_reflects(lit: Callable[..., MomentsSolution]) -> None:

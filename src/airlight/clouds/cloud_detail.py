@@ -11,10 +11,13 @@ from __future__ import annotations
 from math import exp
 from typing import Final, NamedTuple
 
+import numpy as np
+
 from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, gradient_noise
 from airlight.kernel import kernel
+from airlight.kernel.lanes import LANES, lane_sum, load, maximum, minimum
 
-#: Number of octaves.
+#: Number of octaves, at most that of lanes.
 OCTAVES: Final = 6
 #: Standard deviation of the logarithm of the extinction in the coarsest octave. [1]
 CONTRAST: Final = 0.35
@@ -24,6 +27,15 @@ FALL: Final = 0.7937
 DISPLACED: Final = 0.25
 #: Ratio of the displacements of an octave and the next coarser one: the field is bent, not folded.
 DISPLACED_FALL: Final = 0.42
+
+_OCTAVE: Final = np.arange(LANES)
+_SEEN: Final = np.where(_OCTAVE < OCTAVES, 1.0, 0.0)
+#: Of octaves in lanes: width of the coarsest over their own, contrast, and displacements to the
+#: east and to the north over contrast and the width of a cell. [1]
+_FINE: Final = (2.0**_OCTAVE).astype(np.float32)
+_CONTRASTS: Final = (_SEEN * CONTRAST * FALL**_OCTAVE).astype(np.float32)
+_MOVED: Final = (DISPLACED / CONTRAST * (DISPLACED_FALL / FALL) ** _OCTAVE).astype(np.float32)
+_TURNED: Final = _MOVED * (-1.0) ** _OCTAVE.astype(np.float32)
 
 
 class CloudDetail(NamedTuple):
@@ -59,20 +71,13 @@ def cloud_detail(east, north, altitude, width, cell):
     cell : float
         Horizontal width of a cell of the field. [m]
     """
-    total, variance, first, second, third = 0.0, 0.0, 0.0, 0.0, 0.0
-    size, contrast, moved, sign = cell, CONTRAST, DISPLACED * cell, 1.0
-    for _octave in range(OCTAVES):
-        shown = min(0.5 * size / width - 1.0, 1.0)
-        if shown > 0.0:
-            noise = shown / GRADIENT_DEVIATION
-            noise *= gradient_noise(east / size, north / size, altitude / size)
-            total += contrast * noise
-            variance += contrast * contrast * shown * shown
-            first += moved * noise
-            second += sign * moved * noise
-            third = third - moved * noise
-        size *= 0.5
-        contrast *= FALL
-        moved *= DISPLACED_FALL
-        sign = -sign
-    return CloudDetail(exp(total - 0.5 * variance), first, second, 0.5 * third)
+    fine, contrast = load(_FINE, 0) * (1.0 / cell), load(_CONTRASTS, 0)
+    moved, turned = load(_MOVED, 0), load(_TURNED, 0)
+    shown = minimum(0.5 / width / fine - 1.0, 1.0)
+    shown = maximum(shown, 0.0) * contrast
+    variance = lane_sum(shown * shown)
+    noise = gradient_noise(fine * east, fine * north, fine * altitude)
+    noise = noise * shown * (1.0 / GRADIENT_DEVIATION)
+    first = cell * lane_sum(moved * noise)
+    second = cell * lane_sum(turned * noise)
+    return CloudDetail(exp(lane_sum(noise) - 0.5 * variance), first, second, -0.5 * first)

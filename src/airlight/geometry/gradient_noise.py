@@ -1,4 +1,4 @@
-"""Value noise and gradient noise on a periodic lattice."""
+"""Value noise and gradient noise on a periodic lattice; also of lanes of places."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def shuffled(number):
     >>> shuffled(1.0), sorted(shuffled(float(n)) for n in range(289)) == list(range(289))
     (35.0, True)
     """
-    rest = number - 289.0 if number >= 289.0 else number
+    rest = below_289(number)
     # (34 · 288 + 1) · 288 is exact in single precision, and its quotient within 0.0008
     return below_289((34.0 * rest + 1.0) * rest)
 
@@ -116,9 +116,10 @@ def corner_slope(column, k, x, y, z):
     # centres of cells of the map, so that directions balance
     a, b = (row - 3.0) * (2.0 / 7.0), (value - 7.0 * row - 3.0) * (2.0 / 7.0)
     c = 1.0 - abs(a) - abs(b)
-    fold = max(-c, 0.0)
-    a += -fold if a >= 0.0 else fold
-    b += -fold if b >= 0.0 else fold
+    fold = 0.5 * (abs(c) - c)
+    # towards zero: the floor is 0 or -1
+    a -= fold * (1.0 + 2.0 * np.floor(a))
+    b -= fold * (1.0 + 2.0 * np.floor(b))
     return a * x + b * y + c * z
 
 
@@ -137,7 +138,7 @@ def gradient_noise(x, y, z):
     i, j, k = in_period(i), in_period(j), in_period(k)
     far, high = in_period(j + 1.0), in_period(k + 1.0)
     left, right = shuffled(i), shuffled(in_period(i + 1.0))
-    total = 0.0
+    total = 0.0 * x
     for corner in range(4):
         column, start, height, share = left, j, y, 1.0 - v
         if corner > 1:

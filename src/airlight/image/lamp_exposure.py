@@ -13,7 +13,7 @@ from airlight.kernel import inlined, kernel
 _LAMPS: Final = 0.01
 _LAMPLIT: Final = 4.0
 _LAMPS_ALONE: Final = 2.0
-_SHORTER: Final = 1.5
+_SHORTER: Final = 2.0
 
 
 @inlined
@@ -51,7 +51,7 @@ def lamps_shorter(contrast, longer):
     Examples
     --------
     >>> lamps_shorter(64.0, 2.0), lamps_shorter(64.0, 1.0), lamps_shorter(8.0, 2.0)
-    (1.5, 0.0, 0.0)
+    (2.0, 0.0, 0.0)
     """
     part = min(max((log2(contrast) - _LAMPLIT) / _LAMPS_ALONE, 0.0), 1.0)
     return _SHORTER * part * min(max(2.0 * longer - 3.0, 0.0), 1.0)

@@ -32,8 +32,9 @@ _RELIEF: Final = "-relief.png"
 #: 4e-8 W cm⁻² sr⁻¹ between 0.5 and 0.9 µm; VIIRS sees up to some 1e-7 in pixels of 0.5 km in the
 #: centre of large towns (Elvidge et al. 2017, Int. J. Remote Sens. 38, 5860). [cd m⁻²]
 TOWN_LUMINANCE: Final = 0.085
-#: Black-body temperature of the colour of the lamps. [K]
-LAMP_TEMPERATURE: Final = 2700.0
+#: Black-body temperature of the colour of the lamps: high-pressure sodium, of 2000 to 2100 K, with
+#: some white ones. [K]
+LAMP_TEMPERATURE: Final = 2250.0
 #: sRGB codes of heights from their linear ones: lowlands, which are smooth, get most of the steps.
 _HEIGHT_CODES: Final = np.rint(255.0 * srgb_encode(np.arange(256) / 255.0)).astype(np.uint8)
 #: Rows upsampled together.

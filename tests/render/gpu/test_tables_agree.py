@@ -491,7 +491,8 @@ WHOLE = {
     "test_lights.py::test_lights_by_night_are_those_of_the_cpu": (
         "columns_to_ground", "lamp_light", "airglow_color", "airglow_on_ground", "night_light",
         "layer_column", "layer_columns", "skyglow_color", "lamps_below", "scattered_lamps",
-        "crossing", "along_lines", "lamps_at", "lamp_bump", "by_night",
+        "crossing", "lamps_at", "lattice_light", "lit_place", "place_light", "round_light",
+        "road_light", "by_night",
     ),
     "test_solver.py::test_a_preview_agrees_with_the_cpu": (
         "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",

@@ -8,13 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
+from airlight.kernel import compiled_loop
 
 Float32Array = NDArray[np.float32]
 
 #: Extinction below which a cell is clear. [m⁻¹]
 _NOTHING: Final = 1e-9
-#: Cells beyond the sides of a periodic box that are looked at.
-_AROUND: Final = 48
+#: Cells from one with extinction that are not clear: one for interpolation, and one as distances
+#: are those between faces.
+_FILLED: Final = 2
+#: Longest distance. [m]
+_LONGEST: Final = 1e5
 #: Share of the distance that is kept, for the curvature of the box. [1]
 _KEPT: Final = 0.95
 #: Displacement by detail over the width of a cell beyond the half cell that interpolation leaves:
@@ -27,23 +31,37 @@ def clear_distances(field: CloudField) -> Float32Array:
 
     Clouds end a cell beyond the middles of those with extinction, by linear interpolation.
     """
-    from scipy.ndimage import distance_transform_edt, maximum_filter
-
-    cells = np.ascontiguousarray(field.extinction.transpose(2, 1, 0))
-    sides = "wrap" if field.beyond == "periodic" else "nearest"
-    # a cell around for interpolation, and one as distances are those between faces
-    filled = maximum_filter(cells > _NOTHING, size=5, mode=("nearest", sides, sides))
+    cells = field.extinction.transpose(2, 1, 0) > _NOTHING
+    square = np.where(cells, np.float32(0.0), np.float32(_LONGEST**2))
+    periodic = field.beyond == "periodic"
     steps = field.spacing[2], field.spacing[1], field.spacing[0]
-    if not filled.any():
-        return np.full(cells.shape, 1e5, np.float32)
-    pad = [0, 0, 0]
-    if sides == "wrap":
-        pad = [0, min(_AROUND, cells.shape[1]), min(_AROUND, cells.shape[2])]
-    wide = np.pad(filled, [(n, n) for n in pad], mode="wrap")
-    distance = distance_transform_edt(~wide, sampling=steps)
-    for axis in (1, 2):
-        if pad[axis]:
-            distance = np.minimum(distance, pad[axis] * steps[axis])
-    distance = distance[:, pad[1] : pad[1] + cells.shape[1], pad[2] : pad[2] + cells.shape[2]]
-    displaced = _DISPLACED * min(steps[1:])
-    return np.asarray(_KEPT * np.maximum(distance - displaced, 0.0), np.float32)
+    for axis, step in enumerate(steps):
+        lines = np.ascontiguousarray(np.moveaxis(square, axis, -1))
+        out = np.empty_like(lines)
+        rows = (-1, lines.shape[-1])
+        _nearest(lines.reshape(rows), step, periodic and axis > 0, out.reshape(rows))
+        square = np.moveaxis(out, -1, axis)
+    distance = np.sqrt(square) - np.float32(_DISPLACED * min(steps[1:]))
+    return np.ascontiguousarray(np.float32(_KEPT) * np.maximum(distance, np.float32(0.0)))
+
+
+@compiled_loop
+def _nearest(given, step, periodic, out):
+    """Least square of distances, from that across rows and the places along them. [m²]"""
+    count = given.shape[1]
+    for row in range(given.shape[0]):
+        for i in range(count):
+            least = given[row, i]
+            for away in range(1, count):
+                square = (max(away - _FILLED, 0) * step) ** 2
+                if square >= least:
+                    break
+                before, after = i - away, i + away
+                if periodic:
+                    before += count if before < 0 else 0
+                    after -= count if after >= count else 0
+                if before >= 0:
+                    least = min(least, square + given[row, before])
+                if after < count:
+                    least = min(least, square + given[row, after])
+            out[row, i] = least

@@ -68,21 +68,15 @@ def stacked(levels: list[Cells]) -> dict[str, Any]:
             last = array
         found[name] = np.array(rows, np.int64)
     for name in Cells._fields:
+        starts = found["source_levels" if name in ("source", "down") else "levels"]
+        before = (slice(None),) * (0 if name in ("base_depth", "down") else 1)
         arrays = [getattr(one, name) for one in levels]
-        kept = [one for k, one in enumerate(arrays) if k == 0 or one is not arrays[k - 1]]
-        across = 0 if name in ("base_depth", "down") else 1
-        wide = kept[0].shape[across + 1]
-        padded = [
-            np.pad(
-                one,
-                [
-                    (0, wide - one.shape[axis] if axis == across + 1 else 0)
-                    for axis in range(one.ndim)
-                ],
-            )
-            for one in kept
-        ]
-        found[name] = np.concatenate(padded, axis=across) if len(kept) > 1 else kept[0]
+        shape = list(arrays[0].shape)
+        shape[len(before)] = int(starts[-1, 1:].sum())
+        found[name] = np.zeros(shape, np.float32) if starts[-1, 2] else arrays[0]
+        for one, (columns, rows, first) in zip(arrays, starts, strict=True):
+            if starts[-1, 2]:
+                found[name][(*before, slice(first, first + rows), slice(columns))] = one
     return found
 
 
@@ -166,7 +160,11 @@ def _coarse(values: NDArray[Any], shape: tuple[int, int]) -> NDArray[Any]:
     """Means over the rows and columns of fewer cells; (…, ny, nx) or (nz, ny, nx, …)."""
     start = 0 if values.ndim == 2 else 1
     for axis, count in enumerate(shape, start=start):
-        if values.shape[axis] != count:
+        if values.shape[axis] == 2 * count:
+            before = (slice(None),) * axis
+            values = values[(*before, slice(0, None, 2))] + values[(*before, slice(1, None, 2))]
+            values *= values.dtype.type(0.5)
+        elif values.shape[axis] != count:
             mean = _overlap(values.shape[axis], count).astype(values.dtype)
             values = np.moveaxis(np.tensordot(mean, values, axes=(1, axis)), 0, axis)
     return values

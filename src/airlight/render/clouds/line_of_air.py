@@ -29,8 +29,8 @@ from airlight.render.clouds.cloud_tables import (
 from airlight.render.clouds.sight_extent import node_distance
 from airlight.render.pixels.sky_lookup import phase_of
 
-#: Points of an interval of the table of air at which the beam is followed; below the bases they are
-#: a cell apart at least.
+#: Most points of an interval of the table of air at which the beam is followed, a cell apart at
+#: least.
 SHADOWS = 8
 
 
@@ -155,9 +155,7 @@ def shade_line(ray, extent, layer, clouds, work):
     for node in range(1, nodes):
         distance = node_distance(node, nodes, extent)
         if distance > so_far:
-            points = SHADOWS
-            if so_far >= extent.leaves and distance <= extent.enters:
-                points = min(max(int((distance - so_far) / layer.step_x), 1), SHADOWS)
+            points = min(max(int((distance - so_far) / layer.step_x), 1), SHADOWS)
             gap, lit = (distance - so_far) / points, 0.0
             for k in range(points):
                 s = so_far + (k + 0.5) * gap

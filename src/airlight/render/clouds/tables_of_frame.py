@@ -173,7 +173,7 @@ def _twice(values: Float32Array, missing: float = 0.0) -> Float32Array:
 def _source(box: BoxSolution, factor: float) -> Float32Array:
     """Multiple scattering by a cloud of extinction 1 in a box, times a factor. [sr⁻¹]"""
     per_degree = np.asarray(box.scaled.cloud_source)[degrees(box.degree)]
-    return _in_pairs(box.moments[:, :, box.below :] * (factor * per_degree).astype(np.float32))
+    return _in_pairs(box.moments[:, :, box.below :], (factor * per_degree).astype(np.float32))
 
 
 def _inner(light: CloudLight, factor: float) -> InnerSource:
@@ -189,12 +189,12 @@ def _inner(light: CloudLight, factor: float) -> InnerSource:
     )
 
 
-def _in_pairs(source: Float32Array) -> Float32Array:
-    """Source (nx, ny, nz, terms, solved) as (nz, ny, nx, pairs, 8)."""
-    nx, ny, nz, terms, count = source.shape
+def _in_pairs(moments: Float32Array, factors: Float32Array) -> Float32Array:
+    """Moments (nx, ny, nz, terms, solved) times factors, as (nz, ny, nx, pairs, 8)."""
+    nx, ny, nz, terms, count = moments.shape
     pairs = (terms + 1) // 2
     out = np.zeros((nz, ny, nx, 2 * pairs, SOLVED), np.float32)
-    out[..., :terms, :count] = source.transpose(2, 1, 0, 3, 4)
+    np.multiply(moments.transpose(2, 1, 0, 3, 4), factors, out=out[..., :terms, :count])
     return out.reshape(nz, ny, nx, pairs, 2 * SOLVED)
 
 

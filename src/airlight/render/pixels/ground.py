@@ -54,7 +54,7 @@ from airlight.scene.ground_place import (
     map_level,
     moved_on,
 )
-from airlight.scene.lamps import BENT, lamps_at
+from airlight.scene.lamps import BENT, ROOFS, lamps_at
 from airlight.scene.land_texture import (
     FINEST_OF_MAP,
     texture_footprint,
@@ -204,14 +204,14 @@ def ground_color(ray, sine, angle, frame, color):
         if view.detailed and lamps > 0.0 and mu_s < DAYLIGHT:
             lamps = lamps_at(
                 lamps,
-                width,
                 cosine,
-                place,
+                latitude,
+                longitude,
                 texture_footprint(footprint, cosine),
-                view.detail_cell,
-                view.whole,
-                view.part,
+                pi * tables.bottom / view.over_rows,
+                view.over_rows,
             )
+            lamps *= min(observer.optical_altitude / ROOFS, 1.0)
         color[4] = lamps * (1.0 - color[9] * plane_albedo(cosine, tables.ground.layer))
         color[5] = color[4]
         color[6] = color[4]
