@@ -21,9 +21,9 @@ CONTRAST: Final = 0.35
 #: Ratio of the contrasts of an octave and the next coarser one, 2^(-1/3). [1]
 FALL: Final = 0.7937
 #: Standard deviation of the displacement by the coarsest octave, over the width of a cell. [1]
-DISPLACED: Final = 0.25
+DISPLACED: Final = 0.3
 #: Ratio of the displacements of an octave and the next coarser one: the field is bent, not folded.
-DISPLACED_FALL: Final = 0.42
+DISPLACED_FALL: Final = 0.5
 
 
 class CloudDetail(NamedTuple):

@@ -8,9 +8,7 @@ single precision.
 
 The noise also displaces the places at which maps are read between texels, which breaks the straight
 lines of their interpolation: by an eighth of the cells of each octave, so that the map is bent, not
-folded, and coasts keep their shape. Water is where its interpolated share exceeds a half. Variance
-of clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its small scales k^-3.6 (Davis
-et al. 1997, J. Atmos. Sci. 54, 241).
+folded, and coasts keep their shape. Water is where its interpolated share exceeds a half.
 """
 
 from __future__ import annotations
@@ -33,12 +31,8 @@ PLAIN_FALL: Final = 1.0
 DISPLACED: Final = 0.12
 #: Ratio of the displacements of an octave and the next coarser one. [1]
 DISPLACED_FALL: Final = 1.0 / STEP
-#: Reciprocal of the width of the edges of clouds, in standard deviations of that octave. [1]
-CLOUD_EDGE: Final = 1.2
 #: Ratio of the normal quantile to the logit, within 1 % of probability. [1]
 _LOGISTIC: Final = 1.702
-#: Ratio of the contrast of clouds in an octave to that in the next coarser one. [1]
-CLOUD_FALL: Final = 0.5
 #: Width of the coast where it is seen from near, 29 m on Earth. [texel]
 SHARPEST: Final = 1.0 / 256.0
 #: Rows of the map that defines the cells where the planet has none.
@@ -52,17 +46,13 @@ class GroundNoise(NamedTuple):
 
     Attributes
     ----------
-    land, cloud : float
-        For reflectances, and for the cover of clouds. [1]
-    cloud_variance : float
-        Variance of ``cloud``, less where fine octaves are not shown. [1]
+    land : float
+        For reflectances. [1]
     north, east : float
         For displacements. [1]
     """
 
     land: float
-    cloud: float
-    cloud_variance: float
     north: float
     east: float
 
@@ -122,11 +112,9 @@ def ground_detail(place, footprint, cell, whole, part, fall):
     fall : float
         Ratio of the contrast of land in an octave to that in the next coarser one. [1]
     """
-    land, cloud, variance, north, east, scale = 0.0, 0.0, 0.0, 0.0, 0.0, 1
+    land, north, east, scale = 0.0, 0.0, 0.0, 1
     for _octave in range(OCTAVES):
         land *= fall
-        cloud *= CLOUD_FALL
-        variance *= CLOUD_FALL * CLOUD_FALL
         north *= DISPLACED_FALL
         east *= -DISPLACED_FALL
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
@@ -143,13 +131,11 @@ def ground_detail(place, footprint, cell, whole, part, fall):
                 + (part.z + place.z / cell) / scale,
             )
             land += noise
-            cloud += noise
-            variance += shown * shown
             north += noise
             east += noise
         scale *= STEP
     inverse = 1.0 / GRADIENT_DEVIATION
-    return GroundNoise(land * inverse, cloud * inverse, variance, north * inverse, east * inverse)
+    return GroundNoise(land * inverse, north * inverse, east * inverse)
 
 
 @kernel
@@ -235,10 +221,8 @@ def grained_cover(cover, width, noise, variance, edge):
         Cover of the map. [1]
     width : float
         Result of ``pixel_width``. [texel]
-    noise, variance : float
-        ``cloud`` and ``cloud_variance`` of ``GroundNoise``. [1]
-    edge : float
-        Reciprocal of the width of edges, such as ``CLOUD_EDGE``. [1]
+    noise, variance, edge : float
+        Noise, its variance, and the reciprocal of the width of edges, as of ``CloudGrain``. [1]
 
     Examples
     --------

@@ -23,7 +23,7 @@ from airlight.geometry.gradient_noise import (
     shuffled,
 )
 from airlight.kernel import inlined, kernel
-from airlight.scene.ground_detail import CLOUD_FALL, OCTAVES, STEP, grained_cover
+from airlight.scene.ground_detail import OCTAVES, STEP, grained_cover
 
 #: Octave of streets, and of lamps, the last. Before it are main roads and quarters.
 _STREETS: Final = 2
@@ -48,6 +48,8 @@ _SIXTH: Final = 0.144099
 _BENDING: Final = 5.0
 #: Reciprocal of the width of the edges of towns, in standard deviations of the coarsest noise. [1]
 _TOWN_EDGE: Final = 1.3
+#: Ratio of the contrast of towns in an octave to that in the next coarser one. [1]
+_TOWN_FALL: Final = 0.5
 #: Share of the ground that is lit in the brightest towns. [1]
 _BUILT: Final = 0.5
 #: Largest cell over a pixel of which the pattern is not fainter. [1]
@@ -122,7 +124,7 @@ def lamps_at(lamps, width, cosine, place, footprint, cell, whole, part):
             y += (part.y + place.y / cell) / scale
             z += (part.z + place.z / cell) / scale
             if octave < _STREETS:
-                part_of_town = shown * CLOUD_FALL**octave
+                part_of_town = shown * _TOWN_FALL**octave
                 town += part_of_town * gradient_noise(x, y, z)
                 variance += part_of_town * part_of_town
             own = 0.0
@@ -139,7 +141,7 @@ def lamps_at(lamps, width, cosine, place, footprint, cell, whole, part):
                     own = 1.0 + _IN_QUARTERS * (own - 1.0)
             factor *= 1.0 + shown * (own - 1.0)
         scale = scale // STEP
-    town /= -GRADIENT_DEVIATION  # of the other sign than that of clouds of the same noise
+    town /= -GRADIENT_DEVIATION  # towns are where noise is low
     bright = sqrt(min(max(lamps, 0.0), 1.0))
     lit = grained_cover(_BUILT * bright, width, town, variance, _TOWN_EDGE)
     return bright * lit * factor / _BUILT
