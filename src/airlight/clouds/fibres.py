@@ -50,13 +50,14 @@ def fibre_extinction(
     below = grid.depth - grid.heights
     layers = np.empty(grid.shape)
     for level, fallen in enumerate(below):
-        ends = [trail(shear) * max(fallen + side * grid.level, 0.0) ** 2 for side in (-0.5, 0.5)]
+        # as long as two levels, between which extinction is interpolated
+        ends = [trail(shear) * max(fallen + side * grid.level, 0.0) ** 2 for side in (-1.0, 1.0)]
         middle, length = 0.5 * (ends[0] + ends[1]), ends[1] - ends[0]
         turned = TURN * trail(shear) * grid.depth
         spread = max(30.0, 0.5 * grid.spacing) + 0.02 * fallen
         response = (
             np.exp(2j * np.pi * (east * middle + north * turned * fallen))
-            * np.sinc(east * length + north * turned * grid.level)
+            * np.sinc(east * length + 2.0 * north * turned * grid.level)
             * np.exp(-2.0 * (np.pi * spread) ** 2 * (east**2 + north**2))
         )
         share = fallen / grid.depth

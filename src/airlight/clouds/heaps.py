@@ -74,6 +74,10 @@ class HeapShape(NamedTuple):
         Greatest height of a plume at the side of others over its radius. [1]
     sloping : float
         Decrease of the tops of plumes from the middle of the cloud to its edge. [1]
+    bulges : int
+        Number of smaller thermals on each. [1]
+    outside : float
+        Distance of their middles from that of the larger one over its radius. [1]
     edge : float
         Distance over which extinction falls at the edge. [cells]
     """
@@ -83,14 +87,30 @@ class HeapShape(NamedTuple):
     wandering: float
     slender: float
     sloping: float
+    bulges: int
+    outside: float
     edge: float
 
 
 HUMILIS: Final = HeapShape(
-    core=(0.18, 0.24), narrowing=0.5, wandering=0.12, slender=3.5, sloping=0.75, edge=0.7
+    core=(0.18, 0.24),
+    narrowing=0.5,
+    wandering=0.12,
+    slender=3.5,
+    sloping=0.75,
+    bulges=6,
+    outside=0.85,
+    edge=0.7,
 )
 CONGESTUS: Final = HeapShape(
-    core=(0.22, 0.28), narrowing=0.3, wandering=0.07, slender=2.4, sloping=0.4, edge=0.3
+    core=(0.22, 0.28),
+    narrowing=0.3,
+    wandering=0.07,
+    slender=2.4,
+    sloping=0.4,
+    bulges=10,
+    outside=0.95,
+    edge=0.3,
 )
 
 
@@ -317,7 +337,7 @@ def _cloud(
         rows += _plume(random, x, y, radius, peak, shape)
     thermals = tuple(rows)
     for _ in range(_GENERATIONS):
-        thermals = tuple(_bulges(random, thermals, top, least))
+        thermals = tuple(_bulges(random, shape, thermals, top, least))
         rows += thermals
     return np.array(rows)
 
@@ -359,16 +379,23 @@ def _plume(
 
 
 def _bulges(
-    random: np.random.Generator, thermals: Sequence[tuple[float, ...]], top: float, least: float
+    random: np.random.Generator,
+    shape: HeapShape,
+    thermals: Sequence[tuple[float, ...]],
+    top: float,
+    least: float,
 ) -> Iterator[tuple[float, ...]]:
     """Smaller thermals on the sides and tops of others: rows of ``Heaps``."""
     for x, y, h, a, b, _ in thermals:
-        for _ in range(6):
+        for _ in range(shape.bulges):
             turn, up = random.uniform(0.0, 2.0 * np.pi), random.uniform(-0.1, 1.0)
             out, small = sqrt(1.0 - up * up), random.uniform(0.3, 0.55) * min(a, b)
             if small < least:
                 continue
-            height = h + 0.85 * b * up
-            along, across = 0.85 * a * out * np.cos(turn), 0.85 * a * out * np.sin(turn)
+            height = h + shape.outside * b * up
+            along, across = (
+                shape.outside * a * out * np.cos(turn),
+                shape.outside * a * out * np.sin(turn),
+            )
             if 0.0 < height < top - 0.7 * small:
                 yield x + along, y + across, height, small, small, 0.0

@@ -16,9 +16,12 @@ from airlight.geometry.gradient_noise import PERIOD, gradient_noise
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import OCTAVES as GROUND_OCTAVES
 from airlight.scene.ground_detail import STEP, WHOLE_PERIOD
+from airlight.scene.land_texture import along_lattice
 
 #: Number of octaves.
 OCTAVES: Final = 8
+#: Step of the cover of a map; covers that are nearer to none or to all have no texture. [1]
+STEP_OF_COVER: Final = 1.0 / 255.0
 #: Cells of the coarsest octave and of the softness of edges, two and four texels, over the finest
 #: of ``ground_detail``.
 COARSEST: Final = 2 * STEP ** (GROUND_OCTAVES - 1)
@@ -72,10 +75,9 @@ def lattice_place(whole, beyond, scale):
     >>> lattice_place(5.0, 0.5, 2.0), lattice_place(WHOLE_PERIOD - 2.0, 1.0, COARSEST) < 1e-4
     (2.75, True)
     """
-    period = min(PERIOD * scale, float(WHOLE_PERIOD))
-    place = (whole - period * floor(whole / period)) / scale + beyond / scale
-    if PERIOD * scale > period:
-        turn = period / scale
+    inverse = 1.0 / scale
+    place, turn = along_lattice(whole, beyond, inverse), WHOLE_PERIOD * inverse
+    if turn < PERIOD:
         place -= turn * floor(place / turn)
         place = min(place, turn - place)
     return place

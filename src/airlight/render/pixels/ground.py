@@ -37,7 +37,7 @@ from airlight.render.pixels.sea_surface import (
     resolved_waves,
     spread_glint,
 )
-from airlight.scene.cloud_grain import cloud_grain
+from airlight.scene.cloud_grain import STEP_OF_COVER, cloud_grain
 from airlight.scene.ground_detail import (
     STEP,
     GroundNoise,
@@ -197,7 +197,7 @@ def ground_color(ray, sine, angle, frame, color):
             shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
         if shown > 0.0:
             cloud_cover(end, ray, cosine, level, north, east, frame, color)
-            if view.detailed and color[9] > 0.0 and color[9] < 1.0:
+            if view.detailed and color[9] > STEP_OF_COVER and color[9] < 1.0 - STEP_OF_COVER:
                 grain = cloud_grain(place, footprint, view.detail_cell, view.whole, view.part)
                 color[9] = grained_cover(color[9], width, grain.noise, grain.variance, grain.edge)
             color[9] *= shown
