@@ -22,7 +22,8 @@ CONTRAST: Final = 0.35
 FALL: Final = 0.7937
 #: Standard deviation of the displacement by the coarsest octave, over the width of a cell. [1]
 DISPLACED: Final = 0.3
-#: Ratio of the displacements of an octave and the next coarser one: the field is bent, not folded.
+#: Ratio of the displacements of an octave and the next coarser one: edges are as
+#: rough at all scales. [1]
 DISPLACED_FALL: Final = 0.5
 
 
