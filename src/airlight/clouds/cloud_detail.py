@@ -24,9 +24,10 @@ CONTRAST: Final = 0.35
 #: Ratio of the contrasts of an octave and the next coarser one, 2^(-1/3). [1]
 FALL: Final = 0.7937
 #: Standard deviation of the displacement by the coarsest octave, over the width of a cell. [1]
-DISPLACED: Final = 0.25
-#: Ratio of the displacements of an octave and the next coarser one: the field is bent, not folded.
-DISPLACED_FALL: Final = 0.42
+DISPLACED: Final = 0.3
+#: Ratio of the displacements of an octave and the next coarser one: edges are as
+#: rough at all scales. [1]
+DISPLACED_FALL: Final = 0.5
 
 _OCTAVE: Final = np.arange(LANES)
 _SEEN: Final = np.where(_OCTAVE < OCTAVES, 1.0, 0.0)

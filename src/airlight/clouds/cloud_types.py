@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.fibres import fibre_extinction, trail
-from airlight.clouds.heaps import heap_extinction
+from airlight.clouds.heaps import CONGESTUS, heap_extinction
 from airlight.clouds.layers import ALTOCUMULUS, STRATOCUMULUS, STRATUS, layer_extinction
 from airlight.planets.clouds import (
     Altocumulus,
@@ -37,7 +37,7 @@ GENERATORS: Final[dict[type[CloudType], Callable[..., FloatArray]]] = {
     Stratus: partial(layer_extinction, pattern=STRATUS),
     Stratocumulus: partial(layer_extinction, pattern=STRATOCUMULUS),
     CumulusHumilis: heap_extinction,
-    CumulusCongestus: heap_extinction,
+    CumulusCongestus: partial(heap_extinction, shape=CONGESTUS),
     Cumulonimbus: partial(heap_extinction, anvil=True),
     Altocumulus: partial(layer_extinction, pattern=ALTOCUMULUS),
     Cirrus: fibre_extinction,
@@ -77,6 +77,8 @@ def cloud_field(
     relative = np.zeros(grid.shape)
     if clouds.cover > 0.0:
         parts = {"cell": clouds.cell, "cover": clouds.cover, "shear": clouds.shear}
+        if isinstance(clouds, CumulusHumilis | CumulusCongestus):
+            parts["organisation"] = clouds.organisation
         relative = GENERATORS[type(clouds)](grid, random, **parts)
     extinction = scaled(relative, grid, clouds.optical_depth)
     return CloudField(

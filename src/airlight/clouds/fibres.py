@@ -22,6 +22,8 @@ FloatArray = NDArray[np.float64]
 FALL: Final = 0.8
 #: Displacement of the end of a trail to the south over that to the west. [1]
 TURN: Final = 0.3
+#: Longest waves of heads over the distance between their groups: trails are fine. [1]
+_HEADS: Final = 0.12
 
 
 def trail(shear: float) -> float:
@@ -40,25 +42,26 @@ def fibre_extinction(
         See ``heaps.heap_extinction``; ``cell`` is the distance between groups of heads.
     """
     groups = power_law_field(grid, random, slope=-3.0, longest=4.0 * cell, stretch=0.7)
-    heads = power_law_field(grid, random, slope=-5.0 / 3.0, longest=0.5 * cell)
-    sources = np.exp(1.1 * groups + 1.0 * heads)
+    heads = power_law_field(grid, random, longest=_HEADS * cell)
+    sources = np.exp(0.8 * groups + 2.0 * heads)
     spectrum = np.fft.fft2(sources)
     waves = np.fft.fftfreq(grid.columns, grid.spacing)
     east, north = waves[:, None], waves[None, :]
     below = grid.depth - grid.heights
     layers = np.empty(grid.shape)
     for level, fallen in enumerate(below):
-        ends = [trail(shear) * max(fallen + side * grid.level, 0.0) ** 2 for side in (-0.5, 0.5)]
+        # as long as two levels, between which extinction is interpolated
+        ends = [trail(shear) * max(fallen + side * grid.level, 0.0) ** 2 for side in (-1.0, 1.0)]
         middle, length = 0.5 * (ends[0] + ends[1]), ends[1] - ends[0]
-        aside = TURN * trail(shear) * grid.depth * fallen
-        spread = 30.0 + 0.06 * fallen
+        turned = TURN * trail(shear) * grid.depth
+        spread = max(30.0, 0.5 * grid.spacing) + 0.02 * fallen
         response = (
-            np.exp(2j * np.pi * (east * middle + north * aside))
-            * np.sinc(east * length)
+            np.exp(2j * np.pi * (east * middle + north * turned * fallen))
+            * np.sinc(east * length + 2.0 * north * turned * grid.level)
             * np.exp(-2.0 * (np.pi * spread) ** 2 * (east**2 + north**2))
         )
         share = fallen / grid.depth
-        water = np.minimum(4.0 * share, 1.0) * (1.0 - share) ** 0.7
+        water = np.minimum(8.0 * share, 1.0) * np.sqrt(1.0 - share)
         layers[:, :, level] = water * np.fft.ifft2(spectrum * response).real
     layers = np.maximum(layers, 0.0)
     columns = layers.sum(axis=2)

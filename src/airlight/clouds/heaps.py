@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
 from airlight.clouds.cloud_grid import CloudGrid
+from airlight.clouds.organisation import number_density, overlapping, random_places
 from airlight.geometry.gradient_noise import gradient_noise
 from airlight.kernel import compiled_loop, kernel
 
@@ -32,11 +33,6 @@ WIDTHS: Final = 1.7
 ASCENT: Final = 5.0
 #: Level set where there is no thermal. [m]
 NOWHERE: Final = -1e9
-#: Greatest height of a plume at the side of others over its radius. [1]
-SLENDER: Final = 3.5
-#: Narrowing of a plume from base to top, and sideways steps of its thermals over its radius. [1]
-NARROWING: Final = 0.5
-WANDERING: Final = 0.12
 #: Projected area of a cloud over that of a circle of its width.
 _FILLED: Final = 0.75
 #: Cover above which there are large clouds only.
@@ -59,8 +55,63 @@ _DOWNWIND: Final = 0.3
 _EVEN: Final = 0.93
 _THIN: Final = 0.045
 _DEEP: Final = 0.2
-#: Distance over which extinction falls at the edge. [m]
+#: Distance over which extinction falls at the edge, beside that of ``HeapShape``. [m]
 _EDGE: Final = 20.0
+
+
+class HeapShape(NamedTuple):
+    """Shape of a cloud.
+
+    Attributes
+    ----------
+    core : (float, float)
+        Limits of the radius of the middle plume over the width of the cloud. [1]
+    narrowing : float
+        Narrowing of a plume from base to top. [1]
+    wandering : float
+        Sideways steps of its thermals over its radius. [1]
+    slender : float
+        Greatest height of a plume at the side of others over its radius. [1]
+    sloping : float
+        Decrease of the tops of plumes from the middle of the cloud to its edge. [1]
+    bulges : int
+        Number of smaller thermals on each. [1]
+    outside : float
+        Distance of their middles from that of the larger one over its radius. [1]
+    edge : float
+        Distance over which extinction falls at the edge. [cells]
+    """
+
+    core: tuple[float, float]
+    narrowing: float
+    wandering: float
+    slender: float
+    sloping: float
+    bulges: int
+    outside: float
+    edge: float
+
+
+HUMILIS: Final = HeapShape(
+    core=(0.18, 0.24),
+    narrowing=0.5,
+    wandering=0.12,
+    slender=3.5,
+    sloping=0.75,
+    bulges=6,
+    outside=0.85,
+    edge=0.7,
+)
+CONGESTUS: Final = HeapShape(
+    core=(0.22, 0.28),
+    narrowing=0.3,
+    wandering=0.07,
+    slender=2.4,
+    sloping=0.4,
+    bulges=10,
+    outside=0.95,
+    edge=0.3,
+)
 
 
 class Heaps(NamedTuple):
@@ -149,6 +200,8 @@ def heap_extinction(
     cell: float,
     cover: float,
     shear: float,
+    organisation: float = 0.0,
+    shape: HeapShape = HUMILIS,
     anvil: bool = False,
 ) -> FloatArray:
     """Relative extinction of cumuli of a cover, shape of the grid. [1]
@@ -165,12 +218,21 @@ def heap_extinction(
         Share of cloudy columns. [1]
     shear : float
         Increase of the eastward wind with height. [s⁻¹]
+    organisation : float
+        Standard deviation of the logarithm of their number density. [1]
+    shape : HeapShape
+        Shape of each.
     anvil : bool
         Whether the top of the largest cloud spreads over most of the cover.
     """
-    widths = cloud_widths(grid, random, cell, _BELOW_ANVIL * cover if anvil else cover)
-    spread = cover if anvil else 0.0
-    heaps = _heaps(grid, random, widths, shear, spread)
+    density = None
+    if organisation > 0.0:
+        density = number_density(grid, random, cell, shear, organisation)
+    widths = cloud_widths(grid, random, cell, _BELOW_ANVIL * cover if anvil else cover, density)
+    places = _places(grid, random, widths, density)
+    heaps = _heaps(
+        grid, random, np.column_stack([places, widths]), shape, shear, cover if anvil else 0.0
+    )
     field = np.full(grid.shape, NOWHERE)
     raise_thermals(field, heaps, grid.spacing, grid.level, _ROUGH)
     highest = field.max(axis=2)
@@ -185,14 +247,18 @@ def heap_extinction(
     surface = (
         float(np.quantile(highest, 1.0 - cover)) if cover < 1.0 else float(highest.min()) - 1.0
     )
-    inside = np.clip((field - surface) / (_EDGE + 0.7 * grid.spacing), 0.0, 1.0)
+    inside = np.clip((field - surface) / (_EDGE + shape.edge * grid.spacing), 0.0, 1.0)
     return np.asarray(inside * grid.heights ** (2.0 / 3.0))
 
 
 def cloud_widths(
-    grid: CloudGrid, random: np.random.Generator, cell: float, cover: float
+    grid: CloudGrid,
+    random: np.random.Generator,
+    cell: float,
+    cover: float,
+    density: FloatArray | None = None,
 ) -> FloatArray:
-    """Widths of clouds of the cover, the largest first. [m]"""
+    """Widths of clouds of the cover and a relative number density, the largest first. [m]"""
     widest = min(max(cell, 4.0 * grid.spacing), 0.5 * grid.size)
     least = min(max(2.5 * grid.spacing, 0.1 * widest), 0.7 * widest)
     if cover > _CROWDED:
@@ -200,18 +266,23 @@ def cloud_widths(
     power = 1.0 - WIDTHS
     share = random.random(_MOST)
     widths = (least**power + share * (widest**power - least**power)) ** (1.0 / power)
-    wanted = -log(max(1.0 - cover, 0.02)) * grid.size**2 / (_FILLED * 0.25 * np.pi)
+    area = -log(max(1.0 - cover, 0.02))
+    if density is not None:
+        area = overlapping(min(cover, 0.98), density)
+    wanted = area * grid.size**2 / (_FILLED * 0.25 * np.pi)
     count = int(np.searchsorted(np.cumsum(widths**2), wanted)) + 1
     found = np.sort(widths[:count])[::-1]
     found[0] = widest
     return found
 
 
-def _places(grid: CloudGrid, random: np.random.Generator, widths: FloatArray) -> FloatArray:
+def _places(
+    grid: CloudGrid, random: np.random.Generator, widths: FloatArray, density: FloatArray | None
+) -> FloatArray:
     """Places of clouds, the farthest from others of a few random ones, shape (n, 2). [m]"""
     places = np.zeros((widths.size, 2))
     for n, width in enumerate(widths):
-        tries = random.random((3, 2)) * grid.size
+        tries = random_places(grid, random, density, 3)
         if n:
             apart = np.abs(tries[:, None] - places[None, :n])
             apart = np.minimum(apart, grid.size - apart)
@@ -223,16 +294,20 @@ def _places(grid: CloudGrid, random: np.random.Generator, widths: FloatArray) ->
 
 
 def _heaps(
-    grid: CloudGrid, random: np.random.Generator, widths: FloatArray, shear: float, spread: float
+    grid: CloudGrid,
+    random: np.random.Generator,
+    clouds: FloatArray,
+    shape: HeapShape,
+    shear: float,
+    spread: float,
 ) -> Heaps:
-    """Thermals of clouds of these widths, and of an anvil that covers a part of the box."""
-    places = _places(grid, random, widths)
+    """Thermals of clouds of a place and width, and of an anvil that covers a part of the box."""
     found: list[FloatArray] = []
-    for (east, north), width in zip(places, widths, strict=True):
-        top = grid.depth * (width / widths[0]) ** 0.8 * random.uniform(0.75, 1.0)
+    for east, north, width in clouds:
+        top = grid.depth * (width / clouds[0, 2]) ** 0.8 * random.uniform(0.75, 1.0)
         if not found:
             top = grid.depth
-        one = _cloud(random, width, max(top, 2.0 * grid.level), _LEAST * grid.spacing)
+        one = _cloud(random, shape, width, max(top, 2.0 * grid.level), _LEAST * grid.spacing)
         if spread > 0.0 and not found:
             one = np.concatenate([one, _anvil(random, top, np.sqrt(spread / np.pi) * grid.size)])
         one[:, 0] += east + shear * one[:, 2] ** 2 / (2.0 * ASCENT)
@@ -242,25 +317,27 @@ def _heaps(
     return Heaps(*np.ascontiguousarray(np.concatenate(found).T))
 
 
-def _cloud(random: np.random.Generator, width: float, top: float, least: float) -> FloatArray:
+def _cloud(
+    random: np.random.Generator, shape: HeapShape, width: float, top: float, least: float
+) -> FloatArray:
     """Thermals of one cloud about its place, of at least some radius [m]: rows of ``Heaps``."""
-    plumes = [(0.0, 0.0, random.uniform(0.18, 0.24) * width, 0.92 * top)]
+    plumes = [(0.0, 0.0, random.uniform(*shape.core) * width, 0.92 * top)]
     turn, narrow = random.uniform(0.0, 2.0 * np.pi), random.uniform(0.5, 1.0)
     for _ in range(int(random.integers(7, 15))):
         x, y, radius, _ = plumes[int(random.integers(len(plumes)))]
         angle, apart = random.uniform(0.0, 2.0 * np.pi), random.uniform(0.7, 1.3) * radius
         x, y = x + apart * np.cos(angle), y + apart * narrow * np.sin(angle)
         outwards = min(sqrt(x * x + y * y) / (0.5 * width), 1.0)
-        peak = top * random.uniform(0.35, 1.0) * (1.0 - 0.75 * outwards**1.5)
+        peak = top * random.uniform(0.35, 1.0) * (1.0 - shape.sloping * outwards**1.5)
         radius = random.uniform(0.1, 0.2) * width
-        plumes.append((x, y, radius, min(peak, SLENDER * radius)))
+        plumes.append((x, y, radius, min(peak, shape.slender * radius)))
     rows: list[tuple[float, ...]] = []
     for x, y, radius, peak in plumes:
         x, y = x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
-        rows += _plume(random, x, y, radius, peak)
+        rows += _plume(random, x, y, radius, peak, shape)
     thermals = tuple(rows)
     for _ in range(_GENERATIONS):
-        thermals = tuple(_bulges(random, thermals, top, least))
+        thermals = tuple(_bulges(random, shape, thermals, top, least))
         rows += thermals
     return np.array(rows)
 
@@ -283,13 +360,13 @@ def _anvil(random: np.random.Generator, top: float, radius: float) -> FloatArray
 
 
 def _plume(
-    random: np.random.Generator, x: float, y: float, radius: float, peak: float
+    random: np.random.Generator, x: float, y: float, radius: float, peak: float, shape: HeapShape
 ) -> Iterator[tuple[float, ...]]:
     """Thermals above each other up to a height: rows of ``Heaps``."""
     low = max(min(radius, peak), 0.1 * peak)  # flattened in flat clouds, stretched in slender ones
     h = 0.0
     while True:
-        size = 1.0 - NARROWING * h / peak
+        size = 1.0 - shape.narrowing * h / peak
         up = min(low * size, peak)
         h = min(h, peak - up)
         swollen = size * random.uniform(0.85, 1.15)
@@ -297,21 +374,28 @@ def _plume(
         if h >= peak - up - 1e-6 * peak:
             return
         h += 0.6 * up
-        x += WANDERING * radius * random.normal()
-        y += WANDERING * radius * random.normal()
+        x += shape.wandering * radius * random.normal()
+        y += shape.wandering * radius * random.normal()
 
 
 def _bulges(
-    random: np.random.Generator, thermals: Sequence[tuple[float, ...]], top: float, least: float
+    random: np.random.Generator,
+    shape: HeapShape,
+    thermals: Sequence[tuple[float, ...]],
+    top: float,
+    least: float,
 ) -> Iterator[tuple[float, ...]]:
     """Smaller thermals on the sides and tops of others: rows of ``Heaps``."""
     for x, y, h, a, b, _ in thermals:
-        for _ in range(6):
+        for _ in range(shape.bulges):
             turn, up = random.uniform(0.0, 2.0 * np.pi), random.uniform(-0.1, 1.0)
             out, small = sqrt(1.0 - up * up), random.uniform(0.3, 0.55) * min(a, b)
             if small < least:
                 continue
-            height = h + 0.85 * b * up
-            along, across = 0.85 * a * out * np.cos(turn), 0.85 * a * out * np.sin(turn)
+            height = h + shape.outside * b * up
+            along, across = (
+                shape.outside * a * out * np.cos(turn),
+                shape.outside * a * out * np.sin(turn),
+            )
             if 0.0 < height < top - 0.7 * small:
                 yield x + along, y + across, height, small, small, 0.0

@@ -86,6 +86,15 @@ _SHEAR: Final = Field(
     slider=(-0.02, 0.02),
     offered=always,
 )
+_ORGANISATION: Final = Field(
+    label="organisation",
+    help="Gathering of heaps in clusters and streets; 0 strews them evenly.",
+    range=(0.0, 3.0),
+    example="1",
+    slider=(0.0, 2.0),
+    offered=always,
+    synonyms=("clustering",),
+)
 _RADIUS: Final = replace(RADIUS, help="Mean radius, weighted by area.", offered=always)
 _VARIANCE: Final = Field(
     label="effective variance",
@@ -280,7 +289,13 @@ class Stratocumulus(CloudType):
 
 @parameters
 class CumulusHumilis(CloudType):
-    """Separate heaps of fair weather."""
+    """Separate heaps of fair weather.
+
+    Parameters
+    ----------
+    organisation : float
+        Standard deviation of the logarithm of the number density of heaps, 0 to 3. [1]
+    """
 
     keyword = "cumulus"
     spacing = 100.0
@@ -292,11 +307,18 @@ class CumulusHumilis(CloudType):
     cell: float = key(_CELL, default=2000.0)
     shear: float = key(_SHEAR, default=5e-4)
     effective_radius: float = key(_RADIUS, default=6e-6)
+    organisation: float = key(_ORGANISATION, default=1.6)
 
 
 @parameters
 class CumulusCongestus(CloudType):
-    """Towering heaps."""
+    """Towering heaps.
+
+    Parameters
+    ----------
+    organisation : float
+        Standard deviation of the logarithm of the number density of heaps, 0 to 3. [1]
+    """
 
     keyword = "congestus"
     spacing = 100.0
@@ -307,6 +329,7 @@ class CumulusCongestus(CloudType):
     optical_depth: float = key(_OPTICAL_DEPTH, default=60.0)
     cell: float = key(_CELL, default=5000.0)
     shear: float = key(_SHEAR, default=5e-4)
+    organisation: float = key(_ORGANISATION, default=1.0)
 
 
 @parameters

@@ -4,11 +4,9 @@ Nine octaves of gradient noise, each a quarter of the previous scale, from a map
 10 cm, of mean 0. Scales below two pixels are omitted, with a fade between two and four. Coordinates
 are relative to the point below the observer, for single precision.
 
-The noise breaks clouds, and displaces the places at which maps are read between texels, which
-breaks the straight lines of their interpolation: by an eighth of the cells of each octave, so that
-the map is bent, not folded, and coasts keep their shape. Water is where its interpolated share
-exceeds a half. Variance of clouds falls as k^-2: cloud water has k^-5/3, and what is seen of its
-small scales k^-3.6 (Davis et al. 1997, J. Atmos. Sci. 54, 241).
+The noise also displaces the places at which maps are read between texels, which breaks the straight
+lines of their interpolation: by an eighth of the cells of each octave, so that the map is bent, not
+folded, and coasts keep their shape. Water is where its interpolated share exceeds a half.
 """
 
 from __future__ import annotations
@@ -31,12 +29,8 @@ PLAIN_FALL: Final = 1.0
 DISPLACED: Final = 0.12
 #: Ratio of the displacements of an octave and the next coarser one. [1]
 DISPLACED_FALL: Final = 1.0 / STEP
-#: Reciprocal of the width of the edges of clouds, in standard deviations of that octave. [1]
-CLOUD_EDGE: Final = 1.2
 #: Ratio of the normal quantile to the logit, within 1 % of probability. [1]
 _LOGISTIC: Final = 1.702
-#: Ratio of the contrast of clouds in an octave to that in the next coarser one. [1]
-CLOUD_FALL: Final = 0.5
 #: Width of the coast where it is seen from near, 29 m on Earth. [texel]
 SHARPEST: Final = 1.0 / 256.0
 #: Rows of the map that defines the cells where the planet has none.
@@ -50,16 +44,10 @@ class GroundNoise(NamedTuple):
 
     Attributes
     ----------
-    cloud : float
-        For the cover of clouds. [1]
-    cloud_variance : float
-        Variance of ``cloud``, less where fine octaves are not shown. [1]
     north, east : float
         For displacements. [1]
     """
 
-    cloud: float
-    cloud_variance: float
     north: float
     east: float
 
@@ -117,10 +105,8 @@ def ground_detail(place, footprint, cell, whole, part):
     whole, part : Vec3
         Results of ``lattice_origin`` along each axis.
     """
-    cloud, variance, north, east, scale = 0.0, 0.0, 0.0, 0.0, 1
+    north, east, scale = 0.0, 0.0, 1
     for _octave in range(OCTAVES):
-        cloud *= CLOUD_FALL
-        variance *= CLOUD_FALL * CLOUD_FALL
         north *= DISPLACED_FALL
         east *= -DISPLACED_FALL
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
@@ -136,13 +122,11 @@ def ground_detail(place, footprint, cell, whole, part):
                 (whole.z - period * floor(whole.z / period)) / scale
                 + (part.z + place.z / cell) / scale,
             )
-            cloud += noise
-            variance += shown * shown
             north += noise
             east += noise
         scale *= STEP
     inverse = 1.0 / GRADIENT_DEVIATION
-    return GroundNoise(cloud * inverse, variance, north * inverse, east * inverse)
+    return GroundNoise(north * inverse, east * inverse)
 
 
 @kernel
@@ -228,10 +212,8 @@ def grained_cover(cover, width, noise, variance, edge):
         Cover of the map. [1]
     width : float
         Result of ``pixel_width``. [texel]
-    noise, variance : float
-        ``cloud`` and ``cloud_variance`` of ``GroundNoise``. [1]
-    edge : float
-        Reciprocal of the width of edges, such as ``CLOUD_EDGE``. [1]
+    noise, variance, edge : float
+        Noise, its variance, and the reciprocal of the width of edges, as of ``CloudGrain``. [1]
 
     Examples
     --------

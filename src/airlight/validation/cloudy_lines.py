@@ -51,7 +51,7 @@ VIEWS: Final = (
 
 def cumuli_over_sea() -> Planet:
     """Earth with cumuli above a ground as dark as the sea, without refraction."""
-    clouds = [{"kind": "cumulus"}]
+    clouds = [{"kind": "cumulus", "organisation": 0.0}]
     earth = load_planet("earth", {"refraction": "none", "ground.albedo": 0.06, "clouds": clouds})
     plain = replace(earth.ground, map=None, relief=None, clouds_from_space=None, lights=None)
     return replace(earth, ground=plain)

@@ -481,9 +481,10 @@ WHOLE = {
         "plane_albedo", "multiple_reflectance", "reflected_lanes",
     ),
     "test_ground_detail.py::test_decorated_ground_from_orbit_is_that_of_the_cpu": (
-        "clouds_shown", "detailed_land", "displacement", "grained_cover", "height_at",
-        "level_ground", "map_channel", "map_value", "moved_coast", "pixel_width", "relief_light",
-        "sharper_share", "slope_light", "texture_footprint", "textured", "unmixed", "unshaded",
+        "cloud_grain", "clouds_shown", "detailed_land", "displacement", "grained_cover",
+        "height_at", "lattice_place", "level_ground", "map_channel", "map_value",
+        "moved_coast", "pixel_width", "relief_light", "sharper_share", "slope_light",
+        "texture_footprint", "textured", "unmixed", "unshaded",
     ),
     "test_clouds.py::test_a_device_solves_for_the_mean_ground": (
         "_spread", "_sky_factor", "_under_clouds", "_under_cloudy_sky", "mean_reflected",

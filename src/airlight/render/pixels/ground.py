@@ -38,8 +38,8 @@ from airlight.render.pixels.sea_surface import (
     resolved_waves,
     spread_glint,
 )
+from airlight.scene.cloud_grain import STEP_OF_COVER, cloud_grain
 from airlight.scene.ground_detail import (
-    CLOUD_EDGE,
     STEP,
     GroundNoise,
     displacement,
@@ -150,7 +150,7 @@ def ground_color(ray, sine, angle, frame, color):
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
     # of the straight line: how much a near one is bent is lost in rounding
-    noise, width = GroundNoise(0.0, 0.0, 0.0, 0.0), 1.0
+    noise, width = GroundNoise(0.0, 0.0), 1.0
     place, footprint = ground_spot(reach, end, cosine, view, tables)
     if view.detailed:
         noise = ground_detail(
@@ -185,9 +185,10 @@ def ground_color(ray, sine, angle, frame, color):
             shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
         if shown > 0.0:
             cloud_cover(end, ray, cosine, level, north, east, frame, color)
-            color[9] = shown * grained_cover(
-                color[9], width, noise.cloud, noise.cloud_variance, CLOUD_EDGE
-            )
+            if view.detailed and color[9] > STEP_OF_COVER and color[9] < 1.0 - STEP_OF_COVER:
+                grain = cloud_grain(place, footprint, view.detail_cell, view.whole, view.part)
+                color[9] = grained_cover(color[9], width, grain.noise, grain.variance, grain.edge)
+            color[9] *= shown
             color[10] *= shown
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
             color[11] *= relief_light(end, latitude, longitude, level, frame)

@@ -1,0 +1,118 @@
+"""Procedural texture of the cloud layer below the resolution of its map; it is not data.
+
+Octaves of folded gradient noise, each half of the previous scale, from two texels downwards: puffs
+between narrow gaps. The places of an octave are displaced by the coarser ones, which draws puffs
+out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis et al. 1997, JAS 54, 241).
+Noise of one scale above a threshold would be a labyrinth. Edges are soft in some regions, as those
+of veils, and hard in others.
+"""
+
+from __future__ import annotations
+
+from math import exp, floor
+from typing import Final, NamedTuple
+
+from airlight.geometry.gradient_noise import PERIOD, gradient_noise
+from airlight.kernel import kernel
+from airlight.scene.ground_detail import OCTAVES as GROUND_OCTAVES
+from airlight.scene.ground_detail import STEP, WHOLE_PERIOD
+from airlight.scene.land_texture import along_lattice
+
+#: Number of octaves.
+OCTAVES: Final = 8
+#: Step of the cover of a map; covers that are nearer to none or to all have no texture. [1]
+STEP_OF_COVER: Final = 1.0 / 255.0
+#: Cells of the coarsest octave and of the softness of edges, two and four texels, over the finest
+#: of ``ground_detail``.
+COARSEST: Final = 2 * STEP ** (GROUND_OCTAVES - 1)
+SOFTNESS: Final = 2 * COARSEST
+#: Ratio of the contrasts of an octave and the next coarser one, 2^(-1/3). [1]
+FALL: Final = 0.7937
+#: Mean and standard deviation of the magnitude of ``gradient_noise``, of a million places. [1]
+FOLDED: Final = 0.1100
+FOLDED_DEVIATION: Final = 0.0772
+#: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
+WARPED: Final = 0.14
+#: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
+#: and change of its logarithm with noise of its own. [1]
+EDGE: Final = 0.9
+VARIED: Final = 5.0
+
+
+class CloudGrain(NamedTuple):
+    """Texture at a place.
+
+    Attributes
+    ----------
+    noise : float
+        Sum of octaves, with the coarsest of standard deviation 1 and mean 0. [1]
+    variance : float
+        Its variance, less where fine octaves are not shown. [1]
+    edge : float
+        Reciprocal of the width of edges, in standard deviations of the coarsest octave. [1]
+    """
+
+    noise: float
+    variance: float
+    edge: float
+
+
+@kernel
+def lattice_place(whole, beyond, scale):
+    """Coordinate in cells of some finest ones; where these repeat sooner than noise, it turns back.
+
+    Parameters
+    ----------
+    whole : float
+        Index of a finest cell, modulo ``WHOLE_PERIOD``.
+    beyond : float
+        Distance from it in finest cells. [1]
+    scale : float
+        Number of finest cells, a power of 2.
+
+    Examples
+    --------
+    >>> lattice_place(5.0, 0.5, 2.0), lattice_place(WHOLE_PERIOD - 2.0, 1.0, COARSEST) < 1e-4
+    (2.75, True)
+    """
+    inverse = 1.0 / scale
+    place, turn = along_lattice(whole, beyond, inverse), WHOLE_PERIOD * inverse
+    if turn < PERIOD:
+        place -= turn * floor(place / turn)
+        place = min(place, turn - place)
+    return place
+
+
+@kernel
+def cloud_grain(place, footprint, cell, whole, part):
+    """``CloudGrain`` of a place on the ground.
+
+    Parameters
+    ----------
+    place, footprint, cell, whole, part :
+        Arguments of ``ground_detail``.
+    """
+    beyond_x, beyond_y = part.x + place.x / cell, part.y + place.y / cell
+    beyond_z = part.z + place.z / cell
+    scale = float(COARSEST)
+    soft = gradient_noise(
+        lattice_place(whole.x, beyond_x, float(SOFTNESS)),
+        lattice_place(whole.y, beyond_y, float(SOFTNESS)),
+        lattice_place(whole.z, beyond_z, float(SOFTNESS)),
+    )
+    edge = EDGE * exp(VARIED * soft)
+    total, variance, share = 0.0, 0.0, 1.0
+    for _octave in range(OCTAVES):
+        shown = share * min(0.5 * cell * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            moved = WARPED * total
+            noise = gradient_noise(
+                lattice_place(whole.x, beyond_x, scale) + moved,
+                lattice_place(whole.y, beyond_y, scale) - moved,
+                lattice_place(whole.z, beyond_z, scale) + moved,
+            )
+            total += shown * (abs(noise) - FOLDED) / FOLDED_DEVIATION
+            variance += shown * shown
+        share *= FALL
+        scale *= 0.5
+    return CloudGrain(total, variance, edge)
