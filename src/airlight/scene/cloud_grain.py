@@ -15,8 +15,7 @@ from typing import Final, NamedTuple
 from airlight.geometry.gradient_noise import PERIOD, gradient_noise
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import OCTAVES as GROUND_OCTAVES
-from airlight.scene.ground_detail import STEP, WHOLE_PERIOD
-from airlight.scene.land_texture import along_lattice
+from airlight.scene.ground_detail import STEP, WHOLE_PERIOD, along_lattice
 
 #: Number of octaves.
 OCTAVES: Final = 8
@@ -58,7 +57,7 @@ class CloudGrain(NamedTuple):
 
 
 @kernel
-def lattice_place(whole, beyond, scale):
+def turning_place(whole, beyond, scale):
     """Coordinate in cells of some finest ones; where these repeat sooner than noise, it turns back.
 
     Parameters
@@ -72,7 +71,7 @@ def lattice_place(whole, beyond, scale):
 
     Examples
     --------
-    >>> lattice_place(5.0, 0.5, 2.0), lattice_place(WHOLE_PERIOD - 2.0, 1.0, COARSEST) < 1e-4
+    >>> turning_place(5.0, 0.5, 2.0), turning_place(WHOLE_PERIOD - 2.0, 1.0, COARSEST) < 1e-4
     (2.75, True)
     """
     inverse = 1.0 / scale
@@ -96,9 +95,9 @@ def cloud_grain(place, footprint, cell, whole, part):
     beyond_z = part.z + place.z / cell
     scale = float(COARSEST)
     soft = gradient_noise(
-        lattice_place(whole.x, beyond_x, float(SOFTNESS)),
-        lattice_place(whole.y, beyond_y, float(SOFTNESS)),
-        lattice_place(whole.z, beyond_z, float(SOFTNESS)),
+        turning_place(whole.x, beyond_x, float(SOFTNESS)),
+        turning_place(whole.y, beyond_y, float(SOFTNESS)),
+        turning_place(whole.z, beyond_z, float(SOFTNESS)),
     )
     edge = EDGE * exp(VARIED * soft)
     total, variance, share = 0.0, 0.0, 1.0
@@ -107,9 +106,9 @@ def cloud_grain(place, footprint, cell, whole, part):
         if shown > 0.0:
             moved = WARPED * total
             noise = gradient_noise(
-                lattice_place(whole.x, beyond_x, scale) + moved,
-                lattice_place(whole.y, beyond_y, scale) - moved,
-                lattice_place(whole.z, beyond_z, scale) + moved,
+                turning_place(whole.x, beyond_x, scale) + moved,
+                turning_place(whole.y, beyond_y, scale) - moved,
+                turning_place(whole.z, beyond_z, scale) + moved,
             )
             total += shown * (abs(noise) - FOLDED) / FOLDED_DEVIATION
             variance += shown * shown

@@ -93,6 +93,23 @@ def lattice_origin(component, radius, cell):
 
 
 @kernel
+def along_lattice(whole, beyond, inverse):
+    """Lattice coordinate along one axis, to a period; exact products, as sizes are powers of 2.
+
+    Parameters
+    ----------
+    whole : float
+        Result of ``lattice_origin``.
+    beyond : float
+        Distance from that lattice point. [finest cell]
+    inverse : float
+        Size of the finest cells over that of these. [1]
+    """
+    start = whole * inverse
+    return start - PERIOD * float(floor(start / PERIOD)) + beyond * inverse
+
+
+@kernel
 def ground_detail(place, footprint, cell, whole, part):
     """``GroundNoise`` of a place.
 

@@ -9,12 +9,13 @@ there are woods.
 
 from __future__ import annotations
 
-from math import floor, sqrt
+from math import sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import PERIOD, smooth_noise
+from airlight.geometry.gradient_noise import smooth_noise
 from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import kernel
+from airlight.scene.ground_detail import along_lattice
 
 #: Number of octaves of hills, and cells of the coarsest over the finest of ``ground_detail``.
 OCTAVES: Final = 7
@@ -55,23 +56,6 @@ class Hills(NamedTuple):
     height: float
     ascent: float
     tone: float
-
-
-@kernel
-def along_lattice(whole, beyond, inverse):
-    """Lattice coordinate along one axis, to a period; exact products, as sizes are powers of 2.
-
-    Parameters
-    ----------
-    whole : float
-        Result of ``lattice_origin``.
-    beyond : float
-        Distance from that lattice point. [finest cell]
-    inverse : float
-        Size of the finest cells over that of these. [1]
-    """
-    start = whole * inverse
-    return start - PERIOD * float(floor(start / PERIOD)) + beyond * inverse
 
 
 @kernel

@@ -482,7 +482,7 @@ WHOLE = {
     ),
     "test_ground_detail.py::test_decorated_ground_from_orbit_is_that_of_the_cpu": (
         "cloud_grain", "clouds_shown", "detailed_land", "displacement", "grained_cover",
-        "height_at", "lattice_place", "level_ground", "map_channel", "map_value",
+        "height_at", "turning_place", "level_ground", "map_channel", "map_value",
         "moved_coast", "pixel_width", "relief_light", "sharper_share", "slope_light",
         "texture_footprint", "textured", "unmixed", "unshaded",
     ),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +17,14 @@ from airlight.scene import Scene
 from airlight.solver.lines_of_sight import enter_shell
 from airlight.solver.moments.solution import MomentsSolution
 
-if TYPE_CHECKING:
-    from airlight.render.clouds.cloud_light import CloudLight
-
 FloatArray = NDArray[np.float64]
+
+
+class Dimming(Protocol):
+    """What dims the beam above clouds: others with higher tops."""
+
+    def visibility(self, altitude: float) -> FloatArray:
+        """Share of the beam that reaches an altitude [m], shape (nl,). [1]"""
 
 
 def field_axes(field: CloudField, scene: Scene) -> tuple[Vec3, Vec3, Vec3]:
@@ -45,14 +49,14 @@ class OtherClouds(NamedTuple):
     ----------
     layer : MeanLayer or None
         Mean layer of all clouds.
-    higher : sequence of CloudLight
+    higher : sequence of Dimming
         Those with higher tops, which dim the beam.
     decks : sequence of CloudDeck
         All of them; parts below the top of the box are even layers in it.
     """
 
     layer: MeanLayer | None = None
-    higher: Sequence[CloudLight] = ()
+    higher: Sequence[Dimming] = ()
     decks: Sequence[CloudDeck] = ()
 
 
