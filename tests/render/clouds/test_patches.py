@@ -7,9 +7,21 @@ from airlight.geometry.vectors import Vec3
 from airlight.kernel import compiled_loop
 from airlight.render.background_compilation import empty_clouds
 from airlight.render.clouds.cloud_place import beam_depth_at
-from airlight.render.clouds.patches import MIXED, WIDTH, patch_at, patch_edges
+from airlight.render.clouds.patches import (
+    MIXED,
+    WIDTH,
+    displacements,
+    patch_at,
+    patch_edges,
+)
 
 BOX = 25.6e3
+#: Columns of a field of which a few have clouds.
+COVERED = np.random.default_rng(7).random((64, 64)) < 0.2
+
+
+def edges(sides=(BOX, BOX)):
+    return patch_edges(*sides)._replace(moved=displacements(COVERED, *sides))
 
 
 @compiled_loop
@@ -25,7 +37,7 @@ def patches(east, north, sides=(BOX, BOX)):
     east, north = np.broadcast_arrays(east, north)
     out = np.empty((east.size, 6))
     places = np.ravel(east).astype(float), np.ravel(north).astype(float)
-    _every(*places, sides, patch_edges(*sides), out)
+    _every(*places, sides, edges(sides), out)
     return out.reshape(*east.shape, 6)
 
 
@@ -35,18 +47,34 @@ def test_the_box_is_not_displaced():
 
 
 def test_patches_beyond_have_displacements_of_their_own():
-    """Those of 21 × 21 patches are even over the box; none is at its neighbour's place."""
-    middles = np.arange(-10, 11) * WIDTH * BOX
+    """Those of 42 × 42 patches are even over the box; none is at its neighbour's place."""
+    middles = (np.arange(-20, 22) - 0.5) * WIDTH * BOX
     moved = patches(middles[:, None], middles)[..., :2] / BOX
-    rest = moved.reshape(-1, 2)[np.arange(441) != 220]
+    rest = moved[np.any(moved != 0.0, axis=2)]
+    assert len(rest) == 42**2 - 4
     assert np.all((rest >= 0.0) & (rest < 1.0))
-    np.testing.assert_allclose(rest.mean(axis=0), 0.5, atol=4.0 / np.sqrt(12.0 * 440.0))
+    np.testing.assert_allclose(rest.mean(axis=0), 0.5, atol=0.05)
     np.testing.assert_allclose(rest.std(axis=0), np.sqrt(1.0 / 12.0), rtol=0.12)
-    assert abs(np.corrcoef(rest.T)[0, 1]) < 0.2
     for axis in (0, 1):
         apart = np.diff(moved, axis=axis) + WIDTH * np.eye(2)[axis]
         apart -= np.round(apart)
         assert np.quantile(np.hypot(apart[..., 0], apart[..., 1]), 0.05) > 0.05
+
+
+def test_patches_have_the_cover_of_larger_scales():
+    """A field cloudy in one quarter: the mean of patches is its own, and neighbours are alike."""
+    covered = np.zeros((64, 64), bool)
+    covered[:32, :32] = True
+    moved = displacements(covered, BOX, BOX) / BOX
+    places = (np.arange(64) - 0.5) * WIDTH
+    inside = (np.arange(16) + 0.5) / 16.0 * WIDTH - 0.5 * WIDTH
+    east = places[:, None] + inside - moved[..., 0][..., None]
+    north = places[:, None, None] + inside - moved[..., 1][..., None]
+    clouds = ((east + 0.5) % 1.0 < 0.5)[..., None, :] & ((north + 0.5) % 1.0 < 0.5)[..., None]
+    cover = clouds.mean(axis=(2, 3))
+    np.testing.assert_allclose(cover.mean(), 0.25, atol=0.02)
+    assert cover.std() > 0.1
+    assert np.corrcoef(cover[:, 1:].ravel(), cover[:, :-1].ravel())[0, 1] > 0.5
 
 
 @pytest.mark.parametrize("sides", [(BOX, BOX), (BOX, 0.4 * BOX)])
@@ -61,7 +89,7 @@ def test_a_patch_goes_as_far_as_it_says(sides):
     np.testing.assert_array_equal(patches(there[:, 0], there[:, 1], sides)[:, :2], here[:, :2])
     # bands beside two edges, which are longer than the sides of a square, and their cells
     assert 4.0 * MIXED < np.mean(here[:, 2] <= 0.0) < 6.0 * MIXED
-    assert np.mean(here[:, 2] > 0.05 * min(sides)) > 0.5
+    assert np.mean(here[:, 2] > 0.025 * min(sides)) > 0.4
 
 
 def test_edges_meet_at_the_sides_of_squares():
@@ -74,7 +102,7 @@ def test_edges_meet_at_the_sides_of_squares():
 
 def test_patches_mix_beside_an_edge():
     """Across an edge both have a half, and the field is continuous; elsewhere there is one."""
-    way = np.arange(0.0, 4.0, 2e-6) * WIDTH * BOX
+    way = np.arange(0.0, 6.0, 2e-6) * WIDTH * BOX
     found = patches(way, 0.3 * BOX)
     assert found[:, 3].max() <= 0.5
     one, other = found[:-1], found[1:]
@@ -107,7 +135,7 @@ def test_shadows_are_continuous_across_edges(height):
         corner_x=-0.5 * BOX, corner_y=-0.5 * BOX,
         step_x=BOX / cells, step_y=BOX / cells, step_z=250.0,
         periodic=True, east=Vec3(1.0, 0.0, 0.0), north=Vec3(0.0, 1.0, 0.0),
-        sun=Vec3(0.0, 0.0, 1.0), edges=patch_edges(BOX, BOX),
+        sun=Vec3(0.0, 0.0, 1.0), edges=edges(),
         levels=np.array([[cells, cells, 0]]), depth=depth, base_depth=depth[0],
     )  # fmt: skip
     east = np.arange(0.0, 2.0 * WIDTH * BOX)

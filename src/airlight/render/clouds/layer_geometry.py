@@ -10,7 +10,7 @@ import numpy as np
 from airlight.clouds.cloud_field import CloudField
 from airlight.render.clouds.incident_light import field_axes
 from airlight.render.clouds.inner_box import WIDTH
-from airlight.render.clouds.patches import patch_edges
+from airlight.render.clouds.patches import displacements, patch_edges
 from airlight.scene import Scene
 
 #: Step of the place of a finer box. [m]
@@ -61,6 +61,10 @@ def layer_geometry(field: CloudField, scene: Scene, radius: float) -> dict[str, 
     """
     east, north, up = field_axes(field, scene)
     step_x, step_y, step_z = (float(step) for step in field.spacing)
+    edges = patch_edges(*field.sides)
+    if field.beyond == "periodic":
+        moved = displacements(field.column_optical_depth > 0.0, *field.sides)
+        edges = edges._replace(moved=moved)
     return {
         "radius": radius,
         "base": radius + field.base,
@@ -76,5 +80,5 @@ def layer_geometry(field: CloudField, scene: Scene, radius: float) -> dict[str, 
         "east": east,
         "north": north,
         "up": up,
-        "edges": patch_edges(*field.sides),
+        "edges": edges,
     }

@@ -1,9 +1,10 @@
 """Patches in which a periodic field continues beyond its box, so that it does not seem to repeat.
 
-The plane is divided into squares a quarter wider than the box, with rough edges. The one in the
-middle holds the box; each other one is the periodic field displaced at random, with its own light.
-On both sides of an edge a patch turns into its neighbour. Edges are never inside the box, and all
-patches have the same.
+The plane is divided into squares with rough edges, all alike. The four in the middle, together a
+quarter wider than the box, hold it; each other one is the periodic field displaced, with its own
+light, so that its cover is that of a field on larger scales than the box: of random displacements
+the nearest. On both sides of an edge a patch turns into its neighbour. Edges are never inside the
+box.
 """
 
 from __future__ import annotations
@@ -23,17 +24,22 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Width of a patch over that of the box. [1]
-WIDTH: Final = 1.25
+WIDTH: Final = 0.625
 #: Largest displacement of an edge over the width of a patch: edges are outside the box. [1]
-BENT: Final = 0.5 - 0.5 / WIDTH
+BENT: Final = 1.0 - 0.5 / WIDTH
 #: Width of the band beside an edge in which patches mix, over the width of a patch. [1]
-MIXED: Final = 0.02
+MIXED: Final = 0.04
 #: Longest waves of an edge over the width of a patch, and exponent of its spectrum. [1]
 _LONGEST: Final = 0.2
 _SLOPE: Final = -3.0
 #: Columns and rows of a patch, and of patches with displacements of their own: a power of 2.
 _CELLS: Final = 256
 _PATCHES: Final = 64
+#: Number of random displacements of which one is chosen for a patch.
+_TRIALS: Final = 24
+#: Exponent of the spectrum of cover along a line, and its longest waves [patch].
+_COVER_SLOPE: Final = -2.0
+_COVER_LONGEST: Final = 24.0
 
 
 class PatchEdges(NamedTuple):
@@ -46,8 +52,8 @@ class PatchEdges(NamedTuple):
     free : array, shape (rows, columns)
         Distance from any point of a cell within which there is no band of an edge. [m]
     moved : array, shape (patches, patches, 2)
-        Displacement of the periodic field in a patch to the east and to the north, 0 in that of the
-        box. [m]
+        Displacement of the periodic field in a patch to the east and to the north, 0 in those of
+        the box. [m]
     """
 
     east: Float32Array
@@ -58,7 +64,7 @@ class PatchEdges(NamedTuple):
 
 @lru_cache(maxsize=8)
 def patch_edges(width: float, length: float) -> PatchEdges:
-    """Edges of the patches of a box.
+    """Edges of the patches of a box, without displacements.
 
     Parameters
     ----------
@@ -86,9 +92,39 @@ def patch_edges(width: float, length: float) -> PatchEdges:
     steps = length * WIDTH / _CELLS, width * WIDTH / _CELLS
     inner = slice(_CELLS // 2, _CELLS // 2 + _CELLS)
     free = distance_transform_edt(~near, sampling=steps)[inner, inner]
-    moved = random.random((_PATCHES, _PATCHES, 2)) * [width, length]
-    moved[0, 0] = 0.0
-    return PatchEdges(east, north, np.ascontiguousarray(free), moved)
+    return PatchEdges(east, north, np.ascontiguousarray(free), np.zeros((_PATCHES, _PATCHES, 2)))
+
+
+def displacements(covered: NDArray[np.bool_], width: float, length: float) -> FloatArray:
+    """Displacements of the patches of a field, see ``PatchEdges.moved``. [m]
+
+    Parameters
+    ----------
+    covered : array of bool, shape (nx, ny)
+        Whether a column of the field has clouds.
+    width, length : float
+        Sides of the box to the east and to the north. [m]
+    """
+    from scipy.ndimage import uniform_filter
+
+    shape = np.array(covered.shape)
+    window = np.maximum(np.round(WIDTH * shape).astype(int), 1)
+    cover = uniform_filter(covered.astype(float), size=tuple(window), mode="wrap")
+    random = np.random.default_rng(2)
+    grid = CloudGrid(columns=_PATCHES, levels=1, spacing=1.0, depth=1.0)
+    large = power_law_field(grid, random, slope=_COVER_SLOPE, longest=_COVER_LONGEST)
+    ranks = large.argsort(axis=None).argsort().reshape(large.shape) + 0.5
+    wanted = np.quantile(cover, ranks / ranks.size)
+    trials = random.integers(0, shape, (_PATCHES, _PATCHES, _TRIALS, 2))
+    found = cover[trials[..., 0], trials[..., 1]]
+    best = np.abs(found - wanted[..., None]).argmin(axis=2)[..., None, None]
+    column, row = np.moveaxis(np.take_along_axis(trials, best, axis=2)[:, :, 0], 2, 0)
+    places = (np.arange(_PATCHES) - 0.5) * WIDTH  # middles of patches from that of the box
+    east = places - ((column + 0.5) / shape[0] - 0.5)
+    north = places[:, None] - ((row + 0.5) / shape[1] - 0.5)
+    moved = np.stack([east % 1.0 * width, north % 1.0 * length], axis=-1)
+    moved[:2, :2] = 0.0
+    return moved
 
 
 class Patch(NamedTuple):
@@ -127,9 +163,11 @@ def patch_at(east, north, width, length, edges):
     edges : PatchEdges
         Result of ``patch_edges``.
     """
-    x, y = 0.5 + east / (WIDTH * width), 0.5 + north / (WIDTH * length)
+    x, y = 1.0 + east / (WIDTH * width), 1.0 + north / (WIDTH * length)
     column, row = np.floor(x), np.floor(y)
     near_x, near_y = 0.5 - abs(x - column - 0.5), 0.5 - abs(y - row - 0.5)
+    if 0.0 < x < 2.0 and 0.0 < y < 2.0:  # edges between the four of the box part nothing
+        near_x, near_y = 1.0 - abs(x - 1.0), 1.0 - abs(y - 1.0)
     free = WIDTH * min((near_x - BENT) * width, (near_y - BENT) * length)
     share, to_east, to_north = 0.0, 0, 0
     if free <= 0.0:
