@@ -185,6 +185,27 @@ def test_still_picture_costs_nothing(file: Path, opened: Callable[..., Any]) -> 
         assert time.monotonic() < end
 
 
+@pytest.mark.parametrize("device", ["webgpu", "webgl2"])
+def test_a_lost_device_is_replaced_by_another(
+    device: str, file: Path, opened: Callable[..., Any]
+) -> None:
+    # as when a driver is restarted: the view, its history and its keys go on
+    page = opened(file, f"?device={device}")
+    png(page)
+    page.evaluate("airlight.state.set({'view.look_zenith': 85})")
+    lose = "const { device, gl } = airlight.device; window.lost = airlight;"
+    lose += "device ? device.destroy() : gl.getExtension('WEBGL_lose_context').loseContext()"
+    page.evaluate(lose)
+    until(page, "airlight !== lost && airlight.device && airlight.drawn")
+    assert page.evaluate("airlight.device.kind") == "webgl2"
+    assert_same_picture(png(page), expected({**VIEW, "view.look_zenith": 85.0}))
+    assert "was lost" in page.evaluate("airlight.parts.note.textContent")
+    assert page.locator("canvas").count() == 1
+    page.locator("canvas").focus()
+    page.keyboard.press("Control+z")
+    assert page.evaluate("airlight.state.get('view.look_zenith')") == VIEW["view.look_zenith"]
+
+
 def test_page_without_a_device_says_so(file: Path, opened: Callable[..., Any]) -> None:
     page = opened(file, "?device=none")
     until(page, "document.querySelector('.airlight-message').textContent !== ''")

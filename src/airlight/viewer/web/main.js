@@ -12,22 +12,42 @@ const place = document.getElementById("airlight-place");
 const first = place.querySelector(".airlight-first");
 const wanted = new URLSearchParams(location.search).get("device") ?? "auto";
 
-const viewer = new Viewer(place, {
-  title: data.title,
-  parameters: data.parameters,
-  values: data.values,
-  body: data.body,
-  note: data.note,
-  device: wanted,
-  first,
-  radius: () => data.picture.radius,
-  link: (fragment) => location.href.replace(/#.*/, "") + (fragment ? `#${fragment}` : ""),
-  picture: async (device, onProgress) => {
-    const shaders = JSON.parse(await textOf(data.picture.shaders));
-    return Picture.make(device, { ...data.picture, shaders }, onProgress);
-  },
-  edits: (shown) => data.solver && new Edits(shown, data.solver, data.picture),
-});
+/** Times that a lost device is replaced. */
+const MOST_RESTARTS = 3;
+let viewer = null;
+let restarts = 0;
+
+/** Show the page by a device, with the state so far. */
+function show(device) {
+  const before = viewer;
+  before?.close();
+  viewer = new Viewer(place, {
+    title: data.title,
+    parameters: data.parameters,
+    values: data.values,
+    state: before?.state,
+    body: data.body,
+    note: data.note,
+    device,
+    first: before ? undefined : first,
+    radius: () => data.picture.radius,
+    link: (fragment) => location.href.replace(/#.*/, "") + (fragment ? `#${fragment}` : ""),
+    picture: async (opened, onProgress) => {
+      const shaders = JSON.parse(await textOf(data.picture.shaders));
+      return Picture.make(opened, { ...data.picture, shaders }, onProgress);
+    },
+    edits: (shown) => data.solver && new Edits(shown, data.solver, data.picture),
+    lost: (reason) => {
+      restarts += 1;
+      if (restarts > MOST_RESTARTS) return viewer.say(`the GPU was lost (${reason}): reload`);
+      show("webgl2");
+      viewer.explain(`the GPU was lost (${reason}): shown by WebGL2`);
+    },
+  });
+  window.airlight = viewer;
+}
+
+show(wanted);
 viewer.state.planet = data.planet;
 
 function takeAddress() {
@@ -47,4 +67,3 @@ viewer.state.subscribe(() => {
 addEventListener("hashchange", takeAddress);
 takeAddress();
 viewer.parts.canvas.focus({ preventScroll: true });
-window.airlight = viewer;

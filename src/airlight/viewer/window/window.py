@@ -294,8 +294,9 @@ class Window:
             exposure="" if shown is None else f"{shown.exposure:+.1f} EV",
             frame=f"window: {self._times.milliseconds:.0f} ms",
             picture="" if shown is None else picture_text(shown),
-            solver=solver_text(self._sides.solved(), status),
-            working=status.text,
+            # before the first picture its place says what is done, and how long it takes
+            solver="" if shown is None else solver_text(self._sides.solved(), status),
+            working="" if shown is None else status.text,
             message=self._saving.message if self._saving.busy else self.messages.text,
             error=self.problem or self._saving.error or self._probing.error,
         )

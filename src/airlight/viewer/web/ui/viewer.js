@@ -14,6 +14,7 @@
  * - `stale()` — optional words while the picture shows another planet than the controls, or none;
  * - `link(fragment)` — optional address that shows the state again;
  * - `body` — world whose sky the planet has, where no parameter says it;
+ * - `lost(reason)` — optional replacement of a lost device;
  * - `note` — optional line about parameters that cannot be edited here;
  * - `device` — auto, webgpu, webgl2, or a name of `devices`;
  * - `devices` — optional further devices, see devices/device.js.
@@ -75,7 +76,7 @@ export class Viewer {
     this.lastChange = -Infinity;
     this.milliseconds = 0;
     this.closed = false;
-    this.state.subscribe(() => this.changed());
+    this.listening.push({ close: this.state.subscribe(() => this.changed()) });
     this.sizes = new ResizeObserver(() => this.request());
     this.sizes.observe(this.parts.view);
     this.ready = this.start();
@@ -152,7 +153,9 @@ export class Viewer {
       this.device = await openDevice(this.parts.canvas, this.source.device ?? "auto", this.source.devices);
       if (this.closed) return this.device.close();
       this.device.lost.then((reason) => {
-        if (!this.closed) this.say(`the GPU was lost (${reason}): reload`);
+        if (this.closed) return;
+        if (this.source.lost) this.source.lost(reason);
+        else this.say(`the GPU was lost (${reason}): reload`);
       });
       this.picture = await this.source.picture(this.device, (done, total) =>
         this.prepare(`compiling shaders ${done} of ${total}`),
