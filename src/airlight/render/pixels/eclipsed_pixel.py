@@ -18,6 +18,7 @@ from airlight.geometry.vectors import Vec3, components, dot, plus, scaled
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, store
 from airlight.physics.optics.cox_munk import mean_square_slope, mirrored_cosine
+from airlight.render.pixels.land import haze_beyond, seen_hill
 from airlight.render.pixels.pixel import ground_along, ground_radiance
 from airlight.render.pixels.render_cpu import each_pixel
 from airlight.render.pixels.sky_lookup import classify_ray
@@ -65,6 +66,7 @@ def eclipsed_light(px, py, ray, exact, frame, work, color, result):
     """
     turn, eclipse, found = work
     observer, tables, march_work = frame.observer, frame.tables, eclipse.work
+    ray, beyond = seen_hill(ray, frame, color)
     sine, _, through_air, to_ground = classify_ray(ray, observer, tables)
     result[:] = 0.0
     if not through_air:
@@ -95,7 +97,10 @@ def eclipsed_light(px, py, ray, exact, frame, work, color, result):
         refraction = refraction_angle(
             r, mu, tables.refraction_strength, march_work.columns_total[tables.constituents - 1]
         )
-    march_work.radiance[1] = found[1]
+    march_work.radiance[0], march_work.radiance[1] = found[0], found[1]
+    if beyond > 1.0:
+        haze_beyond(ray, sine, beyond, frame, march_work)
+        result[:] = march_work.radiance[0]
     if tables.ground.wet:
         _mirrored_sky(Vec3(x, y, z), along, mu_r, eclipse, found)
         march_work.radiance[MIRRORED] = found[0]
