@@ -458,7 +458,7 @@ WHOLE = {
         "ground_cosine", "land_texture", "along_lattice", "lattice_place", "stony", "texture_light",
         "octave_change", "seen_row", "row_before", "hills", "woods", "canopy", "hill_size",
         "leafiness", "snowiness", "near_hills", "risen", "grown", "land_color", "seen_hill",
-        "haze_beyond", "angle_above_land",
+        "haze_beyond",
     ),
     "test_ground_detail.py::test_detail_near_the_observer_is_that_of_the_cpu": (
         "ground_detail", "gradient_noise", "corner_slope", "smooth_noise", "lattice_value",

@@ -24,7 +24,7 @@ from airlight.render.clouds.line_of_air import line_of_air
 from airlight.render.clouds.local_sun import local_light, local_slant, sun_place
 from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.ground_angles import ground_angles
-from airlight.render.pixels.land import haze_beyond, seen_hill
+from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.pixel import (
     disc_light,
     filtered,
@@ -55,19 +55,18 @@ class CloudyWorkspace(NamedTuple):
 
 
 @inlined
-def cloudy_light(px, py, ray, exact, frame, work, color, result):
+def cloudy_light(px, py, ray, beyond, exact, frame, work, color, result):
     """Spectral radiance of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
-    px, py, ray, exact, frame, color, result :
+    px, py, ray, beyond, exact, frame, color, result :
         Arguments of ``pixel_light``.
     work : CloudyWorkspace
         Clouds and workspaces.
     """
     observer, view, tables = frame.observer, frame.camera, frame.tables
     air_work, clouds, front = work
-    ray, beyond = seen_hill(ray, frame, color)
     found = classify_ray(ray, observer, tables)
     polarised = view.filter > 0
     no_light(tables, front)

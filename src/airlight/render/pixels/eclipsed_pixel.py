@@ -18,7 +18,7 @@ from airlight.geometry.vectors import Vec3, components, dot, plus, scaled
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, store
 from airlight.physics.optics.cox_munk import mean_square_slope, mirrored_cosine
-from airlight.render.pixels.land import haze_beyond, seen_hill
+from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.pixel import ground_along, ground_radiance
 from airlight.render.pixels.render_cpu import each_pixel
 from airlight.render.pixels.sky_lookup import classify_ray
@@ -54,19 +54,18 @@ class EclipsedWorkspace(NamedTuple):
 
 
 @inlined
-def eclipsed_light(px, py, ray, exact, frame, work, color, result):
+def eclipsed_light(px, py, ray, beyond, exact, frame, work, color, result):
     """Spectral radiance of a pixel, per irradiance of the unocculted star. [sr⁻¹]
 
     Parameters
     ----------
-    px, py, ray, exact, frame, color, result :
+    px, py, ray, beyond, exact, frame, color, result :
         Arguments of ``pixel_light``; every pixel is marched.
     work : EclipsedWorkspace
         Shadow and workspace.
     """
     turn, eclipse, found = work
     observer, tables, march_work = frame.observer, frame.tables, eclipse.work
-    ray, beyond = seen_hill(ray, frame, color)
     sine, _, through_air, to_ground = classify_ray(ray, observer, tables)
     result[:] = 0.0
     if not through_air:

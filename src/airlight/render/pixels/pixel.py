@@ -15,7 +15,7 @@ from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground
-from airlight.render.pixels.land import haze_beyond, seen_hill
+from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.polarising_filter import filter_shares
 from airlight.render.pixels.sky_lookup import classify_ray, sky_lookup
 from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
@@ -316,15 +316,15 @@ def disc_light(powers, place, whole, tables, columns, at):
 
 
 @inlined
-def pixel_light(px, py, ray, exact, frame, work, color, result):
+def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
     """Spectral radiance of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
         Position from the left and top edge of the frame. [pixel]
-    ray : Vec3
-        Viewing direction there, ``camera_direction``. [1]
+    ray, beyond : Vec3, float
+        Result of ``seen_hill`` for the viewing direction there. [1]
     exact : bool
         Constant: whether the pixel is marched.
     frame : FrameTables
@@ -335,7 +335,6 @@ def pixel_light(px, py, ray, exact, frame, work, color, result):
         Receives the radiance. [sr⁻¹]
     """
     view, tables = frame.camera, frame.tables
-    ray, beyond = seen_hill(ray, frame, color)
     found = classify_ray(ray, frame.observer, tables)
     seen = seen_line(ray, found, exact, frame, work, color)
     if beyond > 1.0:

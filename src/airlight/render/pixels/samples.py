@@ -27,25 +27,10 @@ _CORNER: Final = 0.75
 
 
 @inlined
-def angle_above_land(ray, moved, frame, color):
-    """Sine of the angle above the horizon; on hills, of that of the level ground before them. [1]
-
-    Parameters
-    ----------
-    ray, moved : Vec3, float
-        Viewing direction, and by how much its zenith component is changed. [1]
-    frame, color : FrameTables, array
-        Arguments of ``seen_hill``.
-    """
-    observer = frame.observer
-    ray, _ = seen_hill(Vec3(ray.x, ray.y, ray.z + moved), frame, color)
-    sine = sqrt(ray.x * ray.x + ray.y * ray.y)
-    return ray.z * observer.horizon_sine - sine * observer.horizon_mu
-
-
-@inlined
 def samples_per_side(ray, frame, color):
-    """Samples per side of a pixel.
+    """Samples per side of a pixel: at least ``EDGE`` on the horizon and on the skyline of hills.
+
+    Of the lines of sight of its lower and upper corner one meets land, the other none.
 
     Parameters
     ----------
@@ -55,15 +40,19 @@ def samples_per_side(ray, frame, color):
         Arguments of ``seen_hill``.
     """
     observer, view = frame.observer, frame.camera
-    if view.edges:
-        sine = sqrt(ray.x * ray.x + ray.y * ray.y)
-        along = ray.z * observer.horizon_mu + sine * observer.horizon_sine
-        corner = _CORNER * view.pixel_angle
-        if along > 0.0:
-            low = angle_above_land(ray, -corner, frame, color)
-            if low < 0.0 and angle_above_land(ray, corner, frame, color) > 0.0:
-                return max(view.samples, EDGE)
-    return view.samples
+    side, count = view.samples, 0
+    sine = sqrt(ray.x * ray.x + ray.y * ray.y)
+    if view.edges and ray.z * observer.horizon_mu + sine * observer.horizon_sine > 0.0:
+        for corner in range(2):
+            moved = (2.0 * corner - 1.0) * _CORNER * view.pixel_angle
+            end, _ = seen_hill(Vec3(ray.x, ray.y, ray.z + moved), frame, color)
+            level = sqrt(end.x * end.x + end.y * end.y)
+            above = end.z * observer.horizon_sine - level * observer.horizon_mu
+            if above < 0.0:
+                count += 1
+        if count == 1:
+            side = max(view.samples, EDGE)
+    return side
 
 
 @inlined
@@ -96,8 +85,8 @@ def sample_place(px, py, sample, side, view):
 @inlined
 def light_of_centre(px, py, light, exact, frame, work, color, result):
     """Spectral radiance of a pixel with one sample; arguments of ``sampled_light``."""
-    ray = camera_direction(px, py, frame.camera)
-    light(px, py, ray, exact, frame, work, color, result)
+    ray, beyond = seen_hill(camera_direction(px, py, frame.camera), frame, color)
+    light(px, py, ray, beyond, exact, frame, work, color, result)
 
 
 @inlined
@@ -118,15 +107,14 @@ def sampled_light(px, py, light, exact, frame, work, color, total, result):
         Receives the radiance. [sr⁻¹]
     """
     view, tables = frame.camera, frame.tables
-    ray = camera_direction(px, py, view)
-    side = samples_per_side(ray, frame, color)
+    side = samples_per_side(camera_direction(px, py, view), frame, color)
     step = 1.0 / side
     for sample in range(side * side):
         sx, sy = px, py
         if side > 1:
             sx, sy = sample_place(px, py, sample, side, view)
-            ray = camera_direction(sx, sy, view)
-        light(sx, sy, ray, exact, frame, work, color, result)
+        ray, beyond = seen_hill(camera_direction(sx, sy, view), frame, color)
+        light(sx, sy, ray, beyond, exact, frame, work, color, result)
         if side > 1:
             for at in range(0, tables.lanes, LANES):
                 share = load(result, at) * np.float32(step * step)
