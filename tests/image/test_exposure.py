@@ -172,13 +172,13 @@ def test_the_exposure_eases_towards_the_wanted_one():
 
 def test_towns_by_night_are_not_drowned_in_white() -> None:
     # From orbit photographers expose the lamps of towns: with them on a fiftieth of a picture of
-    # dark ground, whose night alone would be exposed 1.5 EV longer, towns of 0.05 cd/m² are near
+    # dark ground, whose night alone would be exposed 2 EV longer, towns of 0.05 cd/m² are near
     # white, as with ISO 12 800, f/1.4 and 1/4 s, which saturate at 0.07 cd/m² (ISO 12232)
     ground = np.full((100, 100, 3), 3e-4 / 683.0)
     towns = ground.copy()
     towns[40:50, 30:50] = 0.05 / 683.0
     alone, lit = (automatic_exposure(one, white=40.0) for one in (ground, towns))
-    assert 1.0 < alone - lit < 2.0  # 1.5 EV, and what the highlights take
+    assert 1.5 < alone - lit < 2.5  # 2 EV, and what the highlights take
     assert abs(lit - camera_exposure(iso=12_800, aperture=1.4, shutter=0.25)) < 1.5
     # the same by full moon and at dusk is no long exposure: only what is white limits it
     assert automatic_exposure(300.0 * ground) - automatic_exposure(300.0 * towns) < 1.0

@@ -30,7 +30,7 @@ def detail(place: np.ndarray, below: np.ndarray, footprint: float) -> float:
     origins = [lattice_origin(x, BOTTOM, CELL) for x in below / BOTTOM]
     wholes, parts = zip(*origins, strict=True)
     at = Vec3(*(place - below))
-    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts)).cloud)
+    return float(ground_detail(at, footprint, CELL, Vec3(*wholes), Vec3(*parts)).north)
 
 
 def noise_at(place: np.ndarray, footprint: float) -> GroundNoise:
@@ -64,13 +64,13 @@ def test_nothing_is_finer_than_two_pixels() -> None:
 
 
 def test_octaves_fall_from_a_deviation_of_one() -> None:
-    # Independent octaves of deviations 1, 1/2, 1/4 …: the sum of their squares is 4/3. Places lie
-    # 40 km and more apart, in other cells of all sizes.
+    # Independent octaves of deviations 1, 1/4, 1/16 …: the sum of their squares is 16/15. Places
+    # lie 40 km and more apart, in other cells of all sizes.
     random = np.random.default_rng(4)
     here = BOTTOM * planet_frame(-10.0, 100.0, 0.0)[:, 2]
     values = [detail(here + 4e5 * step, here, 0.01) for step in random.normal(size=(4000, 3))]
     assert_allclose(np.mean(values), 0.0, atol=0.08)
-    assert_allclose(np.std(values), math.sqrt(4.0 / 3.0), rtol=0.08)
+    assert_allclose(np.std(values), math.sqrt(16.0 / 15.0), rtol=0.08)
 
 
 def test_a_sharper_coast_keeps_the_share_of_water() -> None:
