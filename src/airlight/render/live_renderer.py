@@ -4,9 +4,9 @@
 * Live frames of the CPU start coarse and become finer; a newer request interrupts all but the
   first.
 * A live frame of a hardware GPU is rendered once, at full resolution.
-* A software GPU renders from a small sky-view LUT while the view changes; after a short time
-  without changes the CPU renders the final frame, which, unlike a long pass, leaves the GPU
-  queue free for the window.
+* A software GPU renders smaller frames from a small sky-view LUT while the view changes; after a
+  short time without changes the CPU renders the final frame, which, unlike a long pass, leaves the
+  GPU queue free for the window.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
   not compiled either, which takes longer (``render.background_compilation``): then a hardware GPU
   renders first. The first frame of a window has full resolution, as coarse frames need the loop
@@ -51,6 +51,8 @@ _STEP: Final = 3.0
 #: Smallest scale of a coarse frame; and scale above which the next frame has full resolution. [1]
 _SMALLEST: Final = 1.0 / 12.0
 _NEARLY_WHOLE: Final = 0.7
+#: Scale of frames of a software GPU, which the CPU's follows. [1]
+_IN_SOFTWARE: Final = 0.6
 #: Initial estimate of the CPU's rendering speed. [pixel s⁻¹]
 _FIRST_GUESS: Final = 2e5
 #: Time without a change of view after which the CPU renders the final frame. [s]
@@ -212,7 +214,9 @@ class LiveRenderer:
         if not self._upload(solution):
             yield from self._on_cpu(solution, step, stale)
             return
-        on_gpu = replace(step, renderer=self._gpu, finished=not self._device.software)
+        software = self._device.software
+        size = scaled(scene, _IN_SOFTWARE) if software else scene
+        on_gpu = replace(step, scene=size, renderer=self._gpu, finished=not software)
         if on_gpu.finished:
             yield on_gpu
             return
