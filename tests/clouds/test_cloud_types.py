@@ -163,7 +163,9 @@ def test_area_of_clouds_that_overlap_at_random_gives_their_cover():
     x, y = np.mgrid[-reach : reach + 1, -reach : reach + 1]
     disc = x**2 + y**2 <= reach**2
     count = round(area * density.size / disc.sum())
-    for i, j in (random_places(grid, random, density, count) // grid.spacing).astype(int):
+    for i, j in (random_places(grid, random, np.cumsum(density), count) // grid.spacing).astype(
+        int
+    ):
         covered[(i + x[disc]) % 256, (j + y[disc]) % 256] = True
     assert covered.mean() == pytest.approx(0.3, abs=0.015)
 

@@ -127,15 +127,24 @@ def test_a_planet_seen_whole_follows_the_pointer() -> None:
     # Dragged to the right by the angle of a point's distance, the point below moves there: seen
     # north up the observer goes west, by drag times altitude over radius.
     session = Session("earth-atmosphere-plus")
-    session.move({"view.altitude": 4e7, "view.look_zenith": 180.0, "view.heading": 0.0,
+    session.move({"view.altitude": 1.5e7, "view.look_zenith": 180.0, "view.heading": 0.0,
                   "view.latitude": 0.0, "view.longitude": 30.0})  # fmt: skip
     before, flight = dict(session.view), Flight(session)
     flight.look(0.01, 0.0)
     radius = flight.bottom_radius
-    wanted = 0.01 * float(before["view.field_of_view"]) * 4e7 / radius
+    wanted = 0.01 * float(before["view.field_of_view"]) * 1.5e7 / radius
     assert_allclose(30.0 - float(session.view["view.longitude"]), wanted, rtol=1e-9)
     assert session.view["view.look_zenith"] == 180.0
     assert_allclose(sun_of(session.view), sun_of(before), atol=1e-12)  # type: ignore[arg-type]
+
+
+def test_a_planet_that_is_a_dot_does_not_spin() -> None:
+    # Across the whole picture half a turn, however far away.
+    session = Session("earth-atmosphere-plus")
+    session.move({"view.altitude": 1e12, "view.look_zenith": 180.0, "view.heading": 0.0,
+                  "view.latitude": 0.0, "view.longitude": 30.0})  # fmt: skip
+    Flight(session).look(0.1, 0.0)
+    assert_allclose(session.view["view.longitude"], 30.0 - 18.0, atol=1e-9)
 
 
 def test_a_far_planet_is_found_again() -> None:

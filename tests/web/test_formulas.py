@@ -117,7 +117,7 @@ CASES: dict[str, tuple[Any, ...]] = {
     "horizon_kept": (ZENITHS, ALTITUDES, ALTITUDES[::-1], BOTTOM),
     "turns_planet": (ALTITUDES, BOTTOM),
     "planet_hidden": (ZENITHS, ALTITUDES, BOTTOM, 60.0),
-    "angle_dragged": (ALTITUDES, BOTTOM, numbers(0.0, 60.0)),
+    "angle_dragged": (ALTITUDES, BOTTOM, numbers(1.0, 90.0), numbers(0.0, 1.0)),
     "sky_magnitude": (10.0 ** numbers(-6.0, 3.0),),
     "direction_of": ANGLES[:2],
     "camera_frame": ANGLES,

@@ -280,9 +280,9 @@ def _places(
     grid: CloudGrid, random: np.random.Generator, widths: FloatArray, density: FloatArray | None
 ) -> FloatArray:
     """Places of clouds, the farthest from others of a few random ones, shape (n, 2). [m]"""
-    places = np.zeros((widths.size, 2))
+    places, total = np.zeros((widths.size, 2)), None if density is None else np.cumsum(density)
     for n, width in enumerate(widths):
-        tries = random_places(grid, random, density, 3)
+        tries = random_places(grid, random, total, 3)
         if n:
             apart = np.abs(tries[:, None] - places[None, :n])
             apart = np.minimum(apart, grid.size - apart)

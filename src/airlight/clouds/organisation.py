@@ -82,7 +82,7 @@ def overlapping(cover: float, density: FloatArray) -> float:
 
 
 def random_places(
-    grid: CloudGrid, random: np.random.Generator, density: FloatArray | None, count: int
+    grid: CloudGrid, random: np.random.Generator, total: FloatArray | None, count: int
 ) -> FloatArray:
     """Places of a number density, even without one, shape (count, 2). [m]
 
@@ -90,15 +90,14 @@ def random_places(
     ----------
     grid, random
         See ``heaps.heap_extinction``.
-    density : array, optional
-        Result of ``number_density``. [1]
+    total : array, optional
+        Cumulative sum of ``number_density``, flat. [1]
     count : int
         Number of places.
     """
     places = random.random((count, 2))
-    if density is None:
+    if total is None:
         return np.asarray(places * grid.size)
-    total = np.cumsum(density)
     found = np.searchsorted(total, random.random(count) * total[-1])
-    cells = np.stack(np.unravel_index(found, density.shape), axis=1)
+    cells = np.stack(np.divmod(found, grid.columns), axis=1)
     return np.asarray((cells + places) * grid.spacing)

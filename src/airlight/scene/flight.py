@@ -216,17 +216,28 @@ def planet_hidden(
     return turns_planet(altitude, bottom_radius) and beyond > 0.5 * field_of_view
 
 
-def angle_dragged(altitude: float, bottom_radius: float, drag: float) -> float:
+def angle_dragged(
+    altitude: float, bottom_radius: float, field_of_view: float, share: float
+) -> float:
     """Central angle of a drag of the planet, whose nearest point follows the pointer. [rad]
+
+    A planet that is a dot turns by half, not more, while the pointer crosses the picture.
 
     Parameters
     ----------
     altitude, bottom_radius : float
         Altitude and radius of the planet. [m]
-    drag : float
-        Angle that the pointer has moved by. [deg]
+    field_of_view : float
+        Width of the picture. [deg]
+    share : float
+        Distance that the pointer has moved over the width of the picture. [1]
+
+    Examples
+    --------
+    >>> round(angle_dragged(1e12, 6.371e6, 60.0, 1.0), 6)
+    3.141593
     """
-    return drag * RADIAN * altitude / bottom_radius
+    return share * min(field_of_view * RADIAN * altitude / bottom_radius, math.pi)
 
 
 def sun_dragged(zenith: float, azimuth: float, right: float, down: float) -> tuple[float, float]:

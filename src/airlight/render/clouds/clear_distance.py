@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.clouds.cloud_detail import DISPLACED, DISPLACED_FALL
 from airlight.clouds.cloud_field import CloudField
 from airlight.kernel import compiled_loop
 
@@ -23,7 +25,7 @@ _LONGEST: Final = 1e5
 _KEPT: Final = 0.95
 #: Displacement by detail over the width of a cell beyond the half cell that interpolation leaves:
 #: three standard deviations. [1]
-_DISPLACED: Final = 0.3
+_DISPLACED: Final = 3.0 * DISPLACED / sqrt(1.0 - DISPLACED_FALL**2) - 0.5
 
 
 def clear_distances(field: CloudField) -> Float32Array:

@@ -185,8 +185,9 @@ class Flight:
         if turns_planet(altitude, self.bottom_radius):
             (heading,) = _numbers(view, "heading")
             course = heading + math.degrees(math.atan2(-right, down))
-            drag = field * math.hypot(right, down)
-            moved = _carried(view, course, angle_dragged(altitude, self.bottom_radius, drag))
+            share = math.hypot(right, down)
+            angle = angle_dragged(altitude, self.bottom_radius, field, share)
+            moved = _carried(view, course, angle)
         else:
             moved = _looked(view, -right * field, -down * field)
         self._session.move(moved, gesture="look", held=True)

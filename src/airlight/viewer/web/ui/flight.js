@@ -187,7 +187,7 @@ export class Flight {
       return;
     }
     const course = heading + (Math.atan2(-right, down) * 180) / Math.PI;
-    const angle = angle_dragged(altitude, this.radius(), field * Math.hypot(right, down));
+    const angle = angle_dragged(altitude, this.radius(), field, Math.hypot(right, down));
     this.state.set(carried(values, course, angle), "look");
   }
 
