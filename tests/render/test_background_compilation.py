@@ -5,13 +5,17 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numba
 import numpy as np
 
 from airlight import Camera, Scene, load_planet
+from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_optics import CloudOptics, droplets
 from airlight.render.background_compilation import _arguments, empty_clouds
+from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.cloud_tables import new_cloud_work
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.cpu_renderer import CpuRenderer
@@ -49,12 +53,13 @@ def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any])
 
 
 def test_empty_clouds_have_the_types_of_a_picture(solved: Callable[..., Any]) -> None:
-    planet = load_planet("earth", {"clouds": [{"kind": "cumulus"}]})
-    solution = solved(planet.without_clouds, quality="preview")
-    camera = Camera(width=320, height=180)
-    scene = Scene(altitude=2.0, camera=camera)
-    around = CloudsAround.of(planet, scene)
-    assert around is not None
+    solution = solved(load_planet("earth"), quality="preview")
+    scene = Scene(altitude=2.0, camera=Camera(width=320, height=180))
+    field = CloudField(
+        extinction=np.full((4, 4, 8), 0.01, np.float32), spacing=(500.0, 500.0, 62.5), base=1e3
+    )
+    deck = CloudDeck(field, partial(CloudOptics.of_particles, droplets(10e-6, 0.1)))
+    around = CloudsAround((deck,))
     renderer = CpuRenderer(solution, scene, clouds=around.lit(solution, scene))
     renderer.fill_sky_view()
     real, made = renderer._clouds, empty_clouds()
