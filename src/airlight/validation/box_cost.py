@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from subprocess import PIPE
 from time import process_time
 from typing import Final
@@ -29,8 +30,6 @@ _PROGRAM: Final = "from airlight.validation.box_cost import solved; print(*solve
 
 def solved(quality: str) -> tuple[float, float]:
     """CPU time [s] of a solution after another, and largest memory of this process [GB]."""
-    import resource  # not on Windows
-
     planet = load_planet("earth", {"clouds": [{"kind": "cumulus"}]})
     box = Box(size=_COLUMNS * _WIDTH, spacing=_WIDTH)
     ((field, optics),) = clouds_of(planet, WAVELENGTHS, box)
@@ -48,8 +47,20 @@ def solved(quality: str) -> tuple[float, float]:
     started = process_time()
     solve_box(field, optics, light, quality=quality, cache=False)
     seconds = process_time() - started
-    unit = 1.0 if sys.platform == "darwin" else 1024.0
-    return seconds, 1e-9 * unit * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return seconds, 1e-9 * _largest_memory()
+
+
+def _largest_memory() -> float:
+    """Largest resident memory of this program. [byte]"""
+    status = Path("/proc/self/status")
+    if status.exists():  # ``ru_maxrss`` is not less than that of the process that started this one
+        (line,) = (one for one in status.read_text().splitlines() if one.startswith("VmHWM"))
+        return 1024.0 * float(line.split()[1])
+    import resource  # not on Windows
+
+    return (1.0 if sys.platform == "darwin" else 1024.0) * resource.getrusage(
+        resource.RUSAGE_SELF
+    ).ru_maxrss
 
 
 def box_cost(run: SuiteRun) -> tuple[list[Threshold], list[Part]]:
