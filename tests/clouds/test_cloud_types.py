@@ -83,9 +83,15 @@ def test_a_storm_is_narrow_below_its_anvil(seed):
     # cloudy shares of levels: most of the cover in the anvil, of which a fifth is the tower
     field = cloud_field(Cumulonimbus(seed=seed), spacing=200.0)
     share = (field.extinction > 0.0).mean(axis=(0, 1))
-    assert share[26:].max() > 0.2
-    assert 0.005 < share[12:20].min() < 0.06
+    assert share[52:].max() > 0.2
+    assert 0.005 < share[24:40].min() < 0.06
     assert field.beyond == "clear"
+    # the anvil reaches farther downwind, to the east, and holds less ice than the tower
+    deep = field.column_optical_depth
+    tower = np.unravel_index(deep.argmax(), deep.shape)
+    anvil = np.argwhere((field.extinction[:, :, :40] == 0.0).all(axis=2) & (deep > 0.0)) - tower
+    assert anvil[:, 0].mean() > 0.2 * np.abs(anvil[:, 0]).max()
+    assert deep[tuple((anvil + tower).T)].mean() < 0.1 * deep.max()
 
 
 def test_cumuli_have_flat_bases_and_grow_with_height():

@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.clouds.anvil import storm_extinction
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.fibres import fibre_extinction, trail
@@ -27,9 +28,8 @@ from airlight.planets.clouds import (
 
 FloatArray = NDArray[np.float64]
 
-#: Side of the box, and number of levels, by default. [m], [1]
+#: Side of the box by default. [m]
 SIZE: Final = 25.6e3
-LEVELS: Final = 32
 #: Weight of the distance from the thickest cloud in the choice of a side. [1]
 _CLEAR: Final = 0.05
 #: Relative extinction by type: ``(grid, random, cell=, cover=, shear=)``.
@@ -38,7 +38,7 @@ GENERATORS: Final[dict[type[CloudType], Callable[..., FloatArray]]] = {
     Stratocumulus: partial(layer_extinction, pattern=STRATOCUMULUS),
     CumulusHumilis: heap_extinction,
     CumulusCongestus: partial(heap_extinction, shape=CONGESTUS),
-    Cumulonimbus: partial(heap_extinction, anvil=True),
+    Cumulonimbus: storm_extinction,
     Altocumulus: partial(layer_extinction, pattern=ALTOCUMULUS),
     Cirrus: fibre_extinction,
 }
@@ -49,7 +49,7 @@ def cloud_field(
     *,
     size: float = SIZE,
     spacing: float | None = None,
-    levels: int = LEVELS,
+    levels: int | None = None,
     latitude: float = 0.0,
     longitude: float = 0.0,
 ) -> CloudField:
@@ -65,14 +65,16 @@ def cloud_field(
         Side of the box, rounded to whole cells. [m]
     spacing : float, optional
         Horizontal width of a cell; by default that of the type. [m]
-    levels : int
-        Number of levels.
+    levels : int, optional
+        Number of levels; by default that of the type.
     latitude, longitude : float
         The place, in the middle of the box. [deg]
     """
     step = clouds.spacing if spacing is None else spacing
     columns = max(round(size / step), 4)
-    grid = CloudGrid(columns=columns, levels=levels, spacing=step, depth=clouds.depth)
+    grid = CloudGrid(
+        columns=columns, levels=levels or clouds.levels, spacing=step, depth=clouds.depth
+    )
     random = np.random.default_rng(int(clouds.seed))
     relative = np.zeros(grid.shape)
     if clouds.cover > 0.0:

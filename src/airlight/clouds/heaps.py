@@ -44,17 +44,6 @@ _ROUGH: Final = 0.55
 #: Generations of smaller thermals, and their least radius in cells.
 _GENERATIONS: Final = 2
 _LEAST: Final = 0.9
-#: Cover of the clouds below an anvil over all. [1]
-_BELOW_ANVIL: Final = 0.3
-#: Thermals of an anvil. Its length over that of a circle, and the distance of its middle from the
-#: tower over its radius; over the height of the cloud that of its upper side, and half of its depth
-#: at the edge and in addition in the middle; chosen by looking at pictures. [1]
-_ANVIL: Final = 80
-_LONG: Final = 1.2
-_DOWNWIND: Final = 0.3
-_EVEN: Final = 0.93
-_THIN: Final = 0.045
-_DEEP: Final = 0.2
 #: Distance over which extinction falls at the edge, beside that of ``HeapShape``. [m]
 _EDGE: Final = 20.0
 
@@ -202,7 +191,6 @@ def heap_extinction(
     shear: float,
     organisation: float = 0.0,
     shape: HeapShape = HUMILIS,
-    anvil: bool = False,
 ) -> FloatArray:
     """Relative extinction of cumuli of a cover, shape of the grid. [1]
 
@@ -222,17 +210,13 @@ def heap_extinction(
         Standard deviation of the logarithm of their number density. [1]
     shape : HeapShape
         Shape of each.
-    anvil : bool
-        Whether the top of the largest cloud spreads over most of the cover.
     """
     density = None
     if organisation > 0.0:
         density = number_density(grid, random, cell, shear, organisation)
-    widths = cloud_widths(grid, random, cell, _BELOW_ANVIL * cover if anvil else cover, density)
+    widths = cloud_widths(grid, random, cell, cover, density)
     places = _places(grid, random, widths, density)
-    heaps = _heaps(
-        grid, random, np.column_stack([places, widths]), shape, shear, cover if anvil else 0.0
-    )
+    heaps = _heaps(grid, random, np.column_stack([places, widths]), shape, shear)
     field = np.full(grid.shape, NOWHERE)
     raise_thermals(field, heaps, grid.spacing, grid.level, _ROUGH)
     highest = field.max(axis=2)
@@ -299,17 +283,14 @@ def _heaps(
     clouds: FloatArray,
     shape: HeapShape,
     shear: float,
-    spread: float,
 ) -> Heaps:
-    """Thermals of clouds of a place and width, and of an anvil that covers a part of the box."""
+    """Thermals of clouds of a place and width."""
     found: list[FloatArray] = []
     for east, north, width in clouds:
         top = grid.depth * (width / clouds[0, 2]) ** 0.8 * random.uniform(0.75, 1.0)
         if not found:
             top = grid.depth
         one = _cloud(random, shape, width, max(top, 2.0 * grid.level), _LEAST * grid.spacing)
-        if spread > 0.0 and not found:
-            one = np.concatenate([one, _anvil(random, top, np.sqrt(spread / np.pi) * grid.size)])
         one[:, 0] += east + shear * one[:, 2] ** 2 / (2.0 * ASCENT)
         one[:, 1] += north
         one[:, 5] = random.uniform(0.0, 200.0)
@@ -339,23 +320,6 @@ def _cloud(
     for _ in range(_GENERATIONS):
         thermals = tuple(_bulges(random, shape, thermals, top, least))
         rows += thermals
-    return np.array(rows)
-
-
-def _anvil(random: np.random.Generator, top: float, radius: float) -> FloatArray:
-    """Flat thermals of an anvil about a cloud's place: rows of ``Heaps``.
-
-    It is even above, as at the tropopause, thins outwards and reaches farther downwind.
-    """
-    rows = []
-    for _ in range(_ANVIL):
-        out, turn = sqrt(random.random()), random.uniform(0.0, 2.0 * np.pi)
-        x = radius * (_DOWNWIND + 0.85 * _LONG * out * np.cos(turn))
-        y = radius * 0.85 / _LONG * out * np.sin(turn)
-        near = sqrt(x * x + y * y) / radius
-        up = top * (_THIN * random.uniform(0.8, 1.4) + _DEEP * np.exp(-5.0 * near))
-        wide = radius * (random.uniform(0.2, 0.3) - 0.1 * np.exp(-5.0 * near))
-        rows.append((x, y, _EVEN * top - up, wide, up, 0.0))
     return np.array(rows)
 
 

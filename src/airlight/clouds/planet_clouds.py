@@ -11,7 +11,7 @@ import numpy.typing as npt
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_files import read_cloud_file
 from airlight.clouds.cloud_optics import CloudOptics
-from airlight.clouds.cloud_types import LEVELS, SIZE, cloud_field
+from airlight.clouds.cloud_types import SIZE, cloud_field
 from airlight.errors import ParameterError
 from airlight.physics.units import values_in
 from airlight.planets.clouds import CloudFile, Clouds, CloudType
@@ -32,15 +32,15 @@ class Box(NamedTuple):
         Side. [m]
     spacing : float, optional
         Horizontal width of a cell; by default that of each type. [m]
-    levels : int
-        Number of levels.
+    levels : int, optional
+        Number of levels; by default that of each type.
     """
 
     latitude: float = 0.0
     longitude: float = 0.0
     size: float = SIZE
     spacing: float | None = None
-    levels: int = LEVELS
+    levels: int | None = None
 
 
 def clouds_of(

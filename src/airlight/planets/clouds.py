@@ -224,6 +224,8 @@ class CloudType(Clouds):
 
     #: Width of a cell of the grid by default. [m]
     spacing: ClassVar[float] = 200.0
+    #: Number of levels.
+    levels: ClassVar[int] = 32
 
     base: float = key(_BASE, default=1000.0)
     depth: float = key(_DEPTH, default=500.0)
@@ -338,6 +340,7 @@ class Cumulonimbus(CloudType):
 
     keyword = "cumulonimbus"
     spacing = 100.0
+    levels = 64
 
     base: float = key(_BASE, default=1000.0)
     depth: float = key(_DEPTH, default=11000.0)
