@@ -17,7 +17,7 @@ WHOLE, PART = Vec3(3e6, 5e6, 7e6), Vec3(0.1, 0.2, 0.3)
 
 def grain_at(place: np.ndarray, footprint: float) -> CloudGrain:
     """Texture at a place. [m]"""
-    return cloud_grain(Vec3(*place), footprint, CELL, WHOLE, PART)
+    return cloud_grain(Vec3(*place), footprint, 0.5, CELL, WHOLE, PART)
 
 
 @pytest.mark.parametrize("footprint", [10.0, 300.0, 1500.0])
@@ -52,8 +52,8 @@ def test_no_scale_of_the_texture_prevails() -> None:
 
 def test_the_texture_has_no_seam_where_its_lattice_repeats() -> None:
     step = Vec3(2.0, 0.0, 0.0)
-    below = cloud_grain(step, 1.0, 1.0, Vec3(float(WHOLE_PERIOD - 4), 5e6, 7e6), PART)
-    above = cloud_grain(step, 1.0, 1.0, Vec3(0.0, 5e6, 7e6), PART)
+    below = cloud_grain(step, 1.0, 0.5, 1.0, Vec3(float(WHOLE_PERIOD - 4), 5e6, 7e6), PART)
+    above = cloud_grain(step, 1.0, 0.5, 1.0, Vec3(0.0, 5e6, 7e6), PART)
     # 4 cells of the finest lattice apart, of which the finest octave shown has 1024
     assert above == pytest.approx(below, rel=0.05, abs=0.05)
 

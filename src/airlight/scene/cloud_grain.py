@@ -35,7 +35,11 @@ WARPED: Final = 0.14
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
 #: and change of its logarithm with noise of its own. [1]
 EDGE: Final = 0.9
-VARIED: Final = 5.0
+VARIED: Final = 3.5
+#: Share of the coarsest octave without clouds, and its growth with their cover; twice that of the
+#: next one, up to 1. By eye. [1]
+SMALL: Final = 0.4
+GROWING: Final = 1.5
 
 
 class CloudGrain(NamedTuple):
@@ -83,14 +87,17 @@ def turning_place(whole, beyond, scale):
 
 
 @kernel
-def cloud_grain(place, footprint, cell, whole, part):
+def cloud_grain(place, footprint, cover, cell, whole, part):
     """``CloudGrain`` of a place on the ground.
 
     Parameters
     ----------
+    cover : float
+        Cover of the map there: few clouds are small ones. [1]
     place, footprint, cell, whole, part :
         Arguments of ``ground_detail``.
     """
+    coarse = SMALL + GROWING * cover
     beyond_x, beyond_y = part.x + place.x / cell, part.y + place.y / cell
     beyond_z = part.z + place.z / cell
     scale = float(COARSEST)
@@ -102,7 +109,7 @@ def cloud_grain(place, footprint, cell, whole, part):
     edge = EDGE * exp(VARIED * soft)
     total, variance, share = 0.0, 0.0, 1.0
     for _octave in range(OCTAVES):
-        shown = share * min(0.5 * cell * scale / footprint - 1.0, 1.0)
+        shown = share * min(coarse, 1.0) * min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             moved = WARPED * total
             noise = gradient_noise(
@@ -113,5 +120,6 @@ def cloud_grain(place, footprint, cell, whole, part):
             total += shown * (abs(noise) - FOLDED) / FOLDED_DEVIATION
             variance += shown * shown
         share *= FALL
+        coarse *= 2.0
         scale *= 0.5
     return CloudGrain(total, variance, edge)
