@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Final, TypeAlias
 
 import numpy as np
@@ -61,6 +61,12 @@ def smooth(at: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
 
     within = np.clip(where, at[0], at[-1])
     return np.asarray(CubicHermiteSpline(at, values, _slopes(at, values, ends=0.0))(within))
+
+
+def smooth_value(at: Sequence[float], values: Sequence[float], time: float) -> float:
+    """Result of ``smooth`` at one time, for one number."""
+    found = smooth(np.array(at, float), np.array(values, float)[:, None], np.array([time]))
+    return float(found[0, 0])
 
 
 def _slopes(at: FloatArray, values: FloatArray, ends: float) -> FloatArray:

@@ -184,9 +184,7 @@ class PlanetView(TomlModel):
 
 def _pitched(camera: Camera, angle: float) -> Camera:
     """Camera that looks higher by an angle [deg] about its own horizontal axis."""
-    right, up, forward = camera_axes(
-        camera.look_zenith or 0.0, camera.look_azimuth, camera.roll
-    )
+    right, up, forward = camera_axes(camera.look_zenith or 0.0, camera.look_azimuth, camera.roll)
     sine, cosine = np.sin(np.radians(angle)), np.cos(np.radians(angle))
     axes = np.stack([right, cosine * up - sine * forward, cosine * forward + sine * up])
     zenith, azimuth, roll = camera_angles(axes)
