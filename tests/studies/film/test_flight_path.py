@@ -157,8 +157,8 @@ def test_a_flight_by_the_clock_has_no_sun_of_its_own(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changed", "line"),
     [
-        ({"look_bearing": None}, "all of a flight"),
-        ({"sun_zenith": None}, "all of a flight"),
+        ({"look_bearing": None}, "both or no sun_ angles"),
+        ({"sun_zenith": None}, "both or no sun_ angles"),
         ({"altitude": [2.0, -9.0, 2.0, 2.0, 2.0]}, "numbers above 0"),
         ({"longitude": [10.0, -170.0, 0.0, 0.0, 0.0], "latitude": [40.0, -40.0, 0.0, 0.0, 0.0]},
          "not opposite"),

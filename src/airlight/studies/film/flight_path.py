@@ -133,7 +133,8 @@ class FlightPath:
         missing = [name for name in _REQUIRED if name not in views]
         missing += [name for name in _SUN if name not in views and set(_SUN) & set(views)]
         if missing:
-            raise ParameterError("keys", f"a flight without view.{missing[0]}", "all of a flight")
+            allowed = f"a flight of view.{', view.'.join(_REQUIRED)}, and both or no sun_ angles"
+            raise ParameterError("keys", f"without view.{missing[0]}", allowed)
         self._at = np.array(at, float)
         given = {name: np.array(one, float) for name, one in views.items()}
         self._sees_sun, self._rolls = "sun_zenith" in given, "roll" in given
