@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import pytest
 from numpy.testing import assert_allclose
 
+import openspace_tests
+from airlight.render.gpu.device.device import NoDevice, open_device
 from airlight.solver.tables.columns import columns
 from baseline import checks, compiled, plain, work
 
@@ -57,6 +60,23 @@ def test_gathers_of_the_baseline_converge_to_the_marched_first_order() -> None:
         table.values, positions, table.layout.grid, scattering, work.AIR[1], (256, 64)
     )  # fmt: skip
     assert_allclose(got, work.true_gather(positions, 24), rtol=0.03)
+
+
+@pytest.mark.slow
+def test_the_tests_of_the_openspace_paper_run_small(
+    tmp_path: Path, lacking: Callable[[str], NoReturn]
+) -> None:
+    # a row for each test, with times; the numbers are those of a machine
+    try:
+        open_device()
+    except NoDevice as reason:
+        lacking(str(reason))
+    small = ["--frames", "2", "--size", "32x18", "--dome", "32", "--quality", "preview"]
+    openspace_tests.main([*small, "--markdown", str(tmp_path / "table.md")])
+    rows = (tmp_path / "table.md").read_text(encoding="utf-8").splitlines()[4:8]
+    names = [line.split(" | ")[0].removeprefix("| ") for line in rows]
+    assert names == ["flight, 1 atmosphere", "flight, without", "dome", "edit to its light"]
+    assert all(float(line.split(" | ")[2]) > 0.0 for line in rows)
 
 
 @pytest.mark.slow

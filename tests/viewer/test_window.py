@@ -399,6 +399,17 @@ def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
     window.mouse("key", "Escape")
     window.until(lambda: part("dialog") == "")
     press("u", lambda: window.ask("clipboard").startswith('#{"planet":"mars"'))
+    press("r", lambda: part("records") is True)
+    window.mouse("key", "r")
+    window.until(lambda: part("records") is False)
+    count = part("key frames")
+    press("Insert", lambda: part("key frames") == count + 1)
+    window.ask("draws", 2)
+    if count == 1:  # recording ended with its first frame
+        window.mouse("key", "Insert")
+    press("Shift+r", lambda: part("plays") is True)
+    window.mouse("key", "shift+r")
+    window.until(lambda: part("plays") is False)
     press("g", lambda: window.ask("lists"))
     window.mouse("key", "Right", "sleep", 0.2, "key", "Escape")  # the arrow flies nowhere
     window.until(lambda: not window.ask("lists"))
@@ -408,6 +419,46 @@ def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
     assert left == {}
     window.mouse("key", "1")
     assert window.ask("settled", 60.0)
+
+
+def test_a_flight_recorded_is_played_scrubbed_and_saved(window: Driven) -> None:
+    # Its ends are the views at which it was recorded; its pictures are of those views.
+    altitude = lambda: window.ask("value", "view.altitude")  # noqa: E731
+    search = window.ask("search")
+    window.ask("find", "")
+    assert window.ask("open_tab", "Flight")
+    window.ask("clear_flight")
+    window.mouse("mousemove", 600, 200, "sleep", 0.2, "key", "3")
+    window.until(lambda: altitude() > 1e4)
+    low = altitude()
+    window.click("record")
+    window.until(lambda: window.ask("open_parts")["records"])
+    window.mouse("mousemove", 600, 200, "keydown", "e", "sleep", 1.5, "keyup", "e")
+    window.until(lambda: not window.ask("open_parts")["moving"])
+    high = altitude()
+    window.mouse("key", "r")
+    window.until(lambda: not window.ask("open_parts")["records"])
+    assert window.ask("open_parts")["key frames"] >= 2
+    assert high > low
+    window.click("play")
+    window.until(lambda: window.ask("open_parts")["plays"])
+    seen = [altitude()]
+    while window.ask("open_parts")["plays"]:
+        seen.append(altitude())
+    assert altitude() == high
+    assert seen == sorted(seen)
+    left, top, right, bottom = window.ask("place_of", "flight time")
+    window.press(0.5 * (left + right), 0.5 * (top + bottom))
+    window.mouse("mouseup", 1)
+    window.until(lambda: low < altitude() < high)
+    window.click("key 0")
+    window.until(lambda: altitude() == low)
+    assert window.ask("settled", 60.0)
+    assert window.ask("picture")["altitude"] == low
+    window.click("save flight")
+    window.until(lambda: (window.log.parent / "flight.toml").is_file(), 20.0)
+    assert window.ask("open_tab", "Planet")
+    window.ask("find", search)
 
 
 def test_frames_keep_coming_while_the_planet_is_solved(

@@ -61,7 +61,8 @@ class Answers:
     def place_of(self, path: str) -> list[float]:
         self.draws(2)  # a list or a search takes its place within a frame
         panel, gallery = self.window.panel, self.window.gallery
-        return list({**gallery.places, **panel.places, **panel.planet_rows.places}[path])
+        tab = panel.flight.places
+        return list({**gallery.places, **panel.places, **tab, **panel.planet_rows.places}[path])
 
     def draws(self, frames: int) -> bool:
         """Whether the window draws some more frames."""
@@ -97,6 +98,9 @@ class Answers:
             "showing": window.session.showing,
             "other": window.session.has_other,
             "moving": window._flight.moving,
+            "records": window.recorder.records,
+            "plays": window.recorder.plays,
+            "key frames": len(window.recorder.keys),
             "fullscreen": self.canvas.fullscreen,
             "lists": window.surface.asks,
         }
@@ -120,6 +124,9 @@ class Answers:
     def open_tab(self, name: str) -> bool:
         self.window.panel.opens = name
         return self.draws(3)
+
+    def clear_flight(self) -> None:
+        self.window.recorder.clear()
 
     def recover(self, planet: str) -> str:
         """Planet of the beginning, as after random clicks; the error that was shown."""

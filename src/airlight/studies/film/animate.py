@@ -170,6 +170,7 @@ class _Job:
         self._digests: dict[int, str] = {}
         self._curve: Callable[[int], float] | None = None
         self._lit: set[int] = set()
+        self._given = False  # whether the film's key frames determine the exposure
 
     def frame_spec(self, number: int) -> FrameSpec:
         if number not in self._specs:
@@ -195,6 +196,10 @@ class _Job:
         if isinstance(exposure, (int, float)):
             fixed = float(exposure)
             self._curve = lambda number: fixed
+            return self._curve
+        if exposure == "auto" and self._film.plan.exposure(0) is not None:
+            self._given = True
+            self._curve = lambda number: self._film.plan.exposure(number) or 0.0
             return self._curve
         numbers = [0] if exposure == "locked" else metered_numbers(self._film.plan)
         found = {number: self._kept_exposure(number) for number in numbers}
@@ -223,7 +228,7 @@ class _Job:
 
     def _finish_of(self, number: int) -> Finish:
         """Finish of a frame, with its exposure."""
-        metered = isinstance(self._finish.exposure, str)
+        metered = isinstance(self._finish.exposure, str) and not self._given
         exposure = 0.0 if self._curve is None else self._curve(number)
         return replace(self._finish, exposure=exposure, eye=metered)
 

@@ -97,11 +97,20 @@ class Film:
         planet, scene = scene.on_basin_floor(planet)
         return PlanetFrameSpec(planet=planet, scene=scene, how=how, stars=view.stars)
 
+    def planet_view(self, number: int) -> PlanetView:
+        """View of a frame of a film of one planet."""
+        return self._planet_at(self.plan.changes(number))[0]
+
+    @property
+    def planet_name(self) -> str:
+        """Name of the preset, or path of the file, of a film of one planet."""
+        return self.file if self.folder is not None else self.file.removesuffix(".toml")
+
     @property
     def projection(self) -> str:
         """Projection of the first frame."""
         if self.view is not None:
-            return self._planet_at(self.plan.changes(0))[0].projection
+            return self.planet_view(0).projection
         return self._system_at(self.plan.changes(0), self._time(0)).view.projection
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Final, TypeAlias
 
 import numpy as np
@@ -13,6 +13,7 @@ from airlight.errors import ParameterError
 from airlight.physics.units import quantity
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Wavelengths, key
+from airlight.planets.schema.measures import converted
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import LONGEST_LIST, TomlTable
 
@@ -62,6 +63,12 @@ def smooth(at: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
     return np.asarray(CubicHermiteSpline(at, values, _slopes(at, values, ends=0.0))(within))
 
 
+def smooth_value(at: Sequence[float], values: Sequence[float], time: float) -> float:
+    """Result of ``smooth`` at one time, for one number."""
+    found = smooth(np.array(at, float), np.array(values, float)[:, None], np.array([time]))
+    return float(found[0, 0])
+
+
 def _slopes(at: FloatArray, values: FloatArray, ends: float) -> FloatArray:
     """Slopes at the keys, shape (k, m)."""
     h = np.diff(at)[:, None]
@@ -83,12 +90,15 @@ def _of_logarithms(law: Law) -> Law:
     return run
 
 
-#: Laws by name.
+#: Law whose key frames of a view are joined by ``FlightPath``.
+FLIGHT: Final = "flight"
+#: Laws by name; that of a flight is of each number by itself what it is of all together.
 LAWS: Final[dict[str, Law]] = {
     "linear": linear,
     "smooth": smooth,
     "exponential": _of_logarithms(linear),
     "smooth-exponential": _of_logarithms(smooth),
+    FLIGHT: smooth,
 }
 #: Laws that take only values above 0.
 LOGARITHMIC: Final = ("exponential", "smooth-exponential")
@@ -171,12 +181,23 @@ class KeyFrames(TomlModel):
             Normalised time, 0 at the first frame and 1 at the last. [1]
         """
         numbers, unit = self._numbers()
-        at = np.linspace(0.0, 1.0, len(numbers)) if self.at is None else np.array(self.at)
-        row = LAWS[self.law](at, numbers, np.array([time]))[0]
+        row = LAWS[self.law](self.times, numbers, np.array([time]))[0]
         # Fifteen digits: rounding errors of a law are not part of the value.
         texts = [float(f"{number:.15g}") for number in row]
         items = [f"{number!r} {unit}" if unit else number for number in texts]
         return items if isinstance(self._items()[0], list) else items[0]
+
+    @property
+    def times(self) -> FloatArray:
+        """Normalised times of the values. [1]"""
+        if self.at is not None:
+            return np.array(self.at)
+        return np.linspace(0.0, 1.0, len(self._items()))
+
+    def numbers(self, unit: str) -> list[float]:
+        """Values of one parameter in a unit, which numbers without one have."""
+        numbers, given = self._numbers()
+        return [converted(float(one), given or unit, unit) for one in numbers[:, 0]]
 
     def _items(self) -> list[Any]:
         if isinstance(self.values, str):

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any, Final
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import key
 from airlight.planets.schema.toml_model import TomlModel
-from airlight.studies.film.key_frames import KeyFrames
+from airlight.studies.film.flight_path import UNITS, FlightPath
+from airlight.studies.film.key_frames import FLIGHT, KeyFrames
 
 #: Largest number of frames: five digits of their names.
 MOST_FRAMES: Final = 99_999
+#: Path of the exposure, a number of the film, in EV.
+EXPOSURE: Final = "film.exposure"
+#: Beginning of the paths of a view.
+VIEW: Final = "view."
 
 
 @parameters
@@ -89,6 +95,17 @@ class FilmPlan(TomlModel):
         for path in paths:
             if paths.count(path) > 1:
                 raise ParameterError("keys", path, "each path once")
+        for one in self.keys:
+            if one.path == EXPOSURE and not isinstance(one.value(0.0), float):
+                raise ParameterError("keys", one.values, "exposures without a unit, in EV")
+        joined = self.flight_keys
+        for one in joined:
+            if one.path.removeprefix(VIEW) not in UNITS or not one.path.startswith(VIEW):
+                allowed = f"a flight of view.{', view.'.join(UNITS)}"
+                raise ParameterError("keys", one.path, allowed)
+            if one.times.tolist() != joined[0].times.tolist():
+                raise ParameterError("keys", one.path, "the times of the other keys of the flight")
+        self.flight  # noqa: B018  # refuses a flight with missing numbers
 
     @property
     def count(self) -> int:
@@ -101,4 +118,34 @@ class FilmPlan(TomlModel):
 
     def changes(self, number: int) -> dict[str, Any]:
         """Values of all animated parameters at a frame, by path."""
-        return {key.path: key.value(self.normalised_time(number)) for key in self.keys}
+        time = self.normalised_time(number)
+        alone = [one for one in self.keys if one.law != FLIGHT and one.path != EXPOSURE]
+        changes = {one.path: one.value(time) for one in alone}
+        if self.flight is not None:
+            # Fifteen digits: rounding errors of the path are not part of the value.
+            view = self.flight.view(time).items()
+            changes |= {f"{VIEW}{name}": f"{value:.15g} {UNITS[name]}" for name, value in view}
+        return changes
+
+    @property
+    def flight_keys(self) -> tuple[KeyFrames, ...]:
+        """Key frames that a flight joins."""
+        return tuple(one for one in self.keys if one.law == FLIGHT)
+
+    @cached_property
+    def flight(self) -> FlightPath | None:
+        """Flight of the key frames of its law; None without them."""
+        keys = self.flight_keys
+        if not keys:
+            return None
+        views = {one.path[len(VIEW) :]: one.numbers(UNITS[one.path[len(VIEW) :]]) for one in keys}
+        return FlightPath(list(keys[0].times), views)
+
+    def exposure(self, number: int) -> float | None:
+        """Exposure of a frame by its key frames; None without them. [EV]"""
+        return self.exposure_at(self.normalised_time(number))
+
+    def exposure_at(self, time: float) -> float | None:
+        """Exposure at a normalised time by its key frames; None without them. [EV]"""
+        values = [one for one in self.keys if one.path == EXPOSURE]
+        return float(values[0].value(time)) if values else None

@@ -5,13 +5,16 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Any
 
+import numpy as np
+
 from airlight.errors import ConflictError
-from airlight.planets.parameters import parameters
+from airlight.planets.parameters import parameters, replace
 from airlight.planets.planet import Planet
 from airlight.planets.schema.field import key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.render.star_points import check_stars
 from airlight.scene import Camera, Scene
+from airlight.scene.directions import camera_angles, camera_axes
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.orthographic import disc_extent
 from airlight.scene.scene_fields import (
@@ -22,6 +25,7 @@ from airlight.scene.scene_fields import (
     LATITUDE,
     LONGITUDE,
     LOOK_AZIMUTH,
+    LOOK_BEARING,
     LOOK_ZENITH,
     POLARISER,
     PROJECTION,
@@ -47,6 +51,11 @@ class PlanetView(TomlModel):
         Target as for ``airlight.scene.look_at``; ``horizon`` by default.
     look_zenith, look_azimuth : float, optional
         Alternative to ``look_at``: zenith angle, and azimuth from the sun's side. [deg]
+    look_bearing : float, optional
+        Compass bearing, alternative to ``look_azimuth``. [deg]
+    dome_tilt : float, optional
+        Tilt of a dome whose front is the line of sight: the camera looks higher by its complement.
+        [deg]
     roll : float
         Clockwise rotation of the camera. [deg]
     polariser : float, optional
@@ -84,6 +93,15 @@ class PlanetView(TomlModel):
     )
     look_zenith: float | None = key(LOOK_ZENITH, default=None)
     look_azimuth: float | None = key(LOOK_AZIMUTH, default=None)
+    look_bearing: float | None = key(LOOK_BEARING, label="look bearing", default=None)
+    dome_tilt: float | None = key(
+        label="dome tilt",
+        help="Tilt of a dome whose front is the line of sight: 0 looks 90 deg higher.",
+        unit="deg",
+        range=(0.0, 90.0),
+        example="20 deg",
+        default=None,
+    )
     roll: float = key(ROLL, default=0.0)
     polariser: float | None = key(POLARISER, default=None)
     projection: str = key(PROJECTION, default="perspective")
@@ -99,9 +117,11 @@ class PlanetView(TomlModel):
 
     def __post_init__(self) -> None:
         if self.look_at is not None:
-            for name in ("look_zenith", "look_azimuth"):
+            for name in ("look_zenith", "look_azimuth", "look_bearing"):
                 if getattr(self, name) is not None:
                     raise ConflictError(name, "cannot be combined with look_at")
+        if self.look_azimuth is not None and self.look_bearing is not None:
+            raise ConflictError("look_bearing", "cannot be combined with look_azimuth")
 
     def scene(self, planet: Planet, time: datetime | None, width: int, height: int) -> Scene:
         """Scene of the view.
@@ -129,12 +149,12 @@ class PlanetView(TomlModel):
             polariser=self.polariser,
             extent=extent,
         )
-        upright = parallel and self.look_azimuth is None and self.look_at is None
+        looks = (self.look_zenith, self.look_azimuth, self.look_bearing)
+        upright = parallel and looks[1:] == (None, None) and self.look_at is None
         standing = parallel and self.altitude == type(self).altitude
         altitude = 0.0 if standing else self.altitude
-        given = (self.look_zenith, self.look_azimuth) != (None, None)
         target = self.look_at
-        if target is None and not given and self.projection == "perspective":
+        if target is None and looks == (None, None, None) and self.projection == "perspective":
             target = "horizon"
         place: dict[str, Any] = {
             "latitude": self.latitude,
@@ -154,4 +174,18 @@ class PlanetView(TomlModel):
             scene = Scene(sun_zenith=sun_zenith, sun_azimuth=sun_azimuth, **place)
         if target is not None:
             scene = scene.aimed(target, planet)
+        if self.look_bearing is not None:
+            turn = (self.look_bearing - scene.sun_azimuth) % 360.0
+            scene = replace(scene, camera=replace(scene.camera, look_azimuth=turn))
+        if self.dome_tilt is not None:
+            scene = replace(scene, camera=_pitched(scene.camera, 90.0 - self.dome_tilt))
         return scene.north_up() if upright else scene
+
+
+def _pitched(camera: Camera, angle: float) -> Camera:
+    """Camera that looks higher by an angle [deg] about its own horizontal axis."""
+    right, up, forward = camera_axes(camera.look_zenith or 0.0, camera.look_azimuth, camera.roll)
+    sine, cosine = np.sin(np.radians(angle)), np.cos(np.radians(angle))
+    axes = np.stack([right, cosine * up - sine * forward, cosine * forward + sine * up])
+    zenith, azimuth, roll = camera_angles(axes)
+    return replace(camera, look_zenith=zenith, look_azimuth=azimuth % 360.0, roll=roll)

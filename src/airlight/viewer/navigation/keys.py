@@ -103,6 +103,9 @@ TABLE: Final[dict[str, tuple[Row, ...]]] = {
             once={str(n): f"viewpoint {n}" for n in range(1, len(VIEWPOINTS) + 1)},
         ),
         Row("Home", "the whole planet, over this place", once={"Home": "home"}),
+        Row("R", "record a flight, or stop", _WINDOW, once={"r": "record"}),
+        Row("Shift+R", "play the flight, or pause", _WINDOW, once={"Shift+r": "play"}),
+        Row("Insert", "key frame of the flight here", _WINDOW, once={"Insert": "key frame"}),
     ),
     "Light": (
         Row("right drag", "move the sun; with Ctrl or Shift any drag does"),

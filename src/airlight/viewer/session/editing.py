@@ -250,12 +250,12 @@ class Editing:
         self._changed(self._side.change(name, Change(view=_checked(view, view_parameters()))))
 
     def move(self, view: Mapping[str, float], *, gesture: str = "", held: bool = False) -> None:
-        """Set camera and sun.
+        """Set camera, sun and exposure.
 
         Parameters
         ----------
         view : mapping
-            Values by path, ``view.…`` only.
+            Values by path: ``view.…``, and the exposure.
         gesture : str
             Name of the undo step, such as ``look``, merged with others of this name; empty for no
             undo step.
@@ -267,7 +267,11 @@ class Editing:
         ParameterError
             If a path is unknown or a value is out of range; nothing is changed then.
         """
-        of_view = (one for one in view_parameters() if one.path.startswith("view."))
+        of_view = (
+            one
+            for one in view_parameters()
+            if one.path.startswith("view.") or one.path in ("display.automatic", "display.exposure")
+        )
         after = _checked(view, of_view)
         change = Change(view=after)
         if not gesture:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from airlight.viewer.navigation.flight_recorder import FlightRecorder
 from airlight.viewer.navigation.keys import RATES
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS, Viewpoint, home_view, view_in
 from airlight.viewer.painting.picture_source import Picture
@@ -30,6 +31,8 @@ class Actions:
         Function that closes popup lists and menus; returns whether there were any.
     gallery : callable
         Function that opens the gallery of planets.
+    recorder : FlightRecorder
+        Flight that is recorded and played.
 
     Attributes
     ----------
@@ -47,6 +50,7 @@ class Actions:
         canvas: Canvas,
         close_popups: Callable[[], bool],
         gallery: Callable[[], None],
+        recorder: FlightRecorder,
     ) -> None:
         self._session = session
         self._panel = panel
@@ -69,6 +73,9 @@ class Actions:
             "close": canvas.close,
             "gallery": gallery,
             "home": self._go_home,
+            "record": recorder.toggle_recording,
+            "play": recorder.toggle_playing,
+            "key frame": recorder.add,
             "help": self._toggle_help,
             "leave": self._leave,
             "panels": self._toggle_panels,

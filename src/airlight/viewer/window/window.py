@@ -15,6 +15,7 @@ from airlight.render.solve_planet import PlanetSolver
 from airlight.viewer.background.error_line import Faults
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.flight import Flight
+from airlight.viewer.navigation.flight_recorder import FlightRecorder
 from airlight.viewer.navigation.keys import LOST, RATES
 from airlight.viewer.painting.picture_source import Picture, PictureSource
 from airlight.viewer.painting.probing import Probing
@@ -83,9 +84,10 @@ class Window:
         self.gallery = Gallery(self.thumbnails.of)
         self._sides = Sides(session, renderer, solver, canvas.wake)
         self._flight = Flight(session)
+        self.recorder = FlightRecorder(session)
         self.messages = Messages(canvas.render_canvas.request_draw)
         self.panel = SidePanel(
-            session, self._flight, self.do, self.attempt, lambda: self._sides.planet
+            session, self._flight, self.do, self.attempt, lambda: self._sides.planet, self.recorder
         )
         self._saving = Saving(canvas.wake)
         self._dialog = SaveDialog()
@@ -98,6 +100,7 @@ class Window:
             canvas,
             self.surface.close_popups,
             self.gallery.open,
+            self.recorder,
         )
         self._probing = Probing(canvas.wake)
         self._probed = session.showing
@@ -175,6 +178,7 @@ class Window:
         """Whether the window must be redrawn without an event."""
         return (
             self._flight.moving
+            or self.recorder.moving
             or self.panel.plays
             or self.surface.pressed
             or perf_counter() - self._last_event < _LINGER
@@ -186,12 +190,16 @@ class Window:
     def _step(self) -> None:
         """Advance flight and time since the last frame."""
         now = perf_counter()
-        seconds = min(now - self._last_frame, RATES["longest_step"])
-        self._last_frame = now
+        elapsed, self._last_frame = now - self._last_frame, now
+        seconds = min(elapsed, RATES["longest_step"])
         if self.surface.typing:
             self._flight.release()
         if self._flight.moving:
             self.attempt(lambda: self._flight.step(seconds))
+        if self.recorder.moving:
+            if self._flight.moving:
+                self.recorder.pause()
+            self.attempt(lambda: self.recorder.step(elapsed))
         if self.panel.plays:
             self.attempt(lambda: self._flight.pass_time(seconds * self.panel.speed / 3600.0))
 

@@ -9,11 +9,13 @@ from typing import Any
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
+from airlight.viewer.navigation.flight_recorder import FlightRecorder
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.sun_clock import CLOCK, date_text
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import style
+from airlight.viewer.window.panels.flight import FlightTab
 from airlight.viewer.window.panels.parameters import ParameterRows
 from airlight.viewer.window.panels.row import NAME_WIDTH, RESET_WIDTH, with_unit
 from airlight.viewer.window.panels.status import fixed_window_flags
@@ -45,6 +47,8 @@ class SidePanel:
         ``attempt(edit)`` runs an edit and shows its error in the window.
     read_planet : callable
         Function that returns the displayed planet, or None until it has been read.
+    recorder : FlightRecorder
+        Flight of its tab.
 
     Attributes
     ----------
@@ -66,6 +70,7 @@ class SidePanel:
         do: Callable[[str], None],
         attempt: Callable[[Callable[[], object]], None],
         read_planet: Callable[[], Planet | None],
+        recorder: FlightRecorder,
     ) -> None:
         self._read_planet = read_planet
         self._session = session
@@ -75,6 +80,7 @@ class SidePanel:
         self._values = PanelValues(session)
         self.planet_rows = ParameterRows()
         self.view_rows = ParameterRows(marks=False)
+        self.flight = FlightTab(recorder, do, attempt)
         self.plays = False
         self.speed = SPEEDS[2]
         self.compares = False
@@ -101,6 +107,7 @@ class SidePanel:
             for name, draw in (
                 ("Planet", self._planet),
                 ("View", self._view),
+                ("Flight", self.flight.draw),
                 ("Compare", self._compare),
             ):
                 chosen = imgui.TabItemFlags_.set_selected.value if name == self.opens else 0

@@ -83,7 +83,7 @@ class StatusLine:
 def where_text(view: Mapping[str, Any]) -> str:
     """Altitude of the observer and zenith angle of the sun, formatted."""
     zenith = float(view["view.sun_zenith"])
-    return f"{_length(float(view['view.altitude']))} up    sun {zenith:.1f}° from the zenith"
+    return f"{length_text(float(view['view.altitude']))} up    sun {zenith:.1f}° from the zenith"
 
 
 def picture_text(shown: Picture) -> str:
@@ -98,12 +98,12 @@ def solver_text(solved: SolverResult | None, status: SolverStatus) -> str:
     return ", ".join(one for one in (done, status.text) if one)
 
 
-def _length(metres: float) -> str:
+def length_text(metres: float) -> str:
     """Format a length [m] in m or km.
 
     Examples
     --------
-    >>> _length(2.0), _length(35e3), _length(1.529e7), _length(4.2e11)
+    >>> length_text(2.0), length_text(35e3), length_text(1.529e7), length_text(4.2e11)
     ('2 m', '35 km', '15290 km', '4.2e+08 km')
     """
     if metres < 1e3:
