@@ -54,15 +54,15 @@ _NEARLY_WHOLE: Final = 0.7
 #: Scale of frames of a software GPU, which the CPU's follows. [1]
 _IN_SOFTWARE: Final = 0.6
 #: Width of the first frame of an edited planet on a software GPU, which is metered itself. [pixel]
-_EDITED: Final = 256
+_EDITED: Final = 192
 #: Initial estimate of the CPU's rendering speed. [pixel s⁻¹]
 _FIRST_GUESS: Final = 2e5
 #: Time without a change of view after which the CPU renders the final frame. [s]
 _STILL: Final = 0.2
 #: Polling interval. [s]
 _POLL: Final = 0.02
-#: Width of the frame that compiles the shaders. [pixel]
-_TINY: Final = 16.0
+#: Width of the frame that compiles the shaders: it has the bands of a larger frame. [pixel]
+_SMALL: Final = 128.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -381,7 +381,7 @@ def _render_small(step: LiveFrame) -> None:
     import wgpu
 
     assert step.renderer is not None
-    small = scaled(step.scene, _TINY / step.scene.camera.width)
+    small = scaled(step.scene, _SMALL / step.scene.camera.width)
     texture = step.renderer.device.device.create_texture(
         size=(small.camera.width, small.camera.height, 1),
         format=LIVE_FORMAT,
@@ -389,4 +389,4 @@ def _render_small(step: LiveFrame) -> None:
     )
     ready = replace(step, scene=small)
     ready.display(texture.create_view(), exposure=0.0, settings=DisplaySettings())
-    ready.metered(_TINY)
+    ready.metered(_SMALL)

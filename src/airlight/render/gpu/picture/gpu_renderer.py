@@ -216,8 +216,12 @@ class GpuRenderer:
             size=(width, count, 1), format=LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
         )
         view = target.create_view()
-        self._sky_views.fill(number, light, uniforms, exact)
         try:
+            if count == height and camera.crop is None and uniforms["samples"] == 1:
+                self._render_light(number, light, uniforms, exact, view, LINEAR)
+                yield slice(0, height), read_texture(self.device, target)[..., :3]
+                return
+            self._sky_views.fill(number, light, uniforms, exact)
             for first in range(0, height, count):
                 if cancel is not None and cancel():
                     raise Cancelled
