@@ -72,15 +72,13 @@ def test_a_rest_is_no_time_to_adapt_in() -> None:
     assert adaptation.towards(4.0, held=False) < 2.5
 
 
-def test_it_holds_while_locked_or_dragged_and_not_for_the_camera() -> None:
+def test_an_edited_planet_is_exposed_at_once_unless_it_is_locked() -> None:
+    adaptation = Adaptation()
+    adaptation.towards(0.0, held=False)
+    assert adaptation.towards(-3.0, held=True, at_once=True) == 0.0
+    assert adaptation.towards(-3.0, held=False, at_once=True) == -3.0
     session = Session("earth-atmosphere-plus")
-    assert not session.holds_exposure
-    session.begin_drag("view.sun_zenith")
-    assert not session.holds_exposure
-    session.end_drag()
     session.begin_drag("constituents[1].scattering")
-    assert session.holds_exposure
-    session.end_drag()
     assert not session.holds_exposure
     session.set("display.locked", True)
     assert session.holds_exposure

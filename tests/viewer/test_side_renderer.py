@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import time
 from collections.abc import Callable
@@ -19,6 +20,7 @@ from airlight.render.solve_planet import live_solver
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.side_renderer import SideRenderer
+from airlight.viewer.session.adaptation import Adaptation
 
 Solved = Callable[..., MomentsSolution]
 
@@ -103,9 +105,17 @@ def test_in_software_the_exact_picture_follows(device: Device, request_: Request
         request_, scene=dataclasses.replace(request_.scene, sun_zenith=60.0)
     )
     pictures = list(renderer.render(moved, never))
-    renderer.close()
     assert [one.finished for one in pictures] == [False, True]
     assert [one.by for one in pictures] == ["GPU in software", "CPU"]
+    # The first picture of an edited planet is metered itself, and is as bright as the last.
+    adaptation = Adaptation()
+    adaptation.towards(pictures[-1].exposure + 4.0, held=False)
+    edited = dataclasses.replace(moved, solution=copy.copy(moved.solution), adaptation=adaptation)
+    bright = []
+    for one in renderer.render(edited, never):
+        bright.append(pixels(device, one).mean())
+    renderer.close()
+    assert bright == pytest.approx([pixels(device, pictures[-1]).mean()] * len(bright), abs=1.5)
 
 
 def test_what_the_gpu_has_no_room_for_the_cpu_solves(device: Device) -> None:

@@ -217,7 +217,7 @@ def test_the_newest_edit_wins_and_none_is_the_planet_as_it_was(
         }"""
     )
     assert took == [before + 1, [1, 0.3]]
-    assert "orders in" in page.evaluate("airlight.edits.status()")
+    assert "solved in" in page.evaluate("airlight.edits.status()")
     undone = page.evaluate(
         """async () => {
           airlight.state.reset();

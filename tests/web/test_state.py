@@ -214,46 +214,25 @@ def test_fields_take_numbers_and_refuse_words(page: Any) -> None:
     assert page.evaluate("state.get('display.automatic')") is False
 
 
-def test_the_exposure_holds_while_the_planet_is_dragged_or_locked(page: Any) -> None:
-    got = page.evaluate(
-        """() => {
-          const air = { ...state.parameters.get("view.altitude"), path: "constituents[0].amount" };
-          const locked = { ...state.parameters.get("display.automatic"), path: "display.locked" };
-          const parameters = [...state.parameters.values(), air, locked];
-          const values = { ...state.values, [air.path]: 100, "display.locked": false };
-          state.declare(parameters, values);
-          const seen = [];
-          let reported = 0;
-          state.subscribe(() => (reported += 1));
-          state.set({ "view.altitude": 120 }, "view.altitude"); seen.push(state.holdsExposure);
-          state.rest();
-          state.set({ [air.path]: 120 }, air.path); seen.push(state.holdsExposure);
-          const before = reported;
-          state.rest(); seen.push(state.holdsExposure, reported - before);
-          state.set({ "display.locked": true }); seen.push(state.holdsExposure);
-          return seen;
-        }"""
-    )
-    # let go, the viewer is notified once, and moves on
-    assert got == [False, True, False, 1, True]
-
-
 def test_the_exposure_eases_as_in_python(modules: Callable[..., Any]) -> None:
     page = modules({"state/adaptation": ("Adaptation",)})
     got = page.evaluate(
         """() => {
           let now = 100;
           const adaptation = new Adaptation(() => now);
-          return [[-3, false], [1, true], ...Array(12).fill([1, false])].map(([to, held]) => {
+          const steps = [[-3, false], [1, true], ...Array(12).fill([1, false]), [-2, false, true]];
+          return steps.map((step) => {
             now += 0.05;
-            return adaptation.towards(to, held);
+            return adaptation.towards(...step);
           });
         }"""
     )
-    times = iter(100.0 + 0.05 * (1 + np.arange(14)))
+    times = iter(100.0 + 0.05 * (1 + np.arange(15)))
     adaptation = Adaptation(lambda: next(times))
     steps = [(-3.0, False), (1.0, True), *[(1.0, False)] * 12]
-    assert_allclose(got, [adaptation.towards(to, held=held) for to, held in steps], rtol=1e-12)
+    expected = [adaptation.towards(to, held=held) for to, held in steps]
+    assert_allclose(got[:-1], expected, rtol=1e-12)
+    assert got[-1] == adaptation.towards(-2.0, held=False, at_once=True) == -2.0
 
 
 #: A model like a host's, whose kernel hears when told; its last message as `sent()`.

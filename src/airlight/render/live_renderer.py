@@ -4,9 +4,9 @@
 * Live frames of the CPU start coarse and become finer; a newer request interrupts all but the
   first.
 * A live frame of a hardware GPU is rendered once, at full resolution.
-* A software GPU renders smaller frames from a small sky-view LUT while the view changes; after a
-  short time without changes the CPU renders the final frame, which, unlike a long pass, leaves the
-  GPU queue free for the window.
+* A software GPU renders smaller frames from a small sky-view LUT while the view changes, and still
+  smaller ones while the planet is edited; after a short time without changes the CPU renders the
+  final frame, which, unlike a long pass, leaves the GPU queue free for the window.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
   not compiled either, which takes longer (``render.background_compilation``): then a hardware GPU
   renders first. The first frame of a window has full resolution, as coarse frames need the loop
@@ -53,14 +53,16 @@ _SMALLEST: Final = 1.0 / 12.0
 _NEARLY_WHOLE: Final = 0.7
 #: Scale of frames of a software GPU, which the CPU's follows. [1]
 _IN_SOFTWARE: Final = 0.6
+#: Width of the first frame of an edited planet on a software GPU, which is metered itself. [pixel]
+_EDITED: Final = 192
 #: Initial estimate of the CPU's rendering speed. [pixel s⁻¹]
 _FIRST_GUESS: Final = 2e5
 #: Time without a change of view after which the CPU renders the final frame. [s]
 _STILL: Final = 0.2
 #: Polling interval. [s]
 _POLL: Final = 0.02
-#: Width of the frame that compiles the shaders. [pixel]
-_TINY: Final = 16.0
+#: Width of the frame that compiles the shaders: it has the bands of a larger frame. [pixel]
+_SMALL: Final = 128.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -78,7 +80,7 @@ class LiveFrame:
     seconds : float
         Time to render the frame; 0 on the GPU. [s]
     frame : Frame or None
-        Linear sRGB radiance; None on the GPU.
+        Linear sRGB radiance; None if the GPU displays it.
     renderer : GpuRenderer or None
         Renderer with the solution; None on the CPU.
     """
@@ -211,6 +213,7 @@ class LiveRenderer:
             yield from self._while_compiling(solution, step, stale)
             if stale() or (self._device.software and self._is_rendered(solution, step)):
                 return
+        edited = self._loaded is not None and self._loaded is not solution
         if not self._upload(solution):
             yield from self._on_cpu(solution, step, stale)
             return
@@ -221,7 +224,7 @@ class LiveRenderer:
             yield on_gpu
             return
         if not self._is_rendered(solution, step):
-            yield on_gpu
+            yield self._small(on_gpu) if edited else on_gpu
             until = perf_counter() + _STILL
             while perf_counter() < until:
                 if stale():
@@ -293,6 +296,15 @@ class LiveRenderer:
         return of is solution and last.orders == step.orders and last.scene == step.scene
 
     # --- on the GPU ---------------------------------------------------------------------------
+
+    @staticmethod
+    def _small(step: LiveFrame) -> LiveFrame:
+        """Frame of an edited planet, rendered for both meter and display."""
+        assert step.renderer is not None
+        started, width = perf_counter(), step.scene.camera.width
+        scene = scaled(step.scene, min(1.0, _EDITED / width))
+        frame = step.renderer.render(scene, orders=step.orders)
+        return replace(step, scene=scene, frame=frame, seconds=perf_counter() - started)
 
     def _upload(self, solution: MomentsSolution) -> bool:
         """Upload a solution; False if it exceeds the GPU's capacity."""
@@ -369,7 +381,7 @@ def _render_small(step: LiveFrame) -> None:
     import wgpu
 
     assert step.renderer is not None
-    small = scaled(step.scene, _TINY / step.scene.camera.width)
+    small = scaled(step.scene, _SMALL / step.scene.camera.width)
     texture = step.renderer.device.device.create_texture(
         size=(small.camera.width, small.camera.height, 1),
         format=LIVE_FORMAT,
@@ -377,4 +389,4 @@ def _render_small(step: LiveFrame) -> None:
     )
     ready = replace(step, scene=small)
     ready.display(texture.create_view(), exposure=0.0, settings=DisplaySettings())
-    ready.metered(_TINY)
+    ready.metered(_SMALL)

@@ -26,6 +26,9 @@ from airlight.viewer.session.planet_state import SolveRequest, Versions
 #: Time after which a preview is cancelled by a newer edit. Faster previews are completed, so that
 #: the display follows a drag. [s]
 PATIENCE: Final = 3.0
+#: Time without an edit after which an edited planet is solved beyond the preview, whose picture is
+#: rendered meanwhile. [s]
+PAUSE: Final = 0.3
 #: Number of cached solutions, for immediate undo and change of side.
 CACHE_SIZE: Final = 4
 #: Completed fraction from which the remaining time is estimated. [1]
@@ -239,11 +242,15 @@ class SolverThread:
             self._publish(replace(kept, version=request.version, seconds=0.0), request)
             return
         levels = ["preview", request.quality] if request.quality != "preview" else ["preview"]
+        is_first = self._latest is None
         started = time.perf_counter()
         for level in levels:
             newer = self._gives_up(request, started if level == "preview" else None)
-            if level != levels[0] and newer():
-                raise Cancelled("a newer edit")
+            if level != levels[0]:
+                if not is_first:
+                    self._wait_for_edit(request)
+                if newer():
+                    raise Cancelled("a newer edit")
             known = self._kept.get((*request.key, level))
             if known is not None:
                 self._publish(replace(known, version=request.version, seconds=0.0), request)
@@ -270,6 +277,11 @@ class SolverThread:
                 ),
                 request,
             )
+
+    def _wait_for_edit(self, request: SolveRequest) -> None:
+        """Wait for ``PAUSE`` or until a request is superseded."""
+        with self._condition:
+            self._condition.wait_for(lambda: self._closed or self._request is not request, PAUSE)
 
     def _gives_up(self, request: SolveRequest, started: float | None) -> Cancel:
         """Cancellation test: closed, or superseded after ``PATIENCE`` has passed."""

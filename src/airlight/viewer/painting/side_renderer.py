@@ -32,6 +32,7 @@ class SideRenderer:
         self._canvases = Canvases(device)
         self._renderer = renderer
         self._measured: tuple[Request, float] | None = None
+        self._exposed: object = None  # solution of the last picture
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """See ``PictureSource.render``."""
@@ -55,6 +56,7 @@ class SideRenderer:
         started, camera = perf_counter(), step.scene.camera
         metered = self._metered(request, step)
         exposure, settled = self._exposure(request, metered)
+        self._exposed = request.solution
         texture = self._canvases.next()
         if step.frame is None:
             texture.resize(camera.width, camera.height)
@@ -79,15 +81,16 @@ class SideRenderer:
             metered=metered,
         )
 
-    @staticmethod
-    def _exposure(request: Request, metered: float | None) -> tuple[float, bool]:
+    def _exposure(self, request: Request, metered: float | None) -> tuple[float, bool]:
         """Exposure of a step [EV], and whether it has settled."""
         exposure, settled, adaptation = request.exposure, True, request.adaptation
         if request.automatic and metered is not None:
             if adaptation is None:
                 exposure += metered
             else:
-                exposure += adaptation.towards(metered, held=request.held)
+                # Eased, an edited planet would be shown too bright or too dark first.
+                edited = request.solution is not self._exposed
+                exposure += adaptation.towards(metered, held=request.held, at_once=edited)
                 settled = request.held or adaptation.reached(metered)
         return min(max(exposure, -MOST_EXPOSURE), MOST_EXPOSURE), settled
 

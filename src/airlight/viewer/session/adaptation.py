@@ -49,7 +49,7 @@ class Adaptation:
         """Current exposure; None before the first frame. [EV]"""
         return self._exposure
 
-    def towards(self, measured: float, *, held: bool) -> float:
+    def towards(self, measured: float, *, held: bool, at_once: bool = False) -> float:
         """Exposure of the next frame. [EV]
 
         Parameters
@@ -57,12 +57,14 @@ class Adaptation:
         measured : float
             Metered exposure of that frame. [EV]
         held : bool
-            Whether the exposure is unchanged: locked, or during edits of the atmosphere.
+            Whether the exposure is unchanged, as if locked.
+        at_once : bool
+            Whether it does not ease, as in the first picture of an edited planet.
         """
         with self._lock:
             now = self._clock()
             since, self._before = min(now - self._before, _LONGEST), now
-            if self._exposure is None:
+            if self._exposure is None or (at_once and not held):
                 self._exposure = measured
             elif not held:
                 before = min(self._exposure, measured + BRIGHTEST)

@@ -109,10 +109,8 @@ class Editing:
 
     @property
     def holds_exposure(self) -> bool:
-        """Whether the automatic exposure is locked, by the user or during a drag of the planet."""
-        dragged = self._side.dragged
-        edits = bool(dragged) and dragged not in VIEW_VALUE
-        return edits or bool(self._side.view["display.locked"])
+        """Whether the automatic exposure is locked."""
+        return bool(self._side.view["display.locked"])
 
     @property
     def orders(self) -> str:

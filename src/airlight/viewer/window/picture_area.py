@@ -133,7 +133,7 @@ class PictureArea:
             drawing.add_text(imgui.ImVec2(start, into.top + 13.0), white, name)
 
     def draw_outdated(self, words: str, into: Rectangle, first: float, last: float) -> None:
-        """Veil an outdated picture, and show the current task.
+        """Veil the picture of another planet, and show the current task.
 
         Parameters
         ----------
@@ -156,15 +156,24 @@ class PictureArea:
         white = imgui.get_color_u32(imgui.ImVec4(*style.TEXT_COLOR))
         drawing.add_text(at, white, words)
 
-    def draw_working(self, words: str, into: Rectangle) -> None:
-        """Show the current task in a corner of an outdated picture."""
+    def draw_working(self, words: str, into: Rectangle, first: float = 0.0) -> None:
+        """Show the current task in a corner of an outdated picture.
+
+        Parameters
+        ----------
+        words : str
+            Current task; nothing is drawn if empty.
+        first : float
+            Left limit as a fraction of its width; there the name of a side is above. [1]
+        """
         from imgui_bundle import imgui
 
         if not words:
             return
         drawing = imgui.get_background_draw_list()
         size = imgui.calc_text_size(words)
-        at = imgui.ImVec2(into.left + 22.0, into.top + 18.0)
+        left, below = into.left + first * into.width, 36.0 if first > 0.0 else 0.0
+        at = imgui.ImVec2(left + 22.0, into.top + 18.0 + below)
         low = imgui.ImVec2(at.x - 10.0, at.y - 6.0)
         high = imgui.ImVec2(at.x + size.x + 10.0, at.y + size.y + 6.0)
         shade = imgui.get_color_u32(imgui.ImVec4(0.0, 0.0, 0.0, 0.7))

@@ -249,27 +249,41 @@ class Window:
             self._preparing.finish()
         fitting = self.picture_rectangle()
         both = self.panel.compares and self.session.has_other
-        pictured = shown.request.solution.planet
-        if not both and pictured is not None and pictured.name != self.session.planet_name:
+        if not both and not self._is_of_planet(shown, self.session.planet_name):
             self._draw_first_picture()  # another planet was opened
             return
         if both:
             self.area.draw(self.shown("A"), self.shown("B"), fitting)
             middle = self.area.divider
-            self.area.draw_outdated(self._sides.outdated("A"), fitting, 0.0, middle)
-            self.area.draw_outdated(self._sides.outdated("B"), fitting, middle, 1.0)
+            for side, first, last in (("A", 0.0, middle), ("B", middle, 1.0)):
+                self._draw_outdated(side, fitting, first, last)
             self.area.draw_divider(fitting, self._names())
         else:
             self.area.draw(shown, None, fitting)
-            if self.session.has_other:
-                self.area.draw_outdated(self._sides.outdated(), fitting, 0.0, 1.0)
-            else:
-                words = self._sides.outdated().removeprefix(f"{self.session.showing}: ")
-                lost = LOST if self._flight.planet_hidden else ""
-                self.area.draw_working(words or lost, fitting)
+            words = self._sides.outdated()
+            if not self.session.has_other:
+                words = words.removeprefix(f"{self.session.showing}: ")
+            lost = LOST if self._flight.planet_hidden else ""
+            self.area.draw_working(words or lost, fitting)
         reading = self._probing.reading
         if self.panel.probes and reading is not None:
             self.area.draw_mark(fitting, reading.place)
+
+    @staticmethod
+    def _is_of_planet(shown: Picture, name: str) -> bool:
+        """Whether a picture shows the planet of a name, edited or not."""
+        pictured = shown.request.solution.planet
+        return pictured is None or pictured.name == name
+
+    def _draw_outdated(self, side: str, into: Rectangle, first: float, last: float) -> None:
+        """Current task of a side between two limits; its picture is veiled if of another planet."""
+        session, shown = self.session, self.shown(side)
+        name = session.planet_name if side == session.showing else session.planet_name_other
+        words = self._sides.outdated(side)
+        if shown is None or self._is_of_planet(shown, name):
+            self.area.draw_working(words, into, first)
+        else:
+            self.area.draw_outdated(words, into, first, last)
 
     def _draw_first_picture(self) -> None:
         status = self._sides.status

@@ -64,6 +64,7 @@ export class Picture {
     this.rendered = "";
     this.spread = "";
     this.solutions = 0;
+    this.exposed = 0;
     this.shape = null;
     this.texelTime = SLOW;
     this.renderings = 0;
@@ -133,7 +134,10 @@ export class Picture {
     let eases = false;
     if (values["display.automatic"]) {
       const measured = await this.found(lights, width, height);
-      const adapted = this.adaptation.towards(measured, held, effort === "best");
+      // Eased, an edited planet would be shown too bright or too dark first.
+      const atOnce = effort === "best" || this.exposed !== this.solutions;
+      this.exposed = this.solutions;
+      const adapted = this.adaptation.towards(measured, held, atOnce);
       exposure += adapted;
       eases = !held && adapted !== measured;
     }

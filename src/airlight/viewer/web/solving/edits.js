@@ -74,9 +74,9 @@ export class Edits {
       viewer.showWork();
     });
     if (!light) return;
-    const { sweeps, remainingError } = this.solver.iteration;
+    const percent = Number((100 * this.solver.iteration.remainingError).toPrecision(1));
     const seconds = ((performance.now() - began) / 1000).toPrecision(2);
-    this.text = `${sweeps} orders in ${seconds} s, remaining error ${remainingError.toExponential(0)}`;
+    this.text = `solved in ${seconds} s, within ${percent} %`;
     await viewer.take(await editedPicture(plain, this.solver, air, light, edit.ground));
   }
 

@@ -108,6 +108,5 @@ export class RemoteState extends State {
   rest() {
     if (this.holding) this.command("rest");
     this.holding = false;
-    this.letGo();
   }
 }

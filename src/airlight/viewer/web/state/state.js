@@ -7,8 +7,6 @@ import { withSky } from "./sun_clock.js";
 
 /** Paths of camera and sun, which the states of a comparison can share. */
 const CAMERA = /^view\./;
-/** Paths of all that is no planet's. */
-const VIEW = /^(view|display|light)\./;
 
 export class State {
   /**
@@ -23,7 +21,6 @@ export class State {
     this.initial = { ...values };
     this.values = { ...values };
     this.history = new History();
-    this.dragged = new Set();
     this.other = null;
     this.showing = "A";
     this.sharesCamera = true;
@@ -53,17 +50,9 @@ export class State {
     return this.history.undone.length > 0;
   }
 
-  /**
-   * Whether the automatic exposure is locked, by the user or during a drag of the planet.
-   *
-   * Darker air then looks darker until the drag ends.
-   */
+  /** Whether the automatic exposure is locked. */
   get holdsExposure() {
-    return this.dragsPlanet || Boolean(this.values["display.locked"]);
-  }
-
-  get dragsPlanet() {
-    return [...this.dragged].some((path) => !VIEW.test(path));
+    return Boolean(this.values["display.locked"]);
   }
 
   get hasOther() {
@@ -86,7 +75,6 @@ export class State {
    */
   set(changes, gesture = null, held = gesture !== null) {
     const own = this.sound(changes);
-    if (held) this.dragged = new Set([...this.dragged, ...Object.keys(changes)]);
     if (Object.keys(own).length === 0) return;
     const name = gesture ?? Object.keys(own).sort().join(" ");
     const sound = this.following(own, name);
@@ -125,14 +113,6 @@ export class State {
   /** End a gesture, so that the next change is a separate undo step. */
   rest() {
     this.history.close();
-    this.letGo();
-  }
-
-  /** End a drag of the planet, which had held the exposure. */
-  letGo() {
-    const edited = this.dragsPlanet;
-    this.dragged = new Set();
-    if (edited) this.notify(new Set());
   }
 
   undo() {

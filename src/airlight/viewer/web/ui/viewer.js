@@ -219,12 +219,11 @@ export class Viewer {
 
   /** Mark a picture of a planet that is not the one whose values are shown. */
   showWork() {
-    const { root, working } = this.parts;
+    const { working } = this.parts;
     const what = this.edits?.stale ?? this.source.stale?.() ?? "";
     const side = what && this.state.hasOther ? `${this.state.showing}: ` : "";
     working.textContent = side + (what || (this.flight.planetHidden ? KEYS.lost : ""));
     working.hidden = !working.textContent;
-    root.classList.toggle("airlight-stale", what !== "" && this.state.hasOther);
   }
 
   /**

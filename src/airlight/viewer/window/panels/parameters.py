@@ -100,7 +100,7 @@ class ParameterRows:
 
         parameters = list(parameters)
         shown = [one for one in parameters if self._matches(one)]
-        hidden = [] if self.search else [one for one in parameters if one not in shown]
+        hidden = [] if self.search else [one for one in parameters if not self._matches(one)]
         if not shown:
             style.colored("nothing of that name", style.QUIET)
         for group, members in groupby(shown, key=lambda one: one.group):
