@@ -7,7 +7,17 @@ import math
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_less
 
-from airlight.geometry.gradient_noise import PERIOD, corner_slope, gradient_noise, smooth_noise
+from airlight.geometry.gradient_noise import (
+    PERIOD,
+    PLANE_DEVIATION,
+    SLOPE_DEVIATION,
+    corner_slope,
+    gradient_noise,
+    plane_noise,
+    sloping_noise,
+    smooth_noise,
+)
+from airlight.geometry.vectors import Vec3
 
 
 def value_at(i: int, j: int, k: int) -> float:
@@ -43,6 +53,29 @@ def test_noise_repeats_after_its_period() -> None:
         for noise in (smooth_noise, gradient_noise):
             wanted = noise(x, y, z)
             assert_allclose(noise(x - PERIOD, y + PERIOD, z), wanted, atol=1e-9)
+
+
+def test_slopes_of_noise_are_its_differences() -> None:
+    # A second method: central differences, of second order.
+    random = np.random.default_rng(3)
+    for x, y, z in random.uniform(0.0, PERIOD, (50, 3)):
+        way = random.normal(size=3)
+        value, slope = sloping_noise(x, y, z, Vec3(*way))
+        assert_allclose(value, smooth_noise(x, y, z), atol=1e-12)
+        ends = [smooth_noise(*(np.array([x, y, z]) + s * way)) for s in (-1e-5, 1e-5)]
+        assert_allclose(slope, (ends[1] - ends[0]) / 2e-5, atol=1e-6)
+        _value, slope_x, slope_y = plane_noise(x, y)
+        ends = [plane_noise(x + s, y)[0] for s in (-1e-5, 1e-5)]
+        assert_allclose(slope_x, (ends[1] - ends[0]) / 2e-5, atol=1e-6)
+        ends = [plane_noise(x, y + s)[0] for s in (-1e-5, 1e-5)]
+        assert_allclose(slope_y, (ends[1] - ends[0]) / 2e-5, atol=1e-6)
+
+
+def test_noise_of_a_plane_has_its_deviations() -> None:
+    found = [plane_noise(x, y) for x, y in np.random.default_rng(4).uniform(0, PERIOD, (20000, 2))]
+    assert_allclose(
+        np.std(found, axis=0), (PLANE_DEVIATION, SLOPE_DEVIATION, SLOPE_DEVIATION), rtol=0.03
+    )
 
 
 def test_gradient_noise_vanishes_at_points_and_is_a_slope_beside_them() -> None:

@@ -12,8 +12,8 @@ from __future__ import annotations
 from math import sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import smooth_noise
-from airlight.geometry.vectors import Vec3, plus, scaled
+from airlight.geometry.gradient_noise import sloping_noise, smooth_noise
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import along_lattice
 
@@ -28,12 +28,12 @@ BEGIN: Final = 0.5
 GROWTH: Final = 0.6
 #: Mean of the size of the noise, which crests are measured from. [1]
 HALF: Final = 0.33
-#: Distance of the two heights of a slope. [cell]
-STRIDE: Final = 0.25
+#: Noise over which crests are rounded. [1]
+CREST: Final = 0.05
 #: Cells of woods and of their edges; height of trees, and size of their crowns: on Earth 460 m
-#: to 29 m, 14 m and 7 m.
+#: to 29 m, 14 m and 14 m.
 WOODS: Final = 4096.0
-CROWNS: Final = 64.0
+CROWNS: Final = 128.0
 TREES: Final = 125.0
 #: Noise above which there are woods, and width of their edges. [1]
 WOODED: Final = 0.2
@@ -105,14 +105,16 @@ def hills(finest, footprint, distance, whole, way, sloping, cell, fall):
         shown = min(shown, GROWTH * (distance / scale - BEGIN))
         if shown > 0.0:
             at = lattice_place(finest, whole, scale)
-            value = smooth_noise(at.x, at.y, at.z)
+            value, slope = 0.0, 0.0
+            if sloping:
+                value, slope = sloping_noise(at.x, at.y, at.z, way)
+            else:
+                value = smooth_noise(at.x, at.y, at.z)
             here = HALF - abs(value)
             part = shown * rough
             height += part * here * scale / COARSEST
-            if sloping:
-                at = plus(at, scaled(way, STRIDE))
-                ahead = HALF - abs(smooth_noise(at.x, at.y, at.z))
-                ascent += part * (ahead - here) / (STRIDE * COARSEST * cell)
+            slope *= min(max(value / CREST, -1.0), 1.0)
+            ascent -= part * slope / (COARSEST * cell)
             if octave < TONED:
                 tone += shown * loud * value
             rough *= min(max(0.8 + 2.0 * here, 0.2), 1.0)
@@ -146,18 +148,28 @@ def woods(finest, footprint, whole, tone):
 
 
 @kernel
-def canopy(finest, whole):
-    """Height of trees. [finest cell]
+def canopy(finest, whole, wood):
+    """Height of trees: rounded crowns in stands of several heights, down to the edge of a wood.
 
     Parameters
     ----------
     finest, whole : Vec3
         Arguments of ``hills``.
+    wood : float
+        Result of ``woods``. [1]
+
+    Returns
+    -------
+    float
+        Height. [finest cell]
     """
     at = lattice_place(finest, whole, CROWNS)
     crowns = abs(smooth_noise(at.x, at.y, at.z))
-    at = lattice_place(finest, whole, 0.5 * CROWNS)
-    crowns += 0.5 * abs(smooth_noise(at.x, at.y, at.z))
-    at = lattice_place(finest, whole, 8.0 * CROWNS)
+    at = lattice_place(finest, whole, 0.125 * CROWNS)
+    crowns += 0.15 * smooth_noise(at.x, at.y, at.z)
+    at = lattice_place(finest, whole, 2.0 * CROWNS)
     stands = smooth_noise(at.x, at.y, at.z)
-    return TREES * max(0.7 + 0.4 * crowns + 0.5 * stands, 0.3)
+    edge = (1.0 - wood) * (1.0 - wood)
+    return (
+        TREES * (1.0 - edge * edge) * max(0.55 + 0.6 * sqrt(max(crowns, 0.0)) + 0.6 * stands, 0.3)
+    )

@@ -1,23 +1,24 @@
 """Procedural texture of land between decimetres and fields of some hundred metres; it is not data.
 
-Tufts, stones, ripples, fields: octaves of equal contrast, since natural scenes have no scale of
-their own (Ruderman & Bialek 1994, Phys. Rev. Lett. 73, 814: power as the inverse square of the
-frequency). The same noise is the height of small relief, whose slopes sunlight shades. At a grazing
-angle plants and stones are seen in rows that hide what is behind them. Means of reflectance and of
-sunlight remain.
+Octaves of noise in a plane, since natural scenes have no scale of their own (Ruderman & Bialek
+1994, Phys. Rev. Lett. 73, 814: power as the inverse square of the frequency). Each kind of ground
+has a structure of its own: plants are patches; every other octave of bare ground is waves of sand
+with sharp crests, which wander and fade out; snow is drawn out along the wind, as sastrugi. The
+same noise is the height of small relief, whose slopes sunlight shades. At a grazing angle plants
+and crests are seen in rows that hide what is behind them. Means of reflectance and of sunlight
+remain.
 """
 
 from __future__ import annotations
 
-from math import exp, floor, log, log2, sqrt
+from math import cos, exp, floor, log, log2, pi, sin, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import DEVIATION, smooth_noise
-from airlight.geometry.vectors import dot, plus, scaled
+from airlight.geometry.gradient_noise import PLANE_DEVIATION, SLOPE_DEVIATION, plane_noise
+from airlight.geometry.vectors import Vec3, dot, plus, scaled
 from airlight.kernel import kernel
-from airlight.scene.ground_detail import DISPLACED, STEP
+from airlight.scene.ground_detail import DISPLACED, STEP, along_lattice
 from airlight.scene.ground_detail import OCTAVES as DETAIL_OCTAVES
-from airlight.scene.hills import lattice_place
 
 #: Number of octaves, and sizes of the cells of the coarsest and of the finest over the finest of
 #: ``ground_detail``: 460 m to 3 cm on Earth.
@@ -25,18 +26,26 @@ OCTAVES: Final = 8
 COARSEST: Final = 4096.0
 #: Octave of ``ground_detail``, from the finest, below which the land has this texture instead.
 FINEST_OF_MAP: Final = 6
-#: Height of noise above which stones and tufts stand out of even ground, how much steeper they are
-#: than it; mean and standard deviation of the noise with them, of 2 million places. [1]
-STONES: Final = 0.45
-STEEPER: Final = 2.5
-STONY_MEAN: Final = 0.0649
-STONY_DEVIATION: Final = 0.542
+#: Shares of green plants and of snow at which the structure of the ground changes. [1]
+GREEN: Final = 0.35
+SNOWY: Final = 0.5
+#: Contrast and slopes of bare ground between waves, and of snow, over the mean of those of plants;
+#: of plants, that of the coarsest octave and its increase to each finer one. [1]
+SANDY: Final = 0.5
+ICY: Final = 1.0
+COARSE: Final = 0.5
+FINER: Final = 0.14
+#: Length of the noise of waves along crests and across, and of sastrugi [cell]; how far crests
+#: wander [rad], and the second harmonic that sharpens them [1].
+CREST: Final = 8.0
+BETWEEN: Final = 4.0
+DRAWN: Final = 3.0
+WANDER: Final = 5.0
+SHARP: Final = 0.3
 #: Standard deviation of the reflectance over its mean in one octave of dark land. [1]
 CONTRAST: Final = 0.1
 #: Standard deviation of red over green, and of green over blue, in one octave. [1]
 HUE: Final = 0.012
-#: Distance of the two heights of a slope. [cell]
-STRIDE: Final = 0.5
 #: Standard deviation of the slope of one octave. [1]
 SLOPE: Final = 0.08
 #: Angle of the least row over that of a pixel, ratio of distances of the nearest rows, size of
@@ -51,10 +60,8 @@ FLAT: Final = 2.5
 #: Least blur of a pixel seen at a grazing angle over its longer axis: relief shows more than the
 #: level ground would. [1]
 FORESHORTENED: Final = 0.12
-#: Largest cells with slopes over the finest of ``ground_detail``: 7 m on Earth.
+#: Largest cells with slopes, but for waves, over the finest of ``ground_detail``: 7 m on Earth.
 HIGHEST: Final = 64.0
-#: Standard deviation of the difference of that over a stride, over its own. [1]
-RISE: Final = 0.886
 #: Steepest slopes, about two and a half standard deviations of all octaves. [1]
 STEEPEST: Final = 0.45
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
@@ -100,22 +107,27 @@ def texture_footprint(footprint, cosine):
 
 
 @kernel
-def stony(noise, part):
-    """Noise with stones and tufts: an even ground of which the highest eighth stands out. [1]
+def face_of(up):
+    """Axis of the face of a cube on which the texture of a place lies, 0 to 2."""
+    if abs(up.z) >= max(abs(up.x), abs(up.y)):
+        return 2
+    return 0 if abs(up.x) >= abs(up.y) else 1
 
-    Parameters
-    ----------
-    noise : float
-        Result of ``smooth_noise``. [1]
-    part : float
-        How much they stand out, 0 to 1. [1]
+
+@kernel
+def faced(vector, face):
+    """Vector whose first two components lie in a face of a cube.
 
     Examples
     --------
-    >>> stony(0.25, 1.0), round(stony(0.65, 1.0), 9)
-    (0.25, 1.15)
+    >>> faced(Vec3(1.0, 2.0, 3.0), 0)
+    Vec3(x=2.0, y=3.0, z=1.0)
     """
-    return noise + part * STEEPER * max(noise - STONES, 0.0)
+    if face == 0:
+        return Vec3(vector.y, vector.z, vector.x)
+    if face == 1:
+        return Vec3(vector.z, vector.x, vector.y)
+    return vector
 
 
 @kernel
@@ -143,7 +155,7 @@ def row_before(dip, width):
 
 
 @kernel
-def seen_row(place, altitude, width, cell, leaf, whole, part, up):
+def seen_row(place, altitude, width, cell, leaf, whole, part):
     """Place of what stands up before a place on level ground, and hides it. [finest cell]
 
     Whatever is as tall as it is wide is seen at a grazing angle as a row before the next one, whose
@@ -157,47 +169,54 @@ def seen_row(place, altitude, width, cell, leaf, whole, part, up):
         Height of the observer [m]; angle of a row [rad].
     leaf : float
         Share of green plants: blades are taller than wide, stones wider than tall. [1]
-    up : Vec3
-        Vertical of the observer, in the planet's frame. [1]
     """
     distance = max(sqrt(dot(place, place)), 1e-3 * cell)
     dip = altitude / distance
     row = row_before(dip, width)
     scale = 2.0 ** floor(log2(max(RAGGED * width * distance / cell, 0.25)))
     share = dip / (row * cell)
-    at = lattice_place(plus(part, scaled(place, share)), whole, scale)
-    moved = dip + RAISED * max(width, SPACING * dip) * smooth_noise(at.x, at.y, at.z)
+    at = plus(part, scaled(place, share))
+    ragged, _x, _y = plane_noise(
+        along_lattice(whole.x, at.x, 1.0 / scale), along_lattice(whole.y, at.y, 1.0 / scale)
+    )
+    moved = dip + RAISED * max(width, SPACING * dip) * ragged
     row = max(row_before(moved, width), dip)
     share = dip / row
     upright = UPRIGHT + (FLAT - UPRIGHT) * (1.0 - leaf)
-    return plus(
-        part,
-        plus(scaled(place, share / cell), scaled(up, upright * altitude * (1.0 - share) / cell)),
-    )
+    beyond = share / cell + upright * altitude * (1.0 - share) / (cell * distance)
+    return plus(part, scaled(place, beyond))
 
 
 @kernel
-def octave_change(finest, scale, whole, way, part):
+def octave_change(place, scale, whole, way, along, wavy):
     """Noise of an octave, and its growth along a direction. [1]
 
     Parameters
     ----------
-    finest : Vec3
+    place : Vec3
         Place. [finest cell]
     scale : float
         Size of the cells. [finest cell]
     whole, way : Vec3
         Arguments of ``land_texture``.
-    part : float
-        Argument of ``stony``.
+    along : float
+        How much the noise is drawn out. [1]
+    wavy : bool
+        Whether it is waves of sand, of two cells.
     """
-    at = lattice_place(finest, whole, scale)
-    here = stony(smooth_noise(at.x, at.y, at.z), part)
-    growth = 0.0
-    if scale <= HIGHEST:
-        at = plus(at, scaled(way, STRIDE))
-        growth = stony(smooth_noise(at.x, at.y, at.z), part) - here
-    return here, growth
+    inverse = 1.0 / scale
+    across = BETWEEN if wavy else 1.0
+    value, slope_x, slope_y = plane_noise(
+        along_lattice(whole.x, place.x, inverse / along),
+        along_lattice(whole.y, place.y, inverse / across),
+    )
+    growth = way.x * slope_x / along + way.y * slope_y / across
+    if wavy:
+        phase = pi * along_lattice(whole.y, place.y, inverse) + WANDER * value
+        wave, size = sin(phase), min(max(0.4 + 1.5 * value, 0.0), 1.0)
+        growth = (pi * way.y + WANDER * growth) * size * cos(phase) * (1.0 - 2.0 * SHARP * wave)
+        value = size * (wave + SHARP * (0.5 - wave * wave))
+    return value, growth
 
 
 @kernel
@@ -207,42 +226,50 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow):
     Parameters
     ----------
     ground, row : Vec3
-        Place, and result of ``seen_row``. [finest cell]
+        Place, and result of ``seen_row``, ``faced``. [finest cell]
     footprint, longer : float
         Axes of the pixel. [finest cell]
     whole : Vec3
-        Result of ``lattice_origin``.
+        Result of ``lattice_origin``, ``faced``.
     way : Vec3
-        Horizontal direction towards the star, in the planet's frame. [1]
+        Horizontal direction towards the star, in the planet's frame, ``faced``. [1]
     leaf, snow : float
         Shares of green plants and of snow. [1]
     """
     tone, hue, ascent, shore, scale = 0.0, 0.0, 0.0, 0.0, COARSEST
-    part = 1.0 - 0.8 * leaf - 0.5 * snow
-    for _octave in range(OCTAVES):
+    sandy, snowy = leaf < GREEN and snow < SNOWY, snow >= SNOWY
+    loud = SANDY if sandy else (ICY if snowy else COARSE)
+    louder = 0.0 if sandy or snowy else FINER
+    drawn = DRAWN if snowy else 1.0
+    for octave in range(OCTAVES):
         shown = min(0.8 * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
+            wavy = sandy and octave - 2 * (octave // 2) == 1
+            along = CREST if wavy else drawn
             flat = min(max(1.2 * scale / longer - 1.0, 0.0), shown)
             here, growth = 0.0, 0.0
             if flat > 0.0:
-                value, change = octave_change(ground, scale, whole, way, part)
+                value, change = octave_change(ground, scale, whole, way, along, wavy)
                 here += flat * value
                 growth += flat * change
             if flat < shown:
-                value, change = octave_change(row, scale, whole, way, part)
+                value, change = octave_change(row, scale, whole, way, along, wavy)
                 here += (shown - flat) * value
                 growth += (shown - flat) * change
-            here -= shown * part * STONY_MEAN
             shore += here * scale
-            tone += here
-            hue = here - hue  # signs alternate: no colour of its own for bright or dark
-            ascent += growth
+            tone += loud * here
+            hue = loud * here - hue  # signs alternate: no colour of its own for bright or dark
+            if wavy:
+                ascent += growth
+            elif scale <= HIGHEST:
+                ascent += loud * growth
+        loud += louder
         scale /= STEP
     return LandTexture(
-        CONTRAST * (0.6 + 0.4 * leaf) * tone / STONY_DEVIATION,
-        HUE * hue / STONY_DEVIATION,
-        SLOPE * ascent / (RISE * STONY_DEVIATION),
-        DISPLACED * shore / (float(STEP ** (DETAIL_OCTAVES - 1)) * DEVIATION),
+        CONTRAST * tone / PLANE_DEVIATION,
+        HUE * hue / PLANE_DEVIATION,
+        SLOPE * ascent / SLOPE_DEVIATION,
+        DISPLACED * shore / (float(STEP ** (DETAIL_OCTAVES - 1)) * PLANE_DEVIATION),
     )
 
 

@@ -12,22 +12,25 @@ from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.relief import height_at
 from airlight.scene.ground_detail import moved_coast, sharper_share, unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
-from airlight.scene.hills import canopy, hills, woods
+from airlight.scene.hills import COARSEST, canopy, hills, woods
 from airlight.scene.land_texture import (
     ROW,
+    face_of,
+    faced,
     land_texture,
     seen_row,
     texture_footprint,
     texture_light,
     textured,
 )
+from airlight.scene.rocks import rocks
 from airlight.solver.moments.source import transmittance_columns
 
 #: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
 NEARLY_WATER: Final = 0.999
-#: Height of the coarsest octave of hills in a plain, and its ratio to differences of height
-#: between texels of the map of heights. [m], [1]
-LEAST: Final = 200.0
+#: Height of the coarsest octave of hills in a plain over its cells, 200 m on Earth, and its ratio
+#: to differences of height between texels of the map of heights. [1]
+LEAST: Final = 0.027
 RUGGED: Final = 3.0
 #: Altitude over which hills hide nothing; distance of the nearest and of the farthest hills that
 #: do, and distance of the nearest per altitude. [m], [1]
@@ -41,7 +44,7 @@ STEEP: Final = 0.05
 STEPS: Final = 20
 HALVINGS: Final = 4
 #: Height of noise that lies on level ground, and highest value. [1]
-GROUND: Final = -0.05
+GROUND: Final = 0.0
 TOP: Final = 0.6
 #: Largest angle of elevation of hills over their height. [finest cell⁻¹]
 STEEPEST: Final = 6.5e-6
@@ -110,7 +113,7 @@ def hill_size(latitude, longitude, view):
     view : ViewUniforms
         Camera with its maps.
     """
-    size = LEAST
+    size = LEAST * COARSEST * view.detail_cell
     if view.relieved:
         angle = pi / view.over_rows
         parallel = max(cos(latitude), 0.05)
@@ -195,10 +198,11 @@ def seen_hill(ray, frame, color):
     trees = 250.0 * cell * leaf
     step = (far / near) ** (1.0 / STEPS)
     before, distance, found, met, halvings = near, near * step, 0.0, 0.0, 0
+    over, under = 1.0, -1.0
     while distance < far and halvings <= HALVINGS:
         above = altitude + distance * (climb + 0.5 * distance / tables.bottom)
         share = risen(distance, altitude)
-        hidden = above <= 0.0
+        height = 0.0
         wooded = trees * grown(distance, altitude)
         if above > 0.0 and above < size * min(TOP, STEEPEST * distance / cell - GROUND) + wooded:
             finest = Vec3(
@@ -215,12 +219,11 @@ def seen_hill(ray, frame, color):
                 wood = leaf * grown(distance, altitude)
                 wood *= woods(finest, blur, view.whole, hill.tone)
                 if wood > 0.0:
-                    height += wood * cell * canopy(finest, view.whole)
-            hidden = above < height
-        if hidden:
-            found, met = distance, above
+                    height += cell * canopy(finest, view.whole, wood)
+        if above <= height:
+            found, met, under = distance, above, above - height
         else:
-            before = distance
+            before, over = distance, above - height
         if found > 0.0:
             halvings += 1
             distance = 0.5 * (before + found)
@@ -232,6 +235,8 @@ def seen_hill(ray, frame, color):
         land_color(plus(up, scaled(aside, found / tables.bottom)), view, color)
         if color[3] > 0.5:
             return ray, 1.0
+    # what is seen of a tree from bottom to top lies behind one another
+    found = before + (found - before) * over / max(over - under, 1e-3)
     end = min(found, edge)
     down = -altitude / end - 0.5 * end / tables.bottom
     length = sqrt(1.0 + down * down)
@@ -303,10 +308,10 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
             view.part.x + place.x / cell, view.part.y + place.y / cell, view.part.z + place.z / cell
         )
         up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
+        middle = plus(up, scaled(place, 1.0 / frame.tables.bottom))
         high = risen(reach, observer.optical_altitude)
         ascent, tone, wood, height = 0.0, 0.0, 0.0, 0.0
         if high > 0.0:
-            middle = plus(up, scaled(place, 1.0 / frame.tables.bottom))
             latitude, longitude = latitude_longitude(middle)
             size = hill_size(latitude, longitude, view) * (1.0 + (SNOWED - 1.0) * snow)
             from_there = reach if observer.optical_altitude < LOW else 1e9
@@ -319,20 +324,37 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
             wood *= woods(finest, blur, view.whole, hill.tone)
             height = high * size * max(hill.height - GROUND, 0.0)
             if wood > 0.0 and observer.optical_altitude < LOW:
-                height += wood * cell * canopy(finest, view.whole)
-            finest = plus(finest, scaled(up, height / cell))
+                height += cell * canopy(finest, view.whole, wood)
+        # the texture lies on the face of a cube
+        face = face_of(middle)
+        whole, way, place = faced(view.whole, face), faced(way, face), faced(place, face)
+        part = faced(view.part, face)
+        away = max(sqrt(place.x * place.x + place.y * place.y), 1e-3 * cell)
+        higher = Vec3(place.x * height / (away * cell), place.y * height / (away * cell), 0.0)
+        finest = plus(faced(finest, face), higher)
         row, shorter = finest, blur
         if cosine < GRAZING and snow < 0.5:
             low = observer.optical_altitude
-            band = ROW * view.pixel_angle
-            row = seen_row(place, low, band, cell, leaf, view.whole, view.part, up)
-            row = plus(row, scaled(up, height / cell))
+            row = seen_row(place, low, ROW * view.pixel_angle, cell, leaf, whole, part)
+            row = plus(row, higher)
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
-        texture = land_texture(finest, row, shorter, footprint / cell, view.whole, way, leaf, snow)
-        color[11] = texture_light(mu_s, texture.ascent + ascent)
+        texture = land_texture(finest, row, shorter, footprint / cell, whole, way, leaf, snow)
+        sine = sqrt(max(1.0 - mu_s * mu_s, 0.0))
+        stony = rocks(
+            finest,
+            whole,
+            Vec3(-place.x / away, -place.y / away, observer.optical_altitude / away),
+            Vec3(sine * way.x, sine * way.y, mu_s),
+            view.pixel_angle * reach / cell,
+            blur,
+            cell,
+            max(1.0 - leaf - snow, 0.0),
+        )
+        color[11] = stony.light + stony.open * texture_light(mu_s, texture.ascent + ascent)
         change, hue = texture.tone, texture.hue
         tone *= LOUD
         dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - leaf * ((1.0 - SHADY) * COVER + COMMON))
+        dark *= stony.tone
         if view.mapped:
             sharp = sharper_share(moved_coast(share, texture.shore), width)
             red = dark * unmixed(color[0], view.water.x, share)
@@ -346,4 +368,4 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
             color[2] = blue + sharp * (view.water.z - blue)
             color[3] = sharp
         else:
-            color[8] = 1.0 + view.grain.x * tone + change
+            color[8] = stony.tone * (1.0 + view.grain.x * tone + change)
