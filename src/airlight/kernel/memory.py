@@ -24,6 +24,8 @@ _ON_DISK: Final = 36
 _LIGHT: Final = 12
 #: Memory of a decoded pixel: Pillow's own and the array's, with eight bits per channel. [byte]
 DECODED: Final = 8
+#: Option of ``mallopt``: ``M_ARENA_MAX`` of malloc.h.
+_MOST_HEAPS: Final = -8
 #: Files of the Linux kernel with the free memory and the limits of a container.
 _MEMINFO: Final = Path("/proc/meminfo")
 _GROUP: Final = Path("/sys/fs/cgroup")
@@ -44,6 +46,17 @@ def give_back() -> None:
         trim = getattr(ctypes.CDLL(None), "malloc_trim", None)  # glibc's
         if trim is not None:
             trim(0)
+
+
+def share_memory_of_threads() -> None:
+    """Let the C library serve all threads from two heaps, so that they reuse each other's memory.
+
+    By default each thread has its own, whose gaps count as used: 90 to 170 MB in the window.
+    """
+    if sys.platform == "linux":
+        option = getattr(ctypes.CDLL(None), "mallopt", None)  # glibc's
+        if option is not None:
+            option(_MOST_HEAPS, 2)
 
 
 def check_memory(needed: float, work: str) -> None:

@@ -14,6 +14,7 @@ from typing import Any, Final, Protocol
 from airlight.errors import Cancelled
 from airlight.image.spectral import rgb_weights
 from airlight.kernel.cache import Cache
+from airlight.kernel.memory import give_back
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.picture_wavelengths import FloatArray, picture_wavelengths
 from airlight.planets.planet import Planet
@@ -277,6 +278,7 @@ class SolverThread:
                 ),
                 request,
             )
+        give_back()
 
     def _wait_for_edit(self, request: SolveRequest) -> None:
         """Wait for ``PAUSE`` or until a request is superseded."""

@@ -14,6 +14,7 @@ import numpy as np
 from airlight.errors import FileError
 from airlight.files.atomic_file import check_target
 from airlight.kernel.background_compiler import BackgroundCompiler
+from airlight.kernel.memory import share_memory_of_threads
 from airlight.planets.reading.reader import read_tables
 from airlight.render.gpu.device.device import Device, NoDevice, open_device
 from airlight.render.live_renderer import LiveRenderer
@@ -109,6 +110,7 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
     """
     # Two sides may compile a function together; the second then warns that it is done.
     warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
+    share_memory_of_threads()
     preparing = Preparing(canvas.wake)
     try:
         device = open_device()
