@@ -222,9 +222,8 @@ class CloudType(Clouds):
         Place of the middle. [deg]
     """
 
-    #: Width of a cell of the grid by default. [m]
+    #: Width of a cell of the grid by default [m], and number of levels.
     spacing: ClassVar[float] = 200.0
-    #: Number of levels.
     levels: ClassVar[int] = 32
 
     base: float = key(_BASE, default=1000.0)
@@ -445,8 +444,5 @@ class _CloudKinds(TaggedUnion[Clouds]):
 WORDS: Final = tuple(one.keyword for one in CLOUD_TYPES)
 #: Kinds of ``[[clouds]]``.
 CLOUDS: Final[TaggedUnion[Clouds]] = _CloudKinds(
-    Clouds,
-    (*CLOUD_TYPES, CloudFile),
-    label="kind of clouds",
-    help="Kind of clouds.",
+    Clouds, (*CLOUD_TYPES, CloudFile), label="kind of clouds", help="Kind of clouds."
 )
