@@ -1,4 +1,4 @@
-"""Sum of two pictures in linear light."""
+"""Sum of pictures in linear light, and of one behind another."""
 
 from __future__ import annotations
 
@@ -17,3 +17,17 @@ def added_texel(first, second, row, column):
         Position of the pixel.
     """
     return first[row, column] + second[row, column]
+
+
+@inlined
+def layered_texel(behind, light, transmittance, row, column):
+    """Light of a layer and of what is behind it at a pixel.
+
+    Parameters
+    ----------
+    behind, light, transmittance : array, shape (h, w)
+        Picture behind the layer, light of the layer and its transmittance, as in ``added_texel``.
+    row, column : int
+        Position of the pixel.
+    """
+    return light[row, column] + transmittance[row, column] * behind[row, column]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,9 +24,11 @@ from airlight.render.scene_lights import SceneLights
 from airlight.render.through_air import AirAround
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import camera_angles, level_axes
+from airlight.scene.system import System
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
 from airlight.solver.eclipsed.solution import EclipsedSolution
+from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
@@ -84,29 +86,14 @@ def atmosphere_layer(
         If a planet with three-dimensional clouds is in a moon's shadow.
     """
     system, solution = lights.system, lights.solutions[body.name]
-    up = (system.eye - body.centre) / np.linalg.norm(system.eye - body.centre)
     layers = zeros((1, camera.rows, camera.columns, 3), np.float32)
-    brightest, black, first_zenith = 0.0, True, 0.0
     before = None
-    for number, light in enumerate(lights.on(body)):
-        source = lights.seen_from(light, body)
-        brightest = max(brightest, float(source.irradiance.max()))
-        if source.irradiance.max() <= _FAINTEST * brightest:
-            continue
-        lit = solution.with_light(source, secondary=number > 0)
-        towards = lights.towards(light, body.centre[None])[0]
-        local = level_axes(up, towards)
-        scene = _scene_of_light(lights, camera, body, towards, local)
-        moon = None if light.star is None else occulting_moon(lights, light, body, source)
+    for number, (lit, scene, local, moon, air) in enumerate(body_lights(lights, camera, body)):
         around = None
-        if number == 0 or light_visibility(
-            scene.sun_zenith, first_zenith, 0.0, float(source.irradiance.max()) / brightest,
-            scene.altitude, solution.medium.bottom_radius, solution.medium.thickness,
-        ) > 1.0:  # fmt: skip
+        if air:
             around = clouds_at(
                 system.planets[body.name], scene, clouds, quality=quality, cache=cache
             )
-        first_zenith = scene.sun_zenith if number == 0 else first_zenith
         if moon is None:
             renderer = CpuRenderer(
                 lit, scene, disc=False,
@@ -121,16 +108,74 @@ def atmosphere_layer(
             check_unfiltered(scene)  # before the shadow is solved, which takes minutes
             eclipsed = EclipsedSolution(lit, moon, cache=cache, progress=progress, cancel=cancel)
             renderer = EclipseRenderer(eclipsed, scene, local)
-        add_rendered(layers, renderer, (None,), progress, cancel, black=black)
-        black = False
+        add_rendered(layers, renderer, (None,), progress, cancel, black=number == 0)
     return AtmosphereLayer(
         body=body,
         solution=solution,
         altitude=system.place_above(body)[2],
-        axes=level_axes(up),
+        axes=level_axes(_zenith(system, body)),
         layer=layers[0],
         clouds=before,
     )
+
+
+class BodyLight(NamedTuple):
+    """Planet of a scene under one of its lights.
+
+    Attributes
+    ----------
+    solution : MomentsSolution
+        Solution with this light.
+    scene : Scene
+        Scene of this planet alone, in the frame of the light.
+    axes : array, shape (3, 3)
+        Axes of that frame as rows. [1]
+    moon : OccultedStar or None
+        Airless body that occults the light.
+    visible : bool
+        Whether it is visible beside the first light, ``light_visibility``.
+    """
+
+    solution: MomentsSolution
+    scene: Scene
+    axes: FloatArray
+    moon: OccultedStar | None
+    visible: bool
+
+
+def body_lights(lights: SceneLights, camera: Camera, body: Body) -> Iterator[BodyLight]:
+    """Planet under each of the lights that illuminate it.
+
+    Parameters
+    ----------
+    lights, camera, body :
+        Arguments of ``atmosphere_layer``.
+    """
+    system, solution = lights.system, lights.solutions[body.name]
+    brightest, first_zenith = 0.0, 0.0
+    for number, light in enumerate(lights.on(body)):
+        source = lights.seen_from(light, body)
+        irradiance = float(source.irradiance.max())
+        brightest = max(brightest, irradiance)
+        if irradiance <= _FAINTEST * brightest:
+            continue
+        lit = solution.with_light(source, secondary=number > 0)
+        towards = lights.towards(light, body.centre[None])[0]
+        local = level_axes(_zenith(system, body), towards)
+        scene = _scene_of_light(lights, camera, body, towards, local)
+        moon = None if light.star is None else occulting_moon(lights, light, body, source)
+        visible = number == 0 or light_visibility(
+            scene.sun_zenith, first_zenith, 0.0, irradiance / brightest,
+            scene.altitude, solution.medium.bottom_radius, solution.medium.thickness,
+        ) > 1.0  # fmt: skip
+        first_zenith = scene.sun_zenith if number == 0 else first_zenith
+        yield BodyLight(lit, scene, local, moon, visible)
+
+
+def _zenith(system: System, body: Body) -> FloatArray:
+    """Unit vector from a body's centre towards the observer. [1]"""
+    offset = system.eye - body.centre
+    return np.asarray(offset / np.linalg.norm(offset))
 
 
 def _in_frame(

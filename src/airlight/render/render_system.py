@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +31,7 @@ from airlight.render.corona import OUTERMOST, corona
 from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
 from airlight.render.render_scene import CPU, color_wavelengths
 from airlight.render.scene_lights import SceneLights
-from airlight.render.solve_planet import solve_planet
+from airlight.render.solve_planet import solve_planets
 from airlight.render.star_points import add_milky_way, add_shown
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import camera_angles, level_axes, zenith_azimuth
@@ -108,18 +108,7 @@ def render_system(
         first = next(iter(system.planets.values()), None)
         found = np.linspace(400.0, 700.0, 16) if first is None else picture_wavelengths(first)
         nm = tuple(found.tolist())
-    solutions = {
-        name: solve_planet(
-            planet.without_clouds,
-            nm,
-            quality,
-            cache=cache,
-            around=system.place_above(system.body(name)),
-            progress=progress,
-            cancel=cancel,
-        )
-        for name, planet in system.planets.items()
-    }
+    solutions = solve_planets(system, nm, quality, cache=cache, progress=progress, cancel=cancel)
     lights = SceneLights(system, np.array(nm), solutions)
     unfiltered = None
     if system.view.polariser is not None:
@@ -153,6 +142,39 @@ def render_system(
     ]
     frame = _BodyTracer(lights, camera, items, samples).render(progress, cancel)
     return replace(frame, unfiltered=unfiltered)
+
+
+def system_frame(
+    lights: SceneLights,
+    camera: Camera,
+    rgb: Float32Array,
+    weights: FloatArray | None = None,
+    **seen: Any,
+) -> Frame:
+    """Frame of a scene of several bodies.
+
+    Parameters
+    ----------
+    rgb : array, shape (rows, columns, 3)
+        Linear sRGB radiance. [W m⁻² sr⁻¹]
+    weights : array, shape (nl, 3), optional
+        Linear sRGB per radiance; by default ``picture_weights``.
+    **seen
+        Further arguments of ``Frame.seen_by``.
+    """
+    system = lights.system
+    sources = tuple(lights.source(one, system.eye) for one in lights.stars)
+    return Frame.seen_by(
+        camera,
+        rgb,
+        lights.wavelengths,
+        {"scene": system.name, "bodies": ", ".join(body.name for body in system.bodies)},
+        white=white_luminance(
+            (LightPosition(zenith=0.0, index=k) for k in range(len(sources))), sources, weights
+        ),
+        star_white=star_white(sources[0].spectrum),
+        **seen,
+    )
 
 
 class _BodyTracer:
@@ -191,20 +213,13 @@ class _BodyTracer:
             shown = np.isfinite(pixel_positions(self.camera, true @ self.axes.T)[0])
             add_shown(rgb, self.camera, self.axes, self, self._star, true, shown)
             add_milky_way(rgb, self.camera, self.axes, self, self._star)
-        names = ", ".join(body.name for body in self.system.bodies)
-        return Frame.seen_by(
+        return system_frame(
+            self.lights,
             self.camera,
             rgb.astype(np.float32),
-            self.wavelengths,
-            {"scene": self.system.name, "bodies": names},
             device=CPU,
             scene=self._metered(),
-            white=white_luminance(
-                (LightPosition(zenith=0.0, index=k) for k in range(len(self.lights.stars))),
-                tuple(self.lights.source(one, self.eye) for one in self.lights.stars),
-            ),
             star_radius=max((one.angular_radius for one in self._seen.values()), default=0.0),
-            star_white=star_white(self._star.spectrum),
         )
 
     def _metered(self) -> Scene | None:

@@ -8,7 +8,7 @@ disk; those of edits are not, as edits rarely recur.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -30,6 +30,7 @@ from airlight.solver.moments.settings import MomentsSettings, settings_for
 
 if TYPE_CHECKING:
     from airlight.render.gpu.device.device import Device
+    from airlight.scene.system import System
     from airlight.solver.moments.solution import MomentsSolution
 
 
@@ -137,3 +138,29 @@ def live_solver(
         return solve_planet(*arguments, device=gpu, cache=keeps(), **options)
 
     return solve
+
+
+def solve_planets(
+    system: System, wavelengths: Sequence[float], quality: str = "default", **options: Any
+) -> dict[str, MomentsSolution]:
+    """Solutions of the planets of a scene by name, with the ground below the observer.
+
+    Parameters
+    ----------
+    system : System
+        Bodies and observer.
+    wavelengths, quality :
+        See ``solve_planet``.
+    **options
+        Further arguments of ``solve_planet``.
+    """
+    return {
+        name: solve_planet(
+            planet.without_clouds,
+            tuple(wavelengths),
+            quality,
+            around=system.place_above(system.body(name)),
+            **options,
+        )
+        for name, planet in system.planets.items()
+    }

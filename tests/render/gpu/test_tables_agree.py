@@ -425,6 +425,9 @@ WHOLE = {
         "whole_powers",
     ),
     "test_lights.py::test_several_lights_are_shown_as_by_the_cpu": ("added_texel",),
+    "test_system_renderer.py::test_planets_before_each_other_are_drawn_as_by_the_cpu": (
+        "layered_texel", "light_of_centre", "pixel_transmittance",
+    ),
     "test_gpu_renderer.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
         "displayed", "dithered", "within_gamut",
     ),

@@ -1,9 +1,9 @@
-"""Passes after rendering: sum over lights, glare, exposure, tone map and encoding."""
+"""Passes after rendering: sum over lights and layers, glare, exposure, tone map and encoding."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from airlight.image.displayed import Display
 from airlight.image.glare import glare_levels, glare_share
@@ -14,6 +14,7 @@ from airlight.render.gpu.picture.display_shaders import (
     added_shader,
     coarser_shader,
     display_shader,
+    layered_shader,
     spread_shader,
 )
 from airlight.render.gpu.picture.shaders import Shader
@@ -21,6 +22,24 @@ from airlight.render.gpu.picture.uniforms import FRAME
 
 #: Format of linear radiance; half precision overflows at the radiance of the sun's disc.
 LINEAR: Final = "rgba32float"
+
+
+class Layer(NamedTuple):
+    """Air and ground of a planet.
+
+    Attributes
+    ----------
+    lights : sequence of callable
+        ``part(view, format)`` renders the frame of one light.
+    transmittance : callable
+        ``transmittance(view, format)`` renders its transmittance.
+    key : hashable
+        Key of its contents.
+    """
+
+    lights: Sequence[Callable[[Any, str], None]]
+    transmittance: Callable[[Any, str], None]
+    key: Hashable
 
 
 class DisplayPasses:
@@ -44,6 +63,7 @@ class DisplayPasses:
         self._spread: Hashable = None
         self._picture: Any = None
         self._lights: list[Any] = []  # frames of single lights and their partial sums
+        self._layers: list[Any] = []  # two pictures, and light and transmittance of a layer
         self._levels: list[Any] = []  # pyramid in texels of 2, 4, 8 … pixels
         self._spreads: list[Any] = []  # spread light of each level and all coarser ones
         self._uniforms: dict[int, Any] = {}
@@ -67,6 +87,20 @@ class DisplayPasses:
             self._size, self.rendered, self._spread = (width, height), None, None
             self._groups.clear()
         return self._picture.create_view()
+
+    def render(self, layers: Sequence[Layer], size: tuple[int, int]) -> None:
+        """Render layers into the texture of linear radiance, unless it holds them.
+
+        Parameters
+        ----------
+        layers, size :
+            See ``add_layers``.
+        """
+        picture, rendered = self.picture(*size), tuple(layer.key for layer in layers)
+        if self.rendered != rendered:
+            self.rendered = None
+            self.add_layers(layers, picture, size, LINEAR)
+            self.rendered = rendered
 
     def add_lights(
         self,
@@ -110,6 +144,49 @@ class DisplayPasses:
             self.device.device.queue.submit([encoder.finish()])
             if not last:
                 one, spare = spare[0], [one]
+
+    def add_layers(
+        self,
+        layers: Sequence[Layer],
+        view: Any,
+        size: tuple[int, int],
+        target_format: str,
+    ) -> None:
+        """Render layers of air, each in front of the one before it, into a target.
+
+        Parameters
+        ----------
+        layers : sequence of Layer
+            Layers from the farthest to the nearest.
+        view, size, target_format :
+            See ``add_lights``.
+        """
+        if len(layers) == 1:
+            self.add_lights(layers[0].lights, view, size, target_format)
+            return
+        if not self._layers or size != tuple(self._layers[0].size[:2]):
+            for texture in self._layers:
+                texture.destroy()
+            self._layers = [self._texture(*size, f"layer {k}") for k in range(4)]
+        behind, light, transmittance, spare = self._layers
+        self.add_lights(layers[0].lights, behind.create_view(), size, LINEAR)
+        for number, layer in enumerate(layers[1:], start=2):
+            self.add_lights(layer.lights, light.create_view(), size, LINEAR)
+            layer.transmittance(transmittance.create_view(), LINEAR)
+            last = number == len(layers)
+            one = self._pass(layered_shader(), target_format if last else LINEAR)
+            encoder = self.device.device.create_command_encoder()
+            groups = one.bind(
+                {
+                    "frame": self._buffer(0),
+                    "picture": behind,
+                    "level": light,
+                    "coarser": transmittance,
+                }
+            )
+            one.run(encoder, groups, [view if last else spare.create_view()])
+            self.device.device.queue.submit([encoder.finish()])
+            behind, spare = spare, behind
 
     def display(
         self, uniforms: Mapping[str, float], pixel_angle: float, view: Any, target_format: str

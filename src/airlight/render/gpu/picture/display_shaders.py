@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from airlight.image.added_light import added_texel
+from airlight.image.added_light import added_texel, layered_texel
 from airlight.image.displayed import Display, displayed
 from airlight.image.glare import coarser_texel, glared_texel, spread_texel
 from airlight.render.gpu.emit.dialect import ShaderDialect
@@ -22,6 +22,7 @@ from airlight.render.gpu.picture.shaders import (
     sky_mirrored_shader,
     sky_peaks_shader,
     sky_polarised_shader,
+    transmittance_shader,
 )
 from airlight.render.gpu.picture.uniforms import FRAME, Lens
 
@@ -50,6 +51,12 @@ def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
 def added_shader(dialect: ShaderDialect = WGSL) -> Shader:
     """Shader of the sum of two frames of linear radiance."""
     return _level_shader("added", added_texel, ("picture", "level"), (), dialect)
+
+
+@cache
+def layered_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of a layer of air in front of a frame of linear radiance."""
+    return _level_shader("layered", layered_texel, ("picture", "level", "coarser"), (), dialect)
 
 
 def _level_shader(
@@ -117,8 +124,10 @@ def all_shaders() -> tuple[Shader, ...]:
         sky_mirrored_shader(),
         picture_shader(False),
         picture_shader(True),
+        transmittance_shader(),
         coarser_shader(),
         spread_shader(),
         added_shader(),
+        layered_shader(),
         display_shader(),
     )

@@ -22,11 +22,15 @@ class FramePasses:
     ----------
     device : Device
         Device from ``open_device``.
+    like : FramePasses, optional
+        Passes of the same device, whose pipelines are used too.
     """
 
-    def __init__(self, device: Device) -> None:
+    def __init__(self, device: Device, like: FramePasses | None = None) -> None:
         self._device = device
-        self._passes: dict[tuple[Shader, tuple[str, ...]], FragmentPass] = {}
+        self._passes: dict[tuple[Shader, tuple[str, ...]], FragmentPass] = (
+            {} if like is None else like._passes
+        )
         self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
         self._textures: dict[int, Mapping[str, Any]] = {}
         self._places: dict[int, Mapping[str, tuple[int, ...]]] = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, Final
 
@@ -19,9 +19,9 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture.bands import Band, bands
-from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses
+from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, Layer
 from airlight.render.gpu.picture.frame_passes import FramePasses
-from airlight.render.gpu.picture.shaders import picture_shader
+from airlight.render.gpu.picture.shaders import picture_shader, transmittance_shader
 from airlight.render.gpu.picture.sky_views import SkyViews
 from airlight.render.gpu.picture.solution_textures import SolutionTextures
 from airlight.render.gpu.picture.uniforms import FRAME
@@ -67,6 +67,8 @@ class GpuRenderer:
         Azimuths and rows of the sky-view LUT; their product is a multiple of ``FLAT_WIDTH``.
     sky_view_on_cpu : bool, optional
         Whether the CPU fills the sky-view LUT; by default with software GPUs.
+    like : GpuRenderer, optional
+        Renderer of the same device, whose pipelines are used too.
 
     Examples
     --------
@@ -82,9 +84,10 @@ class GpuRenderer:
         sky_view_size: tuple[int, int] = SKY_VIEW_SIZE,
         *,
         sky_view_on_cpu: bool | None = None,
+        like: GpuRenderer | None = None,
     ) -> None:
         self.device = device
-        self._passes = FramePasses(device)
+        self._passes: FramePasses = FramePasses(device, None if like is None else like._passes)
         on_cpu = device.software if sky_view_on_cpu is None else sky_view_on_cpu
         self._sky_views = SkyViews(device, self._passes, sky_view_size, on_cpu=on_cpu)
         self._solution: MomentsSolution | None = None
@@ -274,21 +277,11 @@ class GpuRenderer:
         """
         width, height = size or (scene.camera.width, scene.camera.height)
         lights = scenes_by_light(scene, self._require_solution())
-        by_light = [self._uniforms(one, (width, height), exact, orders, disc) for one in lights]
-        parts = [
-            partial(self._render_light, *one, exact)
-            for one in zip(range(len(lights)), lights, by_light, strict=True)
-        ]
-        display = self._display
+        layer = self.layer(lights, (width, height), exact=exact, orders=orders, disc=disc)
         if exposure is None:
-            display.add_lights(parts, view, (width, height), target_format)
+            self._display.add_layers([layer], view, (width, height), target_format)
             return
-        picture = display.picture(width, height)
-        rendered = exact, tuple(self._passes.packed(one).tobytes() for one in by_light)
-        if display.rendered != rendered:
-            display.rendered = None
-            display.add_lights(parts, picture, (width, height), LINEAR)
-            display.rendered = rendered
+        self._display.render([layer], (width, height))
         values = {
             **display_uniforms(
                 exposure,
@@ -298,7 +291,43 @@ class GpuRenderer:
             ),
             "circle": scene.camera.circle is not None,
         }
-        display.display(values, scene.camera.glare_angle, view, target_format)
+        self._display.display(values, scene.camera.glare_angle, view, target_format)
+
+    def layer(
+        self,
+        lights: Sequence[SceneForLight],
+        size: tuple[int, int],
+        *,
+        exact: bool = False,
+        orders: str = "all",
+        disc: bool = True,
+    ) -> Layer:
+        """Passes of a frame of several lights.
+
+        Parameters
+        ----------
+        lights : sequence of SceneForLight
+            Scenes that add up, see ``scenes_by_light``.
+        size : (int, int)
+            Size of the target. [pixel]
+        exact, orders, disc :
+            Arguments of ``render``.
+        """
+        by_light = [self._uniforms(one, size, exact, orders, disc) for one in lights]
+        return Layer(
+            [
+                partial(self._render_light, *one, exact)
+                for one in zip(range(len(lights)), lights, by_light, strict=True)
+            ],
+            partial(self._render_transmittance, by_light[0]),
+            (exact, tuple(self._passes.packed(one).tobytes() for one in by_light)),
+        )
+
+    def _render_transmittance(
+        self, uniforms: dict[str, float], view: Any, target_format: str
+    ) -> None:
+        """Render the transmittance of the air into a texture."""
+        self._passes.run(transmittance_shader(), uniforms, [view], (target_format,))
 
     def _render_light(
         self,

@@ -5,10 +5,10 @@ They are independent of the planet, as sizes are uniforms.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Final
+from typing import Any, Final
 
 from airlight.render.gpu.emit.dialect import ShaderDialect
 from airlight.render.gpu.emit.emitted import Emitted
@@ -28,6 +28,7 @@ from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.render.pixels.ground import GROUND_VALUES
 from airlight.render.pixels.pixel import FrameTables, ViewUniforms, pixel_light
+from airlight.render.pixels.pixel_transmittance import pixel_transmittance
 from airlight.render.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
 from airlight.render.pixels.samples import light_of_centre, sampled_light
 from airlight.render.pixels.sky_view_lut import Observer, mirrored_texel, sky_view_texel
@@ -238,15 +239,42 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
         Integer and boolean uniforms bound as constants; otherwise a software GPU evaluates both
         sides of every branch.
     """
-    emitter = Emitter(dialect)
     # a shader of rows without an edge has no loop over samples
     once = dict(fixed).get("samples") == 1 and not dict(fixed).get("edges", True)
+    lines, emitter = _of_pixels(pixel_light, exact, once, fixed, dialect)
+    light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"
+    lines += [dialect.let(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS]
+    entry = dialect.fragment("linear_picture", 1, lines, [light])
+    return assembled("picture", {"linear_picture": entry}, emitter)
+
+
+@cache
+def transmittance_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of the transmittance of the air by channel, for light of the star's colour.
+
+    The fourth channel is 0.
+    """
+    lines, emitter = _of_pixels(pixel_transmittance, False, True, (), dialect)
+    vector = dialect.type_name(VEC4)
+    lines += [
+        dialect.let(one, F32, f"dot(result[0], {own}) / dot({vector}(1.0, 1.0, 1.0, 1.0), {own})")
+        for one, own in ((name, f"frame.{name}") for name in CHANNELS)
+    ]
+    entry = dialect.fragment("transmittance", 1, lines, [f"{vector}({', '.join(CHANNELS)}, 0.0)"])
+    return assembled("transmittance", {"transmittance": entry}, emitter)
+
+
+def _of_pixels(
+    light: Callable[..., Any], exact: bool, once: bool, fixed: Fixed, dialect: ShaderDialect
+) -> tuple[list[str], Emitter]:
+    """Statements that call ``pixel_light`` or the like for a fragment, and their emitter."""
+    emitter = Emitter(dialect)
     places = ("color", "result") if once else ("color", "total", "result")
     kinds = {"color": LocalArray(GROUND_VALUES)}
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
         light_of_centre if once else sampled_light,
-        F32, F32, ConstantFunction(pixel_light), Constant(exact),
+        F32, F32, ConstantFunction(light), Constant(exact),
         StructValue(dict(zip(FrameTables._fields, (
             Constant(_NO_REACH), _whole_window(), *(
                 FRAME.struct_value(one, fixed) for one in (Observer, ViewUniforms, MarchTables)
@@ -261,10 +289,4 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
             ("y", "first_row"),
         )
     )
-    lines = [
-        *filled_by(made, (column, row), dialect),
-        *(dialect.let(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
-    ]
-    light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"
-    entry = dialect.fragment("linear_picture", 1, lines, [light])
-    return assembled("picture", {"linear_picture": entry}, emitter)
+    return filled_by(made, (column, row), dialect), emitter
