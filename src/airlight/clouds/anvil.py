@@ -68,7 +68,7 @@ def storm_extinction(
     above = _EVEN * grid.depth - grid.heights
     inside = np.minimum(above, depth[..., None] - above) / grid.level + 0.5
     anvil = np.clip(inside, 0.0, 1.0) * grid.heights ** (2.0 / 3.0) * ice[..., None]
-    return np.maximum(towers, anvil)
+    return np.asarray(np.maximum(towers, anvil))
 
 
 def _from(column: int, grid: CloudGrid) -> FloatArray:

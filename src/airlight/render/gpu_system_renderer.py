@@ -18,7 +18,7 @@ from airlight.image.display_settings import DisplaySettings
 from airlight.image.white_balance import White, star_white
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
-from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, Layer
+from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, PlanetLayer
 from airlight.render.gpu.picture.gpu_renderer import SKY_VIEW_SIZE, GpuRenderer
 from airlight.render.pixels.scenes_by_light import SceneForLight
 from airlight.render.pixels.view_uniforms import display_uniforms
@@ -152,7 +152,7 @@ class GpuSystemRenderer:
         nm = next(iter(self._solutions.values())).wavelengths
         return SceneLights(system, nm, self._solutions)
 
-    def _layers(self, lights: SceneLights, camera: Camera) -> list[Layer]:
+    def _layers(self, lights: SceneLights, camera: Camera) -> list[PlanetLayer]:
         """Layers from the farthest to the nearest."""
         system = lights.system
         return [
@@ -160,7 +160,7 @@ class GpuSystemRenderer:
             for body in sorted(system.bodies, key=system.power, reverse=True)
         ]
 
-    def _layer(self, lights: SceneLights, camera: Camera, body: Body) -> Layer:
+    def _layer(self, lights: SceneLights, camera: Camera, body: Body) -> PlanetLayer:
         scenes = [
             SceneForLight(one.scene, one.solution, True, LightPosition(zenith=one.scene.sun_zenith))
             for one in body_lights(lights, camera, body)

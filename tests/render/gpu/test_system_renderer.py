@@ -37,16 +37,20 @@ SUN = Light(star=airlight.Star(spectrum="astm-g173"), direction=(-0.6, 0.6, 0.5)
 #: From space, the Earth past the limb of Mars; from the ground of Mars, both Earths through dust.
 SCENES = {
     "space": System(
-        name="space", bodies=(MARS, EARTH), lights=(SUN,),
+        name="space",
+        bodies=(MARS, EARTH),
+        lights=(SUN,),
         observer=SceneObserver(position=(0.0, 0.0, 0.0)),
         view=View(direction=(1.0, 0.35, 0.0), field_of_view=36.0),
     ),
     "ground": System(
-        name="ground", bodies=(TWIN, MARS, EARTH), lights=(SUN,),
+        name="ground",
+        bodies=(TWIN, MARS, EARTH),
+        lights=(SUN,),
         observer=SceneObserver(body="mars", latitude=65.0, altitude=2.0),
         view=View(look_at="earth", field_of_view=60.0),
     ),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("name", SCENES)

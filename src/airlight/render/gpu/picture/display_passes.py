@@ -24,7 +24,7 @@ from airlight.render.gpu.picture.uniforms import FRAME
 LINEAR: Final = "rgba32float"
 
 
-class Layer(NamedTuple):
+class PlanetLayer(NamedTuple):
     """Air and ground of a planet.
 
     Attributes
@@ -88,7 +88,7 @@ class DisplayPasses:
             self._groups.clear()
         return self._picture.create_view()
 
-    def render(self, layers: Sequence[Layer], size: tuple[int, int]) -> None:
+    def render(self, layers: Sequence[PlanetLayer], size: tuple[int, int]) -> None:
         """Render layers into the texture of linear radiance, unless it holds them.
 
         Parameters
@@ -147,7 +147,7 @@ class DisplayPasses:
 
     def add_layers(
         self,
-        layers: Sequence[Layer],
+        layers: Sequence[PlanetLayer],
         view: Any,
         size: tuple[int, int],
         target_format: str,
@@ -156,7 +156,7 @@ class DisplayPasses:
 
         Parameters
         ----------
-        layers : sequence of Layer
+        layers : sequence of PlanetLayer
             Layers from the farthest to the nearest.
         view, size, target_format :
             See ``add_lights``.

@@ -19,7 +19,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture.bands import Band, bands
-from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, Layer
+from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, PlanetLayer
 from airlight.render.gpu.picture.frame_passes import FramePasses
 from airlight.render.gpu.picture.shaders import picture_shader, transmittance_shader
 from airlight.render.gpu.picture.sky_views import SkyViews
@@ -301,7 +301,7 @@ class GpuRenderer:
         exact: bool = False,
         orders: str = "all",
         disc: bool = True,
-    ) -> Layer:
+    ) -> PlanetLayer:
         """Passes of a frame of several lights.
 
         Parameters
@@ -314,7 +314,7 @@ class GpuRenderer:
             Arguments of ``render``.
         """
         by_light = [self._uniforms(one, size, exact, orders, disc) for one in lights]
-        return Layer(
+        return PlanetLayer(
             [
                 partial(self._render_light, *one, exact)
                 for one in zip(range(len(lights)), lights, by_light, strict=True)
