@@ -220,6 +220,8 @@ class GpuRenderer:
         )
         view = target.create_view()
         try:
+            if cancel is not None and cancel():
+                raise Cancelled
             if count == height and camera.crop is None and uniforms["samples"] == 1:
                 self._render_light(number, light, uniforms, exact, view, LINEAR)
                 yield slice(0, height), read_texture(self.device, target)[..., :3]
