@@ -104,6 +104,7 @@ def test_pictures_ease_until_the_exposure_is_reached(device: Device, request_: R
     assert shown[-1].finished
     free = dataclasses.replace(held, held=False)
     assert not free.same(held)
+    assert not free.same(dataclasses.replace(free, adaptation=None))  # as a side that does not lead
     eased = list(renderer.render(free, lambda: False))
     exposures = [one.exposure for one in eased]
     assert len(exposures) > 4

@@ -79,6 +79,7 @@ class Request:
             and self.same_light(other)
             and self.exposure == other.exposure
             and self.automatic == other.automatic
+            and self.adaptation is other.adaptation
             and self.held == other.held
             and self.meters == other.meters
             and self.display == other.display
