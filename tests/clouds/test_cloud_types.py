@@ -94,6 +94,12 @@ def test_a_storm_is_narrow_below_its_anvil(seed):
     assert deep[tuple((anvil + tower).T)].mean() < 0.1 * deep.max()
 
 
+def test_a_storm_without_room_for_an_anvil_is_finite():
+    field = cloud_field(Cumulonimbus(cover=1e-3, beyond="periodic"), size=3200.0, spacing=200.0)
+    assert np.isfinite(field.extinction).all()
+    assert (field.column_optical_depth > 0.0).any()
+
+
 def test_cumuli_have_flat_bases_and_grow_with_height():
     field = cloud_field(CumulusHumilis())
     low, high = (field.extinction[:, :, k] for k in (0, 8))

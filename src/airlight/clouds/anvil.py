@@ -61,7 +61,7 @@ def storm_extinction(
     lobes = power_law_field(grid, random, slope=-3.0, longest=radius)
     fibres = power_law_field(grid, random, longest=radius, stretch=_FIBRES)
     out = across - _LOBES * lobes - _FRAYED * fibres * across
-    edge = np.quantile(np.where(high > 0.0, -np.inf, out), cover)
+    edge = np.quantile(np.where(high > 0.0, out.min() - 1.0, out), cover)
     inwards = np.maximum(edge - out, 0.01 if cover == 1.0 else 0.0)
     depth = grid.depth * (_THIN * np.minimum(4.0 * inwards, 1.0) + _DEEP * np.exp(-4.0 * near))
     ice = _ICE * np.exp(_CONTRAST * fibres) * np.minimum(2.0 * inwards, 1.0)

@@ -68,6 +68,8 @@ class GpuSystemRenderer:
         """
         self._display.rendered = None
         self._solutions, self._weights = dict(solutions), weights
+        for name in self._renderers.keys() - solutions.keys():
+            del self._renderers[name]
         for name, solution in solutions.items():
             if name not in self._renderers:
                 like = next(iter(self._renderers.values()), None)
