@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from math import exp, sqrt
+from math import sqrt
 from typing import NamedTuple
 
 from airlight.geometry.vectors import dot, plus, scaled
 from airlight.kernel import inlined
 from airlight.render.clouds.beam_depth import cell_before, cell_value, plane_value
-from airlight.render.clouds.cell_level import cell_level, level_number, place_in_level
+from airlight.render.clouds.cell_level import cell_level, place_in_level
 from airlight.render.clouds.local_sun import local_slant
 from airlight.render.clouds.patches import MIXED, Patch, patch_at
 
@@ -116,7 +116,13 @@ def clear_distance(x, y, z, number, layer):
 
 @inlined
 def beam_depth_at(point, number, layer):
-    """Optical depth of clouds at 550 nm between a point and the sun, mean of its patches. [1]
+    """Optical depth of clouds at 550 nm between a point and the sun, mean of its patches. [1]"""
+    return box_depth_at(point, number, layer) * local_slant(point, layer)
+
+
+@inlined
+def box_depth_at(point, number, layer):
+    """The same in the direction of the sun of the box. [1]
 
     Parameters
     ----------
@@ -130,7 +136,7 @@ def beam_depth_at(point, number, layer):
     nx, ny, _ = cell_level(0, layer.levels)
     level = cell_level(number, layer.levels)
     radius = sqrt(dot(point, point))
-    depth, start = 0.0, point
+    depth = 0.0
     if radius < layer.base:
         rising = dot(point, layer.sun)
         gap = (layer.base - radius) * (layer.base + radius)
@@ -150,17 +156,4 @@ def beam_depth_at(point, number, layer):
             elif share > 0.0 and inside:
                 depth += share * plane_value(layer.base_depth, level, x, y, layer.periodic)
             share, x, y = place.share, place.other_x, place.other_y
-    return depth * local_slant(start, layer)
-
-
-@inlined
-def visibility(point, footprint, layer):
-    """Transmittance of the beam by clouds, its mean where a footprint is as wide as the box. [1]"""
-    if dot(point, point) >= layer.top * layer.top:
-        return 1.0
-    depth, seen = beam_depth_at(point, level_number(footprint, 1.0, layer), layer), 1.0
-    if depth > 0.0:
-        seen = exp(-depth * layer.scaled[0, 0])
-    wide = min(2.0 * footprint / (layer.step_x * layer.levels[0, 0]), 1.0)
-    mean = layer.mean_visibility ** local_slant(point, layer)
-    return seen + wide * (mean - seen)
+    return depth

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from math import exp
+
 import numpy as np
 
-from airlight.geometry.vectors import Vec3, plus, scaled
+from airlight.geometry.vectors import Vec3, dot, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, lane_view, maximum, splat
 from airlight.kernel.tuple_item import tuple_item
-from airlight.render.clouds.cloud_place import visibility
+from airlight.render.clouds.cell_level import level_number
+from airlight.render.clouds.cloud_place import box_depth_at
 from airlight.render.clouds.cloud_tables import (
     FIRST,
     FIRST_P,
@@ -26,6 +29,7 @@ from airlight.render.clouds.cloud_tables import (
     Q,
     U,
 )
+from airlight.render.clouds.local_sun import local_slant
 from airlight.render.clouds.sight_extent import node_distance
 from airlight.render.pixels.sky_lookup import phase_of
 
@@ -150,17 +154,28 @@ def shade_line(ray, extent, layer, clouds, work):
     layer : LayerTables
         Layer.
     """
-    nodes = clouds.air.shape[1]
+    nodes, eye = clouds.air.shape[1], Vec3(0.0, 0.0, clouds.eye)
     so_far = node_distance(0, nodes, extent)
     for node in range(1, nodes):
         distance = node_distance(node, nodes, extent)
         if distance > so_far:
             points = min(max(int((distance - so_far) / layer.step_x), 1), SHADOWS)
             gap, lit = (distance - so_far) / points, 0.0
+            middle = 0.5 * (so_far + distance)
+            width = max((distance - so_far) / SHADOWS, middle * clouds.pixel_angle)
+            number = level_number(width, 1.0, layer)
+            slant = local_slant(plus(eye, scaled(ray, middle)), layer)
+            # the mean where a footprint is as wide as the box
+            wide = min(2.0 * width / (layer.step_x * layer.levels[0, 0]), 1.0)
+            mean = layer.mean_visibility**slant
             for k in range(points):
-                s = so_far + (k + 0.5) * gap
-                point = plus(Vec3(0.0, 0.0, clouds.eye), scaled(ray, s))
-                width = max((distance - so_far) / SHADOWS, s * clouds.pixel_angle)
-                lit += visibility(point, width, layer)
+                point = plus(eye, scaled(ray, so_far + (k + 0.5) * gap))
+                seen = 1.0
+                if dot(point, point) < layer.top * layer.top:
+                    depth = box_depth_at(point, number, layer)
+                    if depth > 0.0:
+                        seen = exp(-depth * slant * layer.scaled[0, 0])
+                    seen += wide * (mean - seen)
+                lit += seen
             work.lit[node] *= lit / points
         so_far = distance
