@@ -12,7 +12,7 @@ and seven tenths of a cell of the surface, as in the shells of Heus & Jonker (20
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from math import ceil, floor, log, sqrt
 from typing import Final, NamedTuple
 
@@ -316,11 +316,10 @@ def _cloud(
     for x, y, radius, peak in plumes:
         x, y = x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
         rows += _plume(random, x, y, radius, peak, shape)
-    thermals = tuple(rows)
+    generations = [np.array(rows)]
     for _ in range(_GENERATIONS):
-        thermals = tuple(_bulges(random, shape, thermals, top, least))
-        rows += thermals
-    return np.array(rows)
+        generations.append(_bulges(random, shape, generations[-1], top, least))
+    return np.concatenate(generations)
 
 
 def _plume(
@@ -343,23 +342,15 @@ def _plume(
 
 
 def _bulges(
-    random: np.random.Generator,
-    shape: HeapShape,
-    thermals: Sequence[tuple[float, ...]],
-    top: float,
-    least: float,
-) -> Iterator[tuple[float, ...]]:
+    random: np.random.Generator, shape: HeapShape, thermals: FloatArray, top: float, least: float
+) -> FloatArray:
     """Smaller thermals on the sides and tops of others: rows of ``Heaps``."""
-    for x, y, h, a, b, _ in thermals:
-        for _ in range(shape.bulges):
-            turn, up = random.uniform(0.0, 2.0 * np.pi), random.uniform(-0.1, 1.0)
-            out, small = sqrt(1.0 - up * up), random.uniform(0.3, 0.55) * min(a, b)
-            if small < least:
-                continue
-            height = h + shape.outside * b * up
-            along, across = (
-                shape.outside * a * out * np.cos(turn),
-                shape.outside * a * out * np.sin(turn),
-            )
-            if 0.0 < height < top - 0.7 * small:
-                yield x + along, y + across, height, small, small, 0.0
+    x, y, h, a, b, _ = np.repeat(thermals, shape.bulges, axis=0).T
+    turn, up, size = random.random((x.size, 3)).T
+    turn, up = 2.0 * np.pi * turn, 1.1 * up - 0.1
+    small = (0.3 + 0.25 * size) * np.minimum(a, b)
+    out, height = shape.outside * a * np.sqrt(1.0 - up * up), h + shape.outside * b * up
+    found = np.column_stack(
+        [x + out * np.cos(turn), y + out * np.sin(turn), height, small, small, 0.0 * small]
+    )
+    return found[(small >= least) & (height > 0.0) & (height < top - 0.7 * small)]
