@@ -43,7 +43,8 @@ def cloud_pixels(clouds: str) -> NDArray[np.uint8]:
     try:
         return map_pixels(cloud_file(clouds), grey=True)
     except FileNotFoundError as error:
-        raise FileError(clouds, "does not exist") from error
+        reason = "does not exist; expected a picture of clouds, earth, or an empty string for none"
+        raise FileError(clouds, reason) from error
 
 
 @cache
