@@ -1,8 +1,8 @@
 """Cumulonimbus: a tower of thermals whose top spreads as an anvil of ice.
 
 The anvil is even above, near the level of neutral buoyancy, and lets the tower overshoot. It
-reaches farther downwind, thins outwards and frays to fibres along the wind. Its constants, also that
-ice there is a tenth of the tower's, are by eye.
+reaches farther downwind, thins outwards and frays to fibres along the wind. Its constants are by
+eye, also that its ice is a tenth of the tower's.
 """
 
 from __future__ import annotations
