@@ -62,7 +62,7 @@ def test_gathers_of_the_baseline_converge_to_the_marched_first_order() -> None:
     assert_allclose(got, work.true_gather(positions, 24), rtol=0.03)
 
 
-@pytest.mark.slow
+@pytest.mark.validation  # 22 s of CPU, most of it shaders; tests/render/gpu has what is timed
 def test_the_tests_of_the_openspace_paper_run_small(
     tmp_path: Path, lacking: Callable[[str], NoReturn]
 ) -> None:

@@ -86,6 +86,7 @@ def test_markdown_comes_with_its_pictures_beside_it(quick: Suite, tmp_path: Path
     main(["validate", "--suite", "golden", "-o", str(tmp_path / "page.md")])
     assert sorted(file.name for file in tmp_path.iterdir()) == ["page.md", "pictures"]
     assert (tmp_path / "pictures" / "some-picture.png").read_bytes() == ONE_PIXEL
+    assert "numbers missed,1,0,,False" in (tmp_path / "pictures" / "thresholds.csv").read_text()
     assert "](pictures/some-picture.png)" in (tmp_path / "page.md").read_text(encoding="utf-8")
 
 

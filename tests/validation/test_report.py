@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import csv
 import io
 import re
 from dataclasses import replace
@@ -12,7 +13,7 @@ from xml.etree import ElementTree
 import pytest
 from PIL import Image
 
-from airlight.validation.markdown import markdown, picture_files
+from airlight.validation.markdown import markdown, page_files
 from airlight.validation.report import ValidationReport, html, provenance
 from airlight.validation.suite import ReportPicture, ReportTable, Suite, Text, Threshold
 
@@ -100,7 +101,8 @@ def test_the_worst_case_and_the_missed_threshold_are_shown_not_folded_away(
     assert "**4.87**" in text
     assert "### The worst case: 1 of 2 rows that fail" in text
     assert "noon" not in text
-    assert "**missed**" in text
+    assert text.count("| spherical | largest error | 4.87 % | ≤ 2 % | the thresholds |") == 1
+    assert "median error" not in text.partition("## Thresholds")[2]
 
 
 def test_markdown_leaves_long_tables_that_are_met_to_the_page(report: ValidationReport) -> None:
@@ -137,7 +139,44 @@ def test_what_made_the_report_is_said(report: ValidationReport) -> None:
 
 def test_markdown_names_its_pictures_and_they_are_there(report: ValidationReport) -> None:
     assert "![Shares of light](plates/shares-of-light.png)" in markdown(report, "plates")
-    assert picture_files(report) == {"shares-of-light.png": png("red")}
+    files = page_files(report)
+    assert set(files) == {"shares-of-light.png", "thresholds.csv"}
+    assert files["shares-of-light.png"] == png("red")
+
+
+def test_all_thresholds_and_long_tables_are_files_beside_the_page(
+    report: ValidationReport,
+) -> None:
+    # Read again they are what was written; of a table of which rows fail, those stay on the page.
+    rows = [(f"case {n}, sun", 0.5 * n) for n in range(30)]
+    long = ReportTable(title="All cases", columns=["where", "error [%]"], rows=rows, note="By sun.")
+    missed = replace(long, title="Some cases", marks=["fail"] + [""] * 29)
+    suite = Suite(name="x", title="X", summary="", parts=[long, missed])
+    report = replace(report, suites=[*report.suites, suite])
+    text, files = markdown(report, "plates"), page_files(report)
+    assert "All cases (30 rows): [all-cases.csv](plates/all-cases.csv). By sun." in text
+    assert "| **case 0, sun** | **0** |" in text
+    assert "case 1, sun" not in text
+    assert "All rows: [some-cases.csv](plates/some-cases.csv)." in text
+
+    def read(name: str) -> list[list[str]]:
+        return list(csv.reader(io.StringIO(files[name].decode())))
+
+    assert read("all-cases.csv")[1:] == [[name, f"{error:.4g}"] for name, error in rows]
+    assert read("some-cases.csv") == read("all-cases.csv")
+    assert [[row[0], *row[2:6]] for row in read("thresholds.csv")] == [
+        ["suite", "result", "target", "unit", "met"],
+        ["energy", "0.05", "0.3", "%", "True"],
+        ["spherical", "0.05", "0.3", "%", "True"],
+        ["spherical", "4.87", "2", "%", "False"],
+    ]
+
+
+def test_tables_with_one_name_are_refused() -> None:
+    table = ReportTable(title="A", columns=["b"], rows=[("c",)] * 30)
+    suite = Suite(name="x", title="X", summary="", parts=[table, table])
+    with pytest.raises(ValueError, match="same title"):
+        page_files(ValidationReport(suites=[suite], provenance={}, seconds=0.0))
 
 
 def test_markdown_keeps_its_tables_in_shape(report: ValidationReport) -> None:
@@ -152,7 +191,7 @@ def test_pictures_with_one_name_are_refused() -> None:
     twice = [ReportPicture(title="A b", png=b""), ReportPicture(title="a B", png=b"")]
     suite = Suite(name="x", title="X", summary="", parts=twice)
     with pytest.raises(ValueError, match="same title"):
-        picture_files(ValidationReport(suites=[suite], provenance={}, seconds=0.0))
+        page_files(ValidationReport(suites=[suite], provenance={}, seconds=0.0))
 
 
 @pytest.mark.parametrize(

@@ -116,3 +116,29 @@ def test_the_gallery_is_chosen_from_by_keys(waiting: Any) -> None:
     left, top, right, bottom = window.gallery.places["earth"]
     assert right - left > 100.0
     np.testing.assert_allclose((right - left) / (bottom - top), WIDTH / HEIGHT, rtol=0.02)
+
+
+def test_keys_that_come_within_a_slow_frame_are_answered_without_another_event(
+    waiting: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Frames longer than the time for which the window is redrawn after an event: ImGui takes the
+    # keys in several frames, and the window stood still after the first.
+    window, canvas = waiting
+    monkeypatch.setattr("airlight.viewer.window.window._LINGER", 0.0)
+    canvas.run(window.draw)
+    window.do("gallery")
+    for _ in range(3):
+        canvas.run(window.draw)
+    assert window.gallery.is_open
+    assert not window._restless
+    for key in ("ArrowRight", "Escape"):
+        for kind in ("key_down", "key_up"):
+            canvas.render_canvas.submit_event({"event_type": kind, "key": key, "modifiers": ()})
+    canvas.render_canvas._events.flush()
+    frames = 0
+    while frames == 0 or window._restless:
+        canvas.run(window.draw)
+        frames += 1
+    assert not window.gallery.is_open
+    assert not window.surface.asks
+    assert 2 < frames < 9

@@ -155,7 +155,9 @@ def ground_light(
     return np.asarray(np.minimum(transmittance, 1.0) * said["GROUND_ALBEDO"] * lit / np.pi)
 
 
-@pytest.fixture(scope="module", params=["earth", "mars"])
+@pytest.fixture(
+    scope="module", params=["earth", pytest.param("mars", marks=pytest.mark.validation)]
+)
 def folder(request: pytest.FixtureRequest, demo_folder: Callable[[str], Path]) -> Path:
     return demo_folder(request.param)
 

@@ -88,7 +88,7 @@ def phone(touched: Any) -> Any:
     return touched
 
 
-@pytest.fixture(params=["mouse", "finger"])
+@pytest.fixture(params=["mouse", pytest.param("finger", marks=pytest.mark.validation)])
 def used(request: pytest.FixtureRequest) -> tuple[Any, Callable[..., None]]:
     """The page, and what presses a control of it, at a place: the mouse, or a finger."""
     if request.param == "mouse":
@@ -262,6 +262,13 @@ def test_a_phone_hides_the_panel_and_turns_by_touch(phone: Any) -> None:
     slider.scroll_into_view_if_needed()
     slider.tap(position={"x": 40, "y": 16})
     assert phone.evaluate(get, "air.amounts[1]") != before
+    phone.locator("[data-action=undo]").tap()
+    assert phone.evaluate(get, "air.amounts[1]") == before
+    automatic = phone.evaluate(get, "display.automatic")
+    box = phone.locator('[data-path="display.automatic"] input')
+    box.scroll_into_view_if_needed()
+    box.tap()
+    assert phone.evaluate(get, "display.automatic") is not automatic
     phone.locator(".airlight-fold").tap()
     box = phone.locator("canvas").bounding_box()
     assert box["height"] == PHONE["height"]

@@ -169,6 +169,7 @@ _COMPILE = """async (shaders) => {
 }"""
 
 
+@pytest.mark.validation  # pages of test_pictures.py and test_edits.py are made of all of them
 def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
     # the shaders of a page: an error names the entry point and the line
     pairs = [

@@ -28,7 +28,8 @@ MISSED = 1
 
 def validate(
     output: Annotated[
-        Path, options.output_option("FILE", "Report: .html, or .md with a folder of pictures.")
+        Path,
+        options.output_option("FILE", "Report: .html, or .md with pictures and tables beside."),
     ],
     suite: Annotated[
         list[str] | None,
@@ -48,7 +49,7 @@ def validate(
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Folder of pictures for an additional Markdown version.",
+            help="Folder of pictures and tables for an additional Markdown version.",
         ),
     ] = None,
     overwrite: options.Overwrite = False,
@@ -118,7 +119,7 @@ def _write(report: object, output: Path, pictures: Path | None, overwrite: bool)
 
     from airlight.files.atomic_file import atomic_file
     from airlight.studies.reports.report_pictures import write_pictures
-    from airlight.validation.markdown import markdown, picture_files
+    from airlight.validation.markdown import markdown, page_files
     from airlight.validation.report import ValidationReport, html
 
     assert isinstance(report, ValidationReport)
@@ -126,7 +127,7 @@ def _write(report: object, output: Path, pictures: Path | None, overwrite: bool)
     if pictures is not None:
         beside = Path(os.path.relpath(pictures, page.parent)).as_posix()
         text = markdown(report, beside)
-        write_pictures(pictures, picture_files(report), _page(output), text, overwrite=overwrite)
+        write_pictures(pictures, page_files(report), _page(output), text, overwrite=overwrite)
         with atomic_file(page) as part:
             part.write_text(text, encoding="utf-8")
     if output.suffix.lower() != ".md":

@@ -1,13 +1,23 @@
 """Validation report as Markdown, with its pictures as files.
 
-Long tables contain only rows that fail; the HTML report has all rows.
+Folded tables contain only rows that fail; the HTML report has all rows. Thresholds and long tables
+are files beside the pictures.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Final, TypeGuard
+from urllib.parse import quote
 
-from airlight.studies.reports.markdown import escaped, files_of, part_lines, row_lines, strong
+from airlight.studies.reports.markdown import (
+    csv_bytes,
+    escaped,
+    files_of,
+    part_lines,
+    row_lines,
+    strong,
+)
 from airlight.validation.report import (
     SUITE_COLUMNS,
     THRESHOLD_COLUMNS,
@@ -15,16 +25,22 @@ from airlight.validation.report import (
     nearest_text,
     result_word,
 )
-from airlight.validation.suite import Part, ReportTable, Suite, Text
+from airlight.validation.suite import Part, ReportTable, Suite, cells
+
+#: File of all thresholds, and its columns.
+_THRESHOLDS: Final = "thresholds.csv"
+_THRESHOLD_FIELDS: Final = cells("suite | quantity | result | target | unit | met | source")
+#: Number of rows above which a table is a file.
+_MOST_ROWS: Final = 20
 
 
-def markdown(report: ValidationReport, pictures: str) -> str:
+def markdown(report: ValidationReport, folder: str) -> str:
     """Format the report as a page of Markdown.
 
     Parameters
     ----------
-    pictures : str
-        Folder of the pictures relative to the page, such as ``"pictures"``.
+    folder : str
+        Folder of ``page_files`` relative to the page, such as ``"pictures"``.
     """
     lines = ["# Validation", "", f"**{report.verdict}.**", ""]
     lines += [f"- {name}: {value}" for name, value in report.provenance.items()]
@@ -42,31 +58,36 @@ def markdown(report: ValidationReport, pictures: str) -> str:
             for suite in report.suites
         ],
     )
-    lines += ["", "## Thresholds", ""]
-    lines += row_lines(
-        THRESHOLD_COLUMNS,
-        [
-            (
-                suite.name,
-                threshold.name,
-                *threshold.texts,
-                strong("met" if threshold.passed else "missed", not threshold.passed),
-                threshold.source,
-            )
-            for suite, threshold in report.listed
-        ],
-    )
+    missed = [
+        (suite.name, one.name, *one.texts, one.source)
+        for suite, one in report.thresholds
+        if not one.passed
+    ]
+    lines += ["", "## Thresholds", "", f"All: [{_THRESHOLDS}]({quote(folder)}/{_THRESHOLDS})."]
+    if missed:
+        lines += ["", "Missed:", ""]
+        lines += row_lines([one for one in THRESHOLD_COLUMNS if one], missed)
     for suite in report.suites:
-        lines += _section(suite, pictures)
+        lines += _section(suite, folder)
     return "\n".join(lines) + "\n"
 
 
-def picture_files(report: ValidationReport) -> dict[str, bytes]:
-    """Contents of the pictures, by file name."""
-    return files_of([part for suite in report.suites for part in suite.parts])
+def page_files(report: ValidationReport) -> dict[str, bytes]:
+    """Contents of the pictures and of the files of tables, by file name."""
+    parts = [part for suite in report.suites for part in suite.parts]
+    tables = [part for part in parts if _long(part)]
+    files = files_of(parts)
+    files |= {one.file_name: csv_bytes(one.columns, one.rows) for one in tables}
+    if len(files) < len(files_of(parts)) + len(tables):
+        raise ValueError("two tables have the same title")
+    rows = [
+        (suite.name, one.name, one.result, one.target, one.unit, one.passed, one.source)
+        for suite, one in report.listed
+    ]
+    return {**files, _THRESHOLDS: csv_bytes(_THRESHOLD_FIELDS, rows)}
 
 
-def _section(suite: Suite, pictures: str) -> list[str]:
+def _section(suite: Suite, folder: str) -> list[str]:
     lines = ["", f"## {suite.title}", ""]
     if suite.not_run:
         return [*lines, f"Not run: {suite.not_run}."]
@@ -75,17 +96,25 @@ def _section(suite: Suite, pictures: str) -> list[str]:
     if suite.settings:
         lines += ["", f"*{escaped('; '.join(suite.settings))}*"]
     for part in suite.parts:
-        lines += ["", *part_lines(_shortened(part), pictures)]
+        lines += ["", *_lines(part, folder)]
     return lines
 
 
-def _shortened(part: Part) -> Part:
-    """Part with only the failing rows of a folded table."""
-    if not isinstance(part, ReportTable) or not part.folded:
-        return part
-    count = len(part.rows)
+def _long(part: Part) -> TypeGuard[ReportTable]:
+    """Whether a part is a table that is written as a file."""
+    return isinstance(part, ReportTable) and not part.folded and len(part.rows) > _MOST_ROWS
+
+
+def _lines(part: Part, folder: str) -> list[str]:
+    """Lines of a part, with only the failing rows of a long or folded table."""
+    if not isinstance(part, ReportTable) or not (part.folded or _long(part)):
+        return part_lines(part, folder)
+    where, count = "see the HTML report", len(part.rows)
+    if not part.folded:
+        where = f"[{part.file_name}]({quote(folder)}/{part.file_name})"
     failed = [row for row, mark in zip(part.rows, part.marks, strict=False) if mark == "fail"]
     if not failed:
-        return Text(text=f"{part.title} ({count} rows): see the HTML report. {part.note}".strip())
+        return [f"{escaped(part.title)} ({count} rows): {where}. {escaped(part.note)}".strip()]
     title = f"{part.title}: {len(failed)} of {count} rows that fail"
-    return replace(part, title=title, rows=failed, marks=["fail"] * len(failed), folded=False)
+    shown = replace(part, title=title, rows=failed, marks=["fail"] * len(failed), folded=False)
+    return [*part_lines(shown, folder), "", f"All rows: {where}."]

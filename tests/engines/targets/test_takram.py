@@ -105,6 +105,7 @@ def test_air_without_particles_or_molecules_has_colours_all_the_same(
         assert_array_equal(mie_colours(replace(medium, scattering=scattering)), 1.0)
 
 
+@pytest.mark.validation  # tables of Mars of full size, for it alone; those of the Earth are above
 def test_a_low_sun_of_mars_has_no_false_light(
     solved: Callable[..., Any], takram_folder: Callable[[str], Path]
 ) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import re
 from collections.abc import Sequence
 from html import escape
@@ -17,6 +19,20 @@ def files_of(parts: Sequence[Part]) -> dict[str, bytes]:
     if len(files) < len(pictures):
         raise ValueError("two pictures have the same title")
     return files
+
+
+def csv_bytes(columns: Sequence[str], rows: Sequence[Sequence[Cell]]) -> bytes:
+    r"""Table as a file of comma-separated values.
+
+    Examples
+    --------
+    >>> csv_bytes(("scene", "error [%]"), [("noon, summer", 0.0123456)])
+    b'scene,error [%]\n"noon, summer",0.01235\n'
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerows([columns, *([cell_text(cell) for cell in row] for row in rows)])
+    return text.getvalue().encode()
 
 
 def part_lines(part: Part, pictures: str) -> list[str]:

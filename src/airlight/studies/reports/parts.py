@@ -39,6 +39,11 @@ def cells(line: str) -> tuple[str, ...]:
     return tuple(cell.strip() for cell in line.split("|"))
 
 
+def _slug(title: str) -> str:
+    """Title in lower-case letters, digits and hyphens."""
+    return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
+
+
 @dataclass(frozen=True, kw_only=True)
 class ReportTable:
     """Table of numbers and words.
@@ -65,6 +70,17 @@ class ReportTable:
     marks: Sequence[Mark] = ()
     note: str = ""
     folded: bool = False
+
+    @property
+    def file_name(self) -> str:
+        """Name for the table as a file.
+
+        Examples
+        --------
+        >>> ReportTable(title="Worst, by scene", columns=(), rows=()).file_name
+        'worst-by-scene.csv'
+        """
+        return f"{_slug(self.title)}.csv"
 
     def __post_init__(self) -> None:
         """Raise an error for rows that do not match the headings."""
@@ -118,7 +134,7 @@ class ReportPicture:
         >>> ReportPicture(title="Kider 2013-05-27: error, scan by scan", png=b"").file_name
         'kider-2013-05-27-error-scan-by-scan.png'
         """
-        return re.sub(r"[^a-z0-9]+", "-", self.title.lower()).strip("-") + ".png"
+        return f"{_slug(self.title)}.png"
 
 
 @dataclass(frozen=True, kw_only=True)

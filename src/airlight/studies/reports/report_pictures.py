@@ -1,4 +1,4 @@
-"""Pictures of a report in Markdown: a folder with a manifest."""
+"""Pictures and tables of a report in Markdown: a folder with a manifest."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from airlight.files.manifest import (
 
 #: Format named in the manifest.
 FORMAT: Final = "airlight report pictures 1"
-_FILES: Final = ("*.png",)
+_FILES: Final = ("*.png", "*.csv")
 
 
 def check_pictures(folder: Path, page: Path | None = None, *, overwrite: bool = False) -> None:
@@ -63,7 +63,7 @@ def write_pictures(
     folder, page, overwrite :
         Arguments of ``check_pictures``, which is called first.
     pictures : mapping of str to bytes
-        Contents of PNG files by name.
+        Contents of PNG and CSV files by name.
     text : str
         Text of the page, whose checksum identifies it later.
     """

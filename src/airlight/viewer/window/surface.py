@@ -18,7 +18,14 @@ _STRICT: Final = (
 
 
 class WindowSurface:
-    """ImGui renderer on a canvas."""
+    """ImGui renderer on a canvas.
+
+    Attributes
+    ----------
+    took_input : bool
+        Whether input came before the last frame. ImGui takes a press and its release in two frames,
+        and shows what they close in the next.
+    """
 
     def __init__(self, device: Any, canvas: Any) -> None:
         try:
@@ -38,6 +45,7 @@ class WindowSurface:
         self._renderer = ImguiRenderer(device, canvas)
         implot.create_context()
         self.backend = self._renderer.backend
+        self.took_input = False
         self._imgui = imgui
         style.apply_style()
 
@@ -118,5 +126,6 @@ class WindowSurface:
         )
         clearing.end()
         self._device.queue.submit([encoder.finish()])
+        self.took_input = len(self._renderer.imgui_context.input_events_queue) > 0
         self._renderer.set_gui(gui)
         self._renderer.render()

@@ -181,6 +181,7 @@ class Window:
             or self.recorder.moving
             or self.panel.plays
             or self.surface.pressed
+            or self.surface.took_input
             or perf_counter() - self._last_event < _LINGER
         )
 

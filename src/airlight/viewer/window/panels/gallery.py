@@ -93,6 +93,7 @@ class Gallery:
             chosen = self._at
         if chosen or imgui.is_key_pressed(imgui.Key.escape, False):
             imgui.close_current_popup()
+            self.is_open = False  # at once: the next frame may come after the next key
         imgui.end_popup()
         return chosen
 
