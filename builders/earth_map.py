@@ -34,8 +34,8 @@ from airlight.image.xyz import luminance
 from airlight.physics.optics.water import mean_specular
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
-#: Quality of the JPEG, with colour at full resolution.
-QUALITY = 84
+#: Quality of the JPEG, with colour at full resolution; with 84 coasts have pastel blotches.
+QUALITY = 93
 #: Linear sRGB of the light out of clear sea, relative to white: Gordon et al. (1988), JGR 93,
 #: 10909, ρ = 0.54 · π/4 · 0.33 · b/a with absorption and scattering by water and 0.1 mg/m³ of
 #: chlorophyll; 0.019 at 443 nm, 0.0115 at 490, 0.003 at 555, 0.0003 at 670. Its red, -0.0008, is 0.
@@ -44,12 +44,21 @@ SEA = np.array([0.0, 0.0041, 0.0199])
 #: ``earth-albedo``, to which the land is scaled, so that solutions do not depend on the coast's
 #: source. [1]
 MEAN = np.array([0.107977, 0.104765, 0.103608])
-#: Share of the mean land in each of its colours. The picture darkens dark land for the eye: rain
-#: forest at 4° S 63° W would have a luminous reflectance of 0.020, and has 0.04 with this share, as
-#: in the visible by Dickinson, Henderson-Sellers & Kennedy (1993), BATS version 1e, NCAR/TN-387,
-#: table 2: evergreen broadleaf forest 0.04, needleleaf 0.05, deciduous 0.08, grass and crops 0.08
-#: to 0.10, semi-desert 0.17, desert 0.20. Snow becomes 0.90. [1]
+#: Share of the mean land in each of its colours. The picture darkens dark land for the
+#: eye: rain forest at 4° S 63° W would have a luminous reflectance of 0.020, and has 0.04 with this
+#: share, as in the visible by Dickinson, Henderson-Sellers & Kennedy (1993), BATS version 1e,
+#: NCAR/TN-387, table 2: evergreen broadleaf forest 0.04, needleleaf 0.05, deciduous 0.08, grass and
+#: crops 0.08 to 0.10, semi-desert 0.17, desert 0.20. Snow becomes 0.90. [1]
 EVENED: Final = 0.1
+#: Colour of that share on wooded land, for a luminance of 1, linear sRGB. By eye between that of
+#: the mean land, with which woods would be grey, and that of leaves; over the Congo green over red
+#: is then 1.5 and blue over green 0.39. A closed evergreen canopy under a uniform sky or seen from
+#: above by PROSPECT-D (Féret et al. 2017, RSE 193, 204) and 4SAIL (Verhoef et al. 2007, IEEE TGRS
+#: 45, 1808) has 1.6 to 2.0 and 0.15 to 0.47, computed with the Python package prosail 2.0.5: N 1.8
+#: and 2.2, 45 and 70 µg/cm² of chlorophyll, C_brown 0.3 and 0.6, leaf area index 5.5. [1]
+CANOPY = np.array([0.865, 1.08, 0.603])
+#: Ratios of green over red of open land, of which soil is seen, and of closed woods. By eye. [1]
+GREEN: Final = (1.1, 1.5)
 #: Wind speed over that water. [m s⁻¹]
 WIND = 5.0
 #: Half the side of the squares in which chroma follows luma [pixel], and variance of luma below
@@ -152,6 +161,14 @@ def without_blotches(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.asarray(Image.fromarray(encoded, "YCbCr").convert("RGB"))
 
 
+def lightened(linear: NDArray[Any], mean: NDArray[Any]) -> NDArray[Any]:
+    """Colours with a share of the mean land's, which is greener in woods."""
+    ratio = linear[..., 1] / np.maximum(linear[..., 0], 1e-3)
+    leaves = ramp(ratio, *GREEN) * (1.0 - luminance(linear))
+    evened = mean + leaves[..., None] * (float(luminance(mean)) * CANOPY - mean)
+    return np.asarray(linear + EVENED * (evened - linear))
+
+
 def ycc(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Luma and chroma of sRGB values."""
     return np.asarray(Image.fromarray(pixels).convert("YCbCr"))
@@ -179,16 +196,22 @@ def main() -> None:
     share = float(np.einsum("h,hw->", weights, water))
     land = np.einsum("h,hw,hwc->c", weights, 1.0 - water, linear)
     wanted = MEAN - share * (mean_specular(WIND) + SEA)
-    linear *= (1.0 - EVENED) * wanted / land
-    linear += EVENED * wanted / (1.0 - share)
+    linear *= wanted / land
+    linear = lightened(linear, wanted / (1.0 - share))
+    # towards the mean, but white remains white
+    missing, room = (
+        np.einsum("h,hw,hwc->c", weights, 1.0 - water, values)
+        for values in (wanted / (1.0 - share) - linear, linear * (1.0 - linear))
+    )
+    linear += missing / room * linear * (1.0 - linear)
     linear += water[..., None] * (SEA - linear)
     colors, mask = DATA / "earth-albedo.jpg", DATA / "earth-water.png"
     save(linear, colors)
     with Image.open(colors) as picture:
         kept = srgb_decode(np.arange(256) / 255.0)[np.asarray(picture)]
     # the JPEG rounds the sea to a lighter blue: the land makes up for it
-    lost = np.einsum("h,hwc->c", weights, linear - kept) / (1.0 - share)
-    save(np.clip(linear + (1.0 - water[..., None]) * lost, 0.0, 1.0), colors)
+    lost = np.einsum("h,hwc->c", weights, linear - kept) / wanted
+    save(np.clip(linear * (1.0 + (1.0 - water[..., None]) * lost), 0.0, 1.0), colors)
     Image.fromarray(np.rint(255.0 * water).astype(np.uint8)).save(mask, optimize=True)
     mean = np.einsum("h,hwc->c", weights, linear)
     land = (mean - share * SEA) / (1.0 - share)

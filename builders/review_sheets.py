@@ -33,7 +33,7 @@ COLUMNS, HIGH, LABEL = 3, 360, 22
 SIZE = "960x540"
 
 
-def render(arguments: str, target: Path) -> None:
+def render(arguments: str, target: Path, size: str) -> None:
     """Render one scene.
 
     Parameters
@@ -42,10 +42,12 @@ def render(arguments: str, target: Path) -> None:
         Arguments of ``airlight render``.
     target : Path
         PNG to write.
+    size : str
+        Size of a picture whose scene states none.
     """
     words = shlex.split(arguments)
     if "--size" not in words:
-        words += ["--size", SIZE]
+        words += ["--size", size]
     if airlight(["render", *words, "-o", str(target)]):
         print(f"{target.stem}: not rendered")
 
@@ -85,6 +87,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", nargs="*", default=[], help="subjects, or scenes as SUBJECT-NAME")
+    parser.add_argument("--size", default=SIZE, help="of pictures whose scene states none")
     parser.add_argument("--against", type=Path, help="folder of the other version's pictures")
     parser.add_argument("--seed", type=int, default=0, help="of the random order")
     given = parser.parse_args()
@@ -101,7 +104,7 @@ def main() -> None:
             anew = {subject, label} & set(given.only)
             if anew or not (file.is_file() or given.only):
                 started = time.perf_counter()
-                render(arguments, file)
+                render(arguments, file, given.size)
                 print(f"{label}: {time.perf_counter() - started:.1f} s", flush=True)
             other = given.against / file.name if given.against else file
             if not (file.is_file() and other.is_file()):

@@ -78,6 +78,8 @@ class Ground(TomlModel):
         above; without effect if ``clouds`` is given.
     relief : str, optional
         Name or path of a picture of heights, which shade detailed ground.
+    rocks : float
+        Share of bare detailed ground below rocks, 0 to 0.2. [1]
     cloud_optical_depth : float
         Optical depth of complete cloud cover, 0 to 1000. [1]
     cloud_altitude : float
@@ -158,6 +160,13 @@ class Ground(TomlModel):
         example="the name of a map of heights",
         synonyms=("terrain", "mountains", "elevation"),
         default=None,
+    )
+    rocks: float = key(
+        help="Share of bare ground below rocks, in pictures of detailed ground.",
+        note="Decoration: their sizes follow Golombek and Rapp (1997) for this share.",
+        range=(0.0, 0.2),
+        synonyms=("stones", "boulders"),
+        default=0.0,
     )
     cloud_optical_depth: float = key(
         label="optical depth of clouds",

@@ -22,6 +22,8 @@ class Surface:
     ----------
     map, lights, clouds, clouds_from_space, relief : str or None
         Names or paths of the maps of colour, city lights, clouds and heights.
+    rocks : float
+        Share of bare ground below rocks. [1]
     brightness : float
         Factor of the map of colour. [1]
     cloud_altitude : float
@@ -37,6 +39,7 @@ class Surface:
     clouds: str | None = None
     clouds_from_space: str | None = None
     relief: str | None = None
+    rocks: float = 0.0
     brightness: float = 1.0
     cloud_altitude: float = 0.0
     cloud_optical_depth: float = 0.0
@@ -51,6 +54,7 @@ class Surface:
             clouds=ground.clouds,
             clouds_from_space=ground.clouds_from_space,
             relief=ground.relief,
+            rocks=ground.rocks,
             brightness=ground.brightness,
             cloud_altitude=ground.cloud_altitude
             if ground.clouds or ground.clouds_from_space

@@ -349,6 +349,7 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
             blur,
             cell,
             max(1.0 - leaf - snow, 0.0),
+            view.rocks,
         )
         color[11] = stony.light + stony.open * texture_light(mu_s, texture.ascent + ascent)
         change, hue = texture.tone, texture.hue

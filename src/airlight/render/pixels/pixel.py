@@ -70,6 +70,7 @@ class ViewUniforms(NamedTuple):
     clouded: bool
     clouds_from_space: bool
     relieved: bool
+    rocks: float
     water: Vec3
     grain: Vec3
     grain_fall: float

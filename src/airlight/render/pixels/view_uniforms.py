@@ -249,6 +249,7 @@ def overlay_uniforms(
             "clouded": float(medium.surface.overlay[1] is not None),
             "clouds_from_space": float(medium.surface.clouds is None),
             "relieved": float(medium.surface.relief is not None),
+            "rocks": medium.surface.rocks,
             "cloud_altitude": altitude,
             "cloud_radius": float(radius),
         }
