@@ -60,9 +60,10 @@ export function numberOf(text, unit) {
   const words = text.trim().replace(",", ".").replace(/^−/, "-");
   const clock = /^(\d{1,2}):(\d{2})$/.exec(words);
   if (clock) return unit === "h" ? Number(clock[1]) + Number(clock[2]) / 60 : NaN;
-  const [, digits, power, rest] = /^([-+.\de]+?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?\s*([^\d.·]*[^]*)$/.exec(words) ?? [];
+  const [, digits, power, rest] =
+    /^([-+.\de]+)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?\s*(.*)$/.exec(words) ?? [];
   const number = Number(`${digits}${power ? `e${lowered(power)}` : ""}`);
-  if (digits === undefined || digits === "") return NaN;
+  if (digits === undefined) return NaN;
   if (unit === "m") return number * ({ "": 1, m: 1, km: 1e3, "million km": 1e9 }[rest] ?? NaN);
-  return rest === "" || withUnit("", unit).trim() === rest ? number : NaN;
+  return ["", unit, withUnit("", unit).trim()].includes(rest) ? number : NaN;
 }
