@@ -98,7 +98,8 @@ class SideRenderer:
             frame = step.renderer.render(step.scene, orders=step.orders)
         frame = replace(frame, rgb=frame.rgb.copy())  # the CPU's is kept by its renderer
         planet = request.solution.planet
-        add_catalogue(frame.rgb, step.scene, request.solution, planet.body)
+        body = None if planet is None else planet.body
+        add_catalogue(frame.rgb, step.scene, request.solution, body)
         texture = self._canvases.next()
         texture.write(request.displayed(frame, picture.exposure))
         seconds = picture.seconds + perf_counter() - started
