@@ -11,7 +11,7 @@ from airlight.errors import ParameterError
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
 from airlight.planets.reading.reader import read_tables
-from airlight.viewer.parameters.amounts import AMOUNTS
+from airlight.viewer.parameters.amounts import AMOUNTS, Amount
 from airlight.viewer.session.saved_state import from_fragment, to_fragment
 from airlight.viewer.session.session import Session
 
@@ -30,7 +30,8 @@ def test_every_preset_has_an_amount_of_each_constituent_on_top(planet: str) -> N
     shown = [one for one in session.parameters if one.group == AMOUNTS]
     assert list(session.parameters[: len(shown)]) == shown
     names = [str(one["name"]) for one in session.planet.tables["constituents"]]
-    assert [one.label for one in shown][: len(names)] == names
+    labels = [one.label for one in shown]
+    assert [one.removesuffix(" optical depth") for one in labels][: len(names)] == names
     assert {one.label for one in shown[len(names) :]} <= {"turbidity", "ground albedo"}
     for one in shown:
         value = session.value(one.path)
@@ -45,13 +46,18 @@ def test_every_preset_has_an_amount_of_each_constituent_on_top(planet: str) -> N
 def test_an_optical_depth_is_that_of_the_medium_that_is_solved(planet: str) -> None:
     # The medium is a second way from the tables to the depth.
     session = Session(planet)
-    haze = [one for one in session.parameters if one.unit.startswith("τ")]
+    amounts = [one for one in session.parameters if isinstance(one, Amount)]
+    haze = [one for one in amounts if one.matter == "haze" and one.unit == "1"]
     assert haze
     for one in haze:
-        assert_allclose(depths(session)[one.label], session.value(one.path), rtol=1e-9)
+        assert_allclose(
+            depths(session)[one.label.removesuffix(" optical depth")],
+            session.value(one.path),
+            rtol=1e-9,
+        )
         session.set(one.path, 0.31)
         assert session.value(one.path) == pytest.approx(0.31, rel=1e-8)
-        assert_allclose(depths(session)[one.label], 0.31, rtol=1e-8)
+        assert_allclose(depths(session)[one.label.removesuffix(" optical depth")], 0.31, rtol=1e-8)
 
 
 def test_ozone_is_in_dobson_units() -> None:

@@ -131,3 +131,21 @@ def test_what_the_gpu_has_no_room_for_the_cpu_solves(device: Device) -> None:
         solution = solver(earth, nm, "preview", progress=progress, cancel=never)
         assert solution.planet is earth
         assert_allclose(solution.wavelengths, nm)
+
+
+def test_stars_come_at_night(device: Device, request_: Request) -> None:
+    # The catalogue is that of airlight.render(stars=True): by day none, at night points and the
+    # Milky Way, in the last picture alone.
+    scene = dataclasses.replace(
+        request_.scene, sun_zenith=115.0, camera=Camera(width=96, height=54, look_zenith=50.0)
+    )
+    night = dataclasses.replace(request_, scene=scene)
+    renderer = renderer_of(device)
+    *before, last = renderer.render(night, never)
+    assert not any(one.finished for one in before)
+    assert last.finished
+    added = pixels(device, last) - pixels(device, before[-1])
+    assert (added.max(axis=2) > 40).sum() > 5
+    day = [*renderer.render(request_, never)]
+    assert day[-1].finished
+    renderer.close()

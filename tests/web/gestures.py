@@ -127,6 +127,7 @@ _OPEN = """() => {
   const { help, root, search } = airlight.parts;
   const open = {
     help: !help.hidden,
+    menu: root.querySelector(".airlight-menu").open,
     "hidden panel": root.classList.contains("airlight-hidden"),
     search: search.value !== "",
     fullscreen: document.fullscreenElement !== null,

@@ -22,6 +22,7 @@ from airlight.viewer.parameters.amounts import amounts_of
 from airlight.viewer.parameters.view_parameters import DEFAULTS
 
 RADIUS = 6.36e6
+AXES = ("latitude", "longitude")
 #: Viewports: screens, and a phone.
 SIZES = ((1280, 720), (800, 600), (390, 844))
 PHONE = {"width": 390, "height": 844}
@@ -104,17 +105,26 @@ MISFITS = """() => {
   for (const details of root.querySelectorAll("details")) details.open = true;
   for (const one of root.querySelectorAll(
     ".airlight-label, .airlight-panel button, .airlight-row input, .airlight-row select, " +
-    ".airlight-title, .airlight-note, .airlight-status, summary, .airlight-search")) {
-    if (one.hidden) continue;
+    ".airlight-title, .airlight-note, .airlight-status, summary, .airlight-search, " +
+    ".airlight-destinations, .airlight-date input")) {
+    if (!one.checkVisibility()) continue;
     const box = one.getBoundingClientRect();
     const name = one.textContent || one.ariaLabel || one.className;
     if (one.scrollWidth > one.clientWidth + 1 && one.type !== "range") found.push(`cut: ${name}`);
     if (box.width < 1 || box.left < panel.left - 1 || box.right > panel.right + 1)
       found.push(`outside: ${name}`);
   }
+  root.querySelector(".airlight-menu").open = false;
   if (root.scrollWidth > root.clientWidth) found.push("the page scrolls");
   return found;
 }"""
+
+
+#: Controls that a finger would miss: less than 44 pixels high, without their labels.
+SMALL = """() => [...airlight.parts.root.querySelectorAll("button, select, summary, input")]
+  .filter((one) => one.checkVisibility() && one.type !== "checkbox")
+  .filter((one) => one.getBoundingClientRect().height < 43.9)
+  .map((one) => one.textContent || one.ariaLabel || one.type)"""
 
 
 @pytest.mark.parametrize("size", SIZES, ids=lambda one: f"{one[0]}x{one[1]}")
@@ -164,6 +174,18 @@ def test_every_control_changes_its_value(used: tuple[Any, Callable[..., None]]) 
     assert page.evaluate("airlight.parts.message.textContent") == ""
 
 
+def test_the_calendar_sets_the_sun_of_a_day(page: Any) -> None:
+    # 2026-12-21 14:30 UTC is day 355 of the year
+    date, clock = (page.locator(f".airlight-date input[type={one}]") for one in ("date", "time"))
+    date.fill("2026-12-21")
+    date.press("Enter")
+    clock.fill("14:30")
+    get = "['year', 'day', 'hour', 'clock'].map((one) => airlight.state.get(`view.${one}`))"
+    assert page.evaluate(get) == [2026, 355, 14.5, True]
+    page.evaluate("airlight.parts.canvas.focus(); airlight.state.set({'view.hour': 23.9999})")
+    assert (date.input_value(), clock.input_value()) == ("2026-12-21", "23:59")
+
+
 def test_typed_numbers_and_escape(page: Any) -> None:
     field = page.locator('[data-path="air.turbidity"] input[type=text]')
     field.click()
@@ -183,25 +205,37 @@ def test_every_button_does_what_it_says(used: tuple[Any, Callable[..., None]]) -
     left = set(page.evaluate("[...document.querySelectorAll('[data-action]')]"
                              ".map((one) => one.dataset.action)"))  # fmt: skip
 
-    def pressed(action: str, effect: str) -> None:
+    def press_action(action: str) -> None:
         button = page.locator(f'[data-action="{action}"]')
+        if not button.is_visible():
+            press(page.locator(".airlight-menu summary"))
         button.scroll_into_view_if_needed()
         press(button)
+        assert not page.evaluate("document.querySelector('.airlight-menu').open")
+
+    def pressed(action: str, effect: str) -> None:
+        press_action(action)
         until(page, effect, 60.0)
         assert page.evaluate("airlight.parts.message.textContent") == "", action
         left.discard(action)
 
     def saved(action: str) -> bytes:
         with page.expect_download() as download:
-            press(page.locator(f'[data-action="{action}"]'))
+            press_action(action)
         left.discard(action)
+        name = download.value.suggested_filename
+        assert page.locator(".airlight-done").inner_text().startswith(f"saved as {name}, ")
         return Path(download.value.path()).read_bytes()
 
-    names = sorted(one for one in left if one.startswith("viewpoint"))
-    assert len(names) == len(viewpoints(RADIUS, RADIUS + 1e5)) > 3
-    for index, name in enumerate(names):
-        pressed(name, f"Object.entries(airlight.viewpoints[{index}].view)"
-                      ".every(([path, value]) => airlight.state.get(path) === value)")  # fmt: skip
+    destinations = page.locator(".airlight-destinations")
+    for index, one in enumerate(viewpoints(RADIUS, RADIUS + 1e5)):
+        destinations.select_option(f"viewpoint {index + 1}")
+        view = page.evaluate("airlight.state.values")
+        assert {path: view[path] for path in one["view"]} == one["view"]
+    destinations.select_option("Nairobi")
+    place = [page.evaluate(f"airlight.state.get('view.{one}')") for one in AXES]
+    assert_allclose(place, [-1.28, 36.82], rtol=1e-9)
+    destinations.select_option("viewpoint 4")
     altitude = page.evaluate("airlight.state.get('view.altitude')")
     pressed("undo", f"airlight.state.get('view.altitude') !== {altitude}")
     pressed("redo", f"airlight.state.get('view.altitude') === {altitude}")
@@ -212,9 +246,6 @@ def test_every_button_does_what_it_says(used: tuple[Any, Callable[..., None]]) -
         pressed("swap", f"airlight.state.showing === '{showing}'")
     for shared in ("false", "true"):
         pressed("one camera", f"airlight.state.sharesCamera === {shared}")
-    if page.locator("[data-action=advanced]").is_visible():
-        for shown in ("true", "false"):
-            pressed("advanced", f"airlight.controls.advanced === {shown}")
     left.discard("advanced")  # it is shown for planets that have such parameters
     for shown in ("false", "true"):
         pressed("help", f"airlight.parts.help.hidden === {shown}")
@@ -269,6 +300,8 @@ def test_a_phone_hides_the_panel_and_turns_by_touch(phone: Any) -> None:
     box.scroll_into_view_if_needed()
     box.tap()
     assert phone.evaluate(get, "display.automatic") is not automatic
+    small = phone.evaluate(SMALL)
+    assert small == [], small
     phone.locator(".airlight-fold").tap()
     box = phone.locator("canvas").bounding_box()
     assert box["height"] == PHONE["height"]

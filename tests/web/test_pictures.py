@@ -162,7 +162,8 @@ def decoded(name: str, data: dict[str, Any] | None) -> SurfaceMap:
 
     def pixels(address: str, kind: str) -> np.ndarray:
         content = base64.b64decode(address.partition(",")[2])
-        return np.asarray(Image.open(io.BytesIO(content)).convert(kind))
+        image = Image.open(io.BytesIO(content)).convert(kind)
+        return np.asarray(image.resize((data["columns"], data["rows"]), Image.Resampling.BILINEAR))
 
     water = data["water"] and pixels(data["water"], "L")
     return from_pixels(name, pixels(data["image"], "RGB"), water)

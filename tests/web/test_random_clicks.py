@@ -79,12 +79,13 @@ def clicked(page: Any, act: Callable[[], None], press: Callable[[Any], None]) ->
     act()
     close_all(page)
     assert_sound(page)
+    press(page.locator(".airlight-menu summary"))
     press(page.locator("[data-action=reset]"))
     until(page, "Object.entries(airlight.state.initial).every(([path, value]) =>"
                 " airlight.state.get(path) === value)")  # fmt: skip
     # the picture of the beginning: none of what was done in between has stayed
     assert_allclose(png(page), first, atol=1.0)
-    folded = page.locator("details:not([open]) > summary:visible")
+    folded = page.locator(".airlight-controls details:not([open]) > summary:visible")
     while folded.count():
         press(folded.first)
     slider = page.locator(SLIDER)

@@ -7,7 +7,9 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from numpy.testing import assert_allclose
 
+from airlight.viewer.parameters.number_text import quantity_text
 from airlight.viewer.session.session import Session
 
 #: What people type, and the parameter that they look for; the first of those found, or among them.
@@ -98,3 +100,22 @@ def test_a_page_finds_what_the_window_finds(session: Session, modules: Callable[
     )
     for words, paths in zip(WORDS, found, strict=True):
         assert paths == [one.path for one in session.parameters if one.answers(words)], words
+
+
+def test_a_page_writes_numbers_as_the_window_and_reads_them(modules: Callable[..., Any]) -> None:
+    # The function of Python is the second method; a text has three digits.
+    page = modules({"state/number_text": ("quantityText", "numberOf")})
+    values = [0.0, 1.0, -0.5, 187.752, 1995.0, 9.996, 0.00743, 1.156e-5, 384400.0, 5.2e8, 1.496e11]
+    units = ("1", "m", "km", "deg", "DU", "×", "h", "K", "cd/m^2", "W/m^2/nm", "/m", "um")
+    cases = [[value, unit] for value in (*values, 17.99, 23.5) for unit in units]
+    texts, numbers = page.evaluate(
+        """(cases) => [
+          cases.map(([value, unit]) => quantityText(value, unit)),
+          cases.map(([value, unit]) => numberOf(quantityText(value, unit), unit)),
+        ]""",
+        cases,
+    )
+    assert texts == [quantity_text(value, unit) for value, unit in cases]
+    for (value, unit), text, number in zip(cases, texts, numbers, strict=True):
+        if unit != "cd/m^2":  # which is never typed
+            assert_allclose(number, value, rtol=6e-3, atol=1.0 / 60.0 if ":" in text else 0.0)

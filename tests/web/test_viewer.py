@@ -239,6 +239,17 @@ def test_probe_tells_the_light_of_the_pixel_that_is_pointed_at(
     light = painted.picture(axes, width, height, VIEW["view.field_of_view"], 0.0)
     rgb = light[int(0.7 * height), int(0.25 * width)]
     xyz = rgb @ np.array(painted.program()["xyz"])
-    # three digits, and four decimals
+    # three digits, and three decimals
     assert_allclose(float(words[1]), 683.0 * xyz[1], rtol=5e-3)
-    assert_allclose([float(words[4]), float(words[6])], xyz[:2] / xyz.sum(), atol=1e-4)
+    assert_allclose([float(words[4]), float(words[6])], xyz[:2] / xyz.sum(), atol=6e-4)
+    # a click keeps the point, wherever one points then, until its text is clicked
+    read = page.locator(".airlight-probe")
+    page.mouse.click(box["x"] + 0.25 * box["width"], box["y"] + 0.7 * box["height"])
+    kept = read.inner_text()
+    page.mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 0.1 * box["height"])
+    page.evaluate("airlight.settled()")
+    page.wait_for_timeout(300)
+    assert read.inner_text() == kept
+    assert page.locator(".airlight-mark").is_visible()
+    read.click()
+    assert not page.locator(".airlight-mark").is_visible()

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import base64
 import io
+from functools import lru_cache
 from typing import Any, Final
 
 import numpy as np
@@ -66,6 +67,8 @@ _FORMAT: Final = FORMATS[4]
 LEVELS: Final = 12
 #: Widest map that is embedded; a wider one is reduced to this width. [pixel]
 _WIDEST: Final = 2048
+#: Largest width of a water fraction: coasts of 2048 texels are off by 10 km. [pixel]
+_WIDEST_WATER: Final = 4096
 #: Quality of the JPEG of a ground map, and of that of clouds, which have noise of their own.
 _QUALITY: Final = 90
 _CLOUD_QUALITY: Final = 75
@@ -340,6 +343,7 @@ def _short(values: FloatArray) -> list[float]:
     return [float(f"{x:.{_DIGITS}g}") for x in values.ravel()]
 
 
+@lru_cache(maxsize=4)
 def ground_map(found: SurfaceMap | None, *, overlay: bool = False) -> dict[str, Any] | None:
     """Ground map, or overlay, for ``web/drawing/ground.js``.
 
@@ -353,36 +357,38 @@ def ground_map(found: SurfaceMap | None, *, overlay: bool = False) -> dict[str, 
     -------
     dict or None
         ``image``, a data URL; ``water``, a data URL of the water fraction or cloud cover, or None;
-        ``rows`` and ``columns``; ``decoded``, linear values of the 256 encoded values [1]. None
-        without a map.
+        ``rows`` and ``columns`` of the finer of both, to which the other is magnified;
+        ``decoded``, linear values of the 256 encoded values [1]. None without a map.
     """
     if found is None:
         return None
-    texels = found.levels[0]
-    if texels.shape[1] > _WIDEST:
-        texels = reduced(texels, _WIDEST // 2, _WIDEST)
-    rows, columns = texels.shape[:2]
-    colors, shares = texels[..., :3], texels[..., 3]
+    colors = _within(found.levels[0], _WIDEST)[..., :3]
+    shares = _within(found.levels[0], _WIDEST if overlay else _WIDEST_WATER)[..., 3]
+    wet = bool(shares.any())
+    rows, columns = shares.shape if wet else colors.shape[:2]
     if overlay and not colors[..., 1:].any():  # no shader reads the empty channels
         colors = colors[..., 0]
     return {
-        "image": _png(colors) if overlay else _jpeg(colors, _QUALITY),
-        "water": (_jpeg(shares, _CLOUD_QUALITY) if overlay else _png(shares))
-        if shares.any()
-        else None,
+        "image": _lossless(colors) if overlay else _jpeg(colors, _QUALITY),
+        "water": (_jpeg(shares, _CLOUD_QUALITY) if overlay else _lossless(shares)) if wet else None,
         "rows": rows,
         "columns": columns,
         "decoded": [float(x) for x in DECODED[0]],
     }
 
 
-def _png(pixels: NDArray[np.uint8]) -> str:
-    """Data URL of a PNG."""
+def _within(texels: NDArray[np.uint8], widest: int) -> NDArray[np.uint8]:
+    """Texels with at most some columns."""
+    return texels if texels.shape[1] <= widest else reduced(texels, widest // 2, widest)
+
+
+def _lossless(pixels: NDArray[np.uint8]) -> str:
+    """Data URL of a lossless WebP."""
     from PIL import Image
 
     room = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(pixels)).save(room, "PNG", optimize=True)
-    return _as_address("png", room.getvalue())
+    Image.fromarray(np.ascontiguousarray(pixels)).save(room, "WEBP", lossless=True, quality=60)
+    return _as_address("webp", room.getvalue())
 
 
 def _jpeg(pixels: NDArray[np.uint8], quality: int) -> str:

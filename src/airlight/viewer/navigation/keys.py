@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, Final, Literal
 
 from airlight.scene.flight import CLIMB, FOOTING, NOTCH, RATE
+from airlight.viewer.navigation.places import PLACES
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 from airlight.viewer.session.adaptation import BRIGHTEST, TIME_CONSTANT
 from airlight.viewer.session.history import MOST_STEPS, TOGETHER
@@ -119,7 +120,7 @@ TABLE: Final[dict[str, tuple[Row, ...]]] = {
     ),
     "Read and compare": (
         Row("P, click", "probe: spectrum and colour of a point", _WINDOW, once={"p": "probe"}),
-        Row("P", "probe: light and colour where one points", _PAGE, once={"p": "probe"}),
+        Row("P, click", "probe: light and colour of a point", _PAGE, once={"p": "probe"}),
         Row("B", "keep this planet and view as B", once={"b": "keep as b"}),
         Row("C", "A and B side by side, with a line to drag", _WINDOW, once={"c": "compare"}),
         Row("V", "change A and B over", once={"v": "swap"}),
@@ -186,7 +187,7 @@ def chord(key: str, *, control: bool, shift: bool) -> str:
 
 
 def as_json(host: Host) -> dict[str, Any]:
-    """Table for a page: ``help`` by group, bindings as in ``Row``, ``rates``."""
+    """Table for a page: ``help`` by group, bindings as in ``Row``, ``rates``, ``places``."""
     return {
         "help": [
             [group, [[row.keys, row.text] for row in rows if host in row.hosts]]
@@ -195,6 +196,7 @@ def as_json(host: Host) -> dict[str, Any]:
         **{name: _together(name, host) for name in ("held", "factors", "once")},
         "rates": dict(RATES),
         "lost": LOST,
+        "places": {body: [list(one) for one in places] for body, places in PLACES.items()},
     }
 
 

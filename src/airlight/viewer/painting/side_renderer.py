@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from time import perf_counter, sleep
 from typing import Any, Final
 
+from airlight.geometry.ephemeris.world import WORLDS
 from airlight.image.exposure import MOST_EXPOSURE, exposure_factor
 from airlight.image.white_balance import scene_white
 from airlight.render.live_renderer import LiveFrame, LiveRenderer
+from airlight.render.star_points import add_catalogue
 from airlight.scene.metering import METERED
+from airlight.scene.projections import PROJECTIONS
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_texture import Canvases
 
 #: Interval between pictures while the exposure adapts. [s]
 _PAUSE: Final = 1.0 / 60.0
+#: Exposure from which stars are drawn, by eye: that of late civil dusk. [EV]
+_STARRY: Final = 3.0
 
 
 class SideRenderer:
@@ -41,12 +47,14 @@ class SideRenderer:
             request.solution, request.scene, orders=request.orders, stale=stale
         ):
             picture = self._displayed(request, step)
-            yield picture
+            yield _before_stars(picture)
         while picture is not None and step.finished and not (picture.finished or stale()):
             # Final radiance, while the exposure still adapts.
             sleep(_PAUSE)
             picture = self._displayed(request, step)
-            yield picture
+            yield _before_stars(picture)
+        if picture is not None and picture.finished and shows_stars(picture) and not stale():
+            yield self._starry(step, picture)
 
     def close(self) -> None:
         """See ``PictureSource.close``."""
@@ -81,6 +89,22 @@ class SideRenderer:
             metered=metered,
         )
 
+    def _starry(self, step: LiveFrame, picture: Picture) -> Picture:
+        """Final picture with the star catalogue and the Milky Way."""
+        started, request = perf_counter(), picture.request
+        frame = step.frame
+        if frame is None:
+            assert step.renderer is not None
+            frame = step.renderer.render(step.scene, orders=step.orders)
+        frame = replace(frame, rgb=frame.rgb.copy())  # the CPU's is kept by its renderer
+        planet = request.solution.planet
+        body = None if planet is None else planet.body
+        add_catalogue(frame.rgb, step.scene, request.solution, body)
+        texture = self._canvases.next()
+        texture.write(request.displayed(frame, picture.exposure))
+        seconds = picture.seconds + perf_counter() - started
+        return replace(picture, view=texture.view, seconds=seconds)
+
     def _exposure(self, request: Request, metered: float | None) -> tuple[float, bool]:
         """Exposure of a step [EV], and whether it has settled."""
         exposure, settled, adaptation = request.exposure, True, request.adaptation
@@ -107,3 +131,20 @@ class SideRenderer:
         measured = step.metered(METERED).exposure
         self._measured = request, measured
         return measured
+
+
+def shows_stars(picture: Picture) -> bool:
+    """Whether a finished picture gets stars: it is dark, and the sky of its planet is known."""
+    planet, camera = picture.request.solution.planet, picture.request.scene.camera
+    known = planet is not None and planet.body in WORLDS
+    return (
+        known
+        and picture.exposure >= _STARRY
+        and picture.request.orders == "all"
+        and not PROJECTIONS[camera.projection].parallel
+    )
+
+
+def _before_stars(picture: Picture) -> Picture:
+    """Picture that is not the last if stars follow."""
+    return replace(picture, finished=picture.finished and not shows_stars(picture))

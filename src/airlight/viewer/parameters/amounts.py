@@ -117,7 +117,7 @@ def amounts_of(planet: Planet, most: float = MOST) -> tuple[Amount, ...]:
     >>> from airlight.planets import load_planet
     >>> [(one.label, round(one.present, 3), one.unit) for one in
     ...  amounts_of(load_planet("earth"))][:3]
-    [('air', 1.0, '×'), ('aerosol', 0.064, 'τ'), ('ozone', 345.0, 'DU')]
+    [('air', 1.0, '×'), ('aerosol optical depth', 0.064, '1'), ('ozone', 345.0, 'DU')]
     """
     found = [
         _constituent(index, one, planet.thickness, most)
@@ -135,8 +135,9 @@ def _constituent(index: int, one: Constituent, thickness: float, factor: float) 
     elif measure.matter == "haze" and measure.unit != "×":
         low, high = min(low, _DEPTHS[0]), max(high, _DEPTHS[1])
     most = factor * present
+    label = f"{one.name} optical depth" if measure.unit == "1" else one.name
     return Amount(
-        path=amount_path(index), label=one.name, group=AMOUNTS, help=measure.words,
+        path=amount_path(index), label=label, group=AMOUNTS, help=measure.words,
         unit=measure.unit, low=_short(min(low, 0.1 * most)), high=min(_short(high), most),
         least=0.0, most=most, scale="log", step=1.1, synonyms=_SYNONYMS[measure.matter],
         key=f"constituents[{index}].amount", present=present, depth=measure.depth,
@@ -156,7 +157,7 @@ def _measure(one: Constituent, thickness: float) -> Measure:
     if one.scatters:
         if depth > 0.0:
             words = "Vertical optical depth at 550 nm: 0.05 is clean, 0.3 hazy, 1 and more smog."
-            return Measure("haze", depth, "τ", depth, words)
+            return Measure("haze", depth, "1", depth, words)
         return Measure("haze", 1.0, "×", depth, factor)
     column = _ozone(one, depth, thickness)
     if column > 0.0:

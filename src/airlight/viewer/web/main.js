@@ -41,7 +41,7 @@ function show(device) {
       restarts += 1;
       if (restarts > MOST_RESTARTS) return viewer.say(`the GPU was lost (${reason}): reload`);
       show("webgl2");
-      viewer.explain(`the GPU was lost (${reason}): shown by WebGL2`);
+      viewer.tell(`the GPU was lost (${reason}): shown by WebGL2`);
     },
   });
   window.airlight = viewer;

@@ -10,6 +10,8 @@ from airlight.viewer.window import style
 
 #: Distance from the divider within which it can be grabbed. [logical pixel]
 _GRAB: Final = 7.0
+#: Width of the probe's numbers and parts beside each other. [logical pixel]
+_PROBE_WIDTH: Final = 576.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -237,9 +239,11 @@ def layout(size: tuple[float, float], *, panels: bool, probe: float) -> dict[str
     side = min(style.PANEL_WIDTH, 0.5 * width)
     body = max(height - style.STATUS_HEIGHT, 1.0)
     below = min(probe, 0.6 * body)
+    # A narrow picture leaves too little beside the panel: the probe takes the window's width.
+    left = 0.0 if width - side < _PROBE_WIDTH else side
     return {
-        "panel": Rectangle(left=0.0, top=0.0, width=side, height=body),
+        "panel": Rectangle(left=0.0, top=0.0, width=side, height=body - (0.0 if left else below)),
         "picture": Rectangle(left=side, top=0.0, width=width - side, height=body - below),
-        "probe": Rectangle(left=side, top=body - below, width=width - side, height=below),
+        "probe": Rectangle(left=left, top=body - below, width=width - left, height=below),
         "status": Rectangle(left=0.0, top=body, width=width, height=height - body),
     }

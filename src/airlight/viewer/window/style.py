@@ -115,10 +115,14 @@ def colored(text: str, color: tuple[float, float, float, float]) -> None:
 
 
 def hint(text: str, *, width: float = 300.0) -> None:
-    """Show a tooltip while the pointer rests on the last item drawn."""
+    """Show a tooltip while the pointer rests on the last item drawn, and drags nothing."""
     from imgui_bundle import imgui
 
-    if text and imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip.value):
+    if (
+        text
+        and not imgui.is_any_item_active()
+        and imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip.value)
+    ):
         imgui.begin_tooltip()
         imgui.push_text_wrap_pos(width)
         imgui.text_unformatted(text)

@@ -38,7 +38,7 @@ async function pixelsOf(image, { rows, columns }) {
     colorSpaceConversion: "none",
   });
   const context = new OffscreenCanvas(columns, rows).getContext("2d", { willReadFrequently: true });
-  context.drawImage(bitmap, 0, 0);
+  context.drawImage(bitmap, 0, 0, columns, rows);
   return context.getImageData(0, 0, columns, rows).data;
 }
 

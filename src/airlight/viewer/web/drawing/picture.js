@@ -17,6 +17,7 @@ import { Program } from "./program.js";
 import { cameraUniforms, detailUniforms, observerUniforms } from "./view_uniforms.js";
 import { EVEN, lightsOf } from "./lights.js";
 import { Adaptation } from "../state/adaptation.js";
+import { luminanceText } from "../state/number_text.js";
 import {
   CIRCULAR,
   CONNECTED,
@@ -404,10 +405,9 @@ function described([rgb, ...polarised], { xyz, efficacy, dark }) {
   const [x, y, z] = [0, 1, 2].map((i) => part(rgb, i));
   if (!(y > 0)) return "no light";
   const sum = x + y + z;
-  const bright = `${(efficacy * y).toPrecision(3)} cd/m²`;
-  const lines = [`luminance ${bright}`];
+  const lines = [`luminance ${luminanceText(efficacy * y)}`];
   if (efficacy * y < dark) lines.push(`${sky_magnitude(efficacy * y).toFixed(2)} mag/arcsec²`);
-  lines.push(`x ${(x / sum).toFixed(4)}, y ${(y / sum).toFixed(4)}`);
+  lines.push(`x ${(x / sum).toFixed(3)}, y ${(y / sum).toFixed(3)}`);
   if (polarised.length) {
     const [q, u] = polarised.map((light) => part(light, 1));
     const degree = Math.min(Math.hypot(q, u) / y, 1);

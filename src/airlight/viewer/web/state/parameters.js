@@ -3,6 +3,7 @@
  *
  * A parameter is an object as declared in viewer/parameters/parameter.py and written by `as_json`.
  */
+import { numberOf, quantityText } from "./number_text.js";
 
 /**
  * Validate a value, wrapping it into the range if the parameter is periodic.
@@ -70,20 +71,12 @@ export function rounded(parameter, number) {
   return digits >= 0 ? Number(number.toFixed(digits)) : Math.round(number * 10 ** digits) / 10 ** digits;
 }
 
-/** Length from which it is written in kilometres. [m] */
-const FAR = 1e4;
-
-/** Text of a value in a field: four digits, lengths in metres or kilometres. */
+/** Text of a value in a field. */
 export function written({ unit }, value) {
-  if (typeof value !== "number") return String(value);
-  const short = (number) => String(Number(number.toPrecision(4)));
-  if (unit !== "m") return short(value);
-  return Math.abs(value) < FAR ? `${short(value)} m` : `${short(value / 1000)} km`;
+  return typeof value === "number" ? quantityText(value, unit) : String(value);
 }
 
 /** Number of a field's text [unit]; NaN for a text that is none. */
 export function read({ unit }, text) {
-  const [, number, word] = text.trim().replace(",", ".").match(/^(\S+?)\s*(k?m)?$/) ?? [];
-  if (number === undefined || (word && unit !== "m")) return NaN;
-  return Number(number) * (word === "km" ? 1000 : 1);
+  return numberOf(text, unit);
 }

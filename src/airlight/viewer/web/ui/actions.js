@@ -40,6 +40,7 @@ export function actionsOf(viewer) {
     fullscreen: () => viewer.toggleFullscreen(),
     film: () => viewer.toggleFilm(),
     probe: () => {
+      viewer.probe?.release();
       parts.probe.hidden = !parts.probe.hidden;
     },
     time: () => flight.play(),
@@ -59,31 +60,36 @@ export function actionsOf(viewer) {
 /** Buttons: action, text, explanation, and a function of their current state. */
 export const BUTTONS = [
   ["undo", "undo", "Take back the last change (Ctrl+Z).", (s) => ({ disabled: !s.canUndo })],
+  ["time", "time", "Let time pass, or stop it (T).", (s, v) => ({ pressed: v.flight.playing })],
+  ["save picture", "save", "The picture, as a PNG (Ctrl+S).", () => ({})],
+];
+
+/** Entries of the menu, as the buttons. */
+export const MENU = [
   ["redo", "redo", "Bring back what was taken back (Ctrl+Y).", (s) => ({ disabled: !s.canRedo })],
   ["reset", "reset", "Everything as it began.", () => ({})],
   ["keep as b", "keep as B", "Keep what is shown, to compare it (B).", () => ({})],
   [
     "swap",
-    "A/B",
+    "change A and B over",
     "Show the other of the two (V).",
     (s) => ({ disabled: !s.hasOther, pressed: s.showing === "B" }),
   ],
   [
     "one camera",
-    "one camera",
+    "one camera for A and B",
     "Both are seen from the same place under the same sun.",
     (s) => ({ hidden: !s.hasOther, pressed: s.sharesCamera }),
   ],
   [
     "advanced",
-    "advanced",
+    "advanced parameters",
     "Show the parameters of the air's composition too.",
     (s, viewer) => ({
       hidden: ![...s.parameters.values()].some((one) => one.mode === "advanced"),
       pressed: viewer.controls?.advanced ?? false,
     }),
   ],
-  ["save picture", "save picture", "As a PNG (Ctrl+S).", () => ({})],
   [
     "film",
     "film",
@@ -97,6 +103,5 @@ export const BUTTONS = [
     (s, viewer) => ({ disabled: !viewer.source.link }),
   ],
   ["fullscreen", "fullscreen", "Fill the screen, or return (F).", () => ({})],
-  ["time", "time", "Let time pass, or stop it (T).", (s, v) => ({ pressed: v.flight.playing })],
-  ["help", "help", "Keys and mouse (F1).", () => ({})],
+  ["help", "keys and mouse", "Keys and mouse (F1).", () => ({})],
 ];

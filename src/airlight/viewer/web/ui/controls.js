@@ -1,5 +1,6 @@
 /** Panel with one control per declared parameter, in collapsible groups, or those searched. */
 import { checked, numberAt, read, rounded, shareOf, written } from "../state/parameters.js";
+import { YEAR, calendarRow } from "./calendar.js";
 import { element } from "./element.js";
 import { answers } from "./search.js";
 
@@ -31,6 +32,7 @@ export class Controls {
   /** Rebuild the controls, as after a change of the declared parameters. */
   build() {
     this.rows.clear();
+    this.showDate = null;
     const groups = new Map();
     const all = [...this.state.parameters.values()];
     const rank = ({ group }) => (FIRST.indexOf(group) + FIRST.length + 1) % (FIRST.length + 1);
@@ -42,12 +44,20 @@ export class Controls {
         : group;
       const row = this.row(parameter);
       this.rows.set(parameter.path, row);
+      if (parameter.path === YEAR && !this.words) list.body.append(this.dateRow());
       list.body.append(row.element);
     }
     const tops = [...groups.values()].filter((one) => one.top);
     const none = element("p", { className: "airlight-none" }, "nothing of that name");
     this.place.replaceChildren(...(tops.length ? tops.map((one) => one.element) : [none]));
     this.update(new Set(this.rows.keys()));
+  }
+
+  /** Row with a calendar and a clock, which set the date of the sun. */
+  dateRow() {
+    const { element: row, show } = calendarRow(this.state, (error) => this.explain(error.message));
+    this.showDate = show;
+    return row;
   }
 
   offers({ mode }) {
@@ -84,7 +94,6 @@ export class Controls {
       }
     };
     const row = make[parameter.kind](parameter, set, () => this.state.rest());
-    row.element.title = parameter.help;
     row.element.dataset.path = parameter.path;
     const help = () => this.explain(`${parameter.label}: ${parameter.help}`);
     row.element.addEventListener("pointerenter", help);
@@ -93,6 +102,7 @@ export class Controls {
   }
 
   update(changed) {
+    this.showDate?.();
     for (const path of changed) {
       const row = this.rows.get(path);
       if (!row) continue;
@@ -108,9 +118,7 @@ export class Controls {
 }
 
 function labelled(parameter, ...inputs) {
-  const plain = parameter.kind !== "number" || ["1", "m"].includes(parameter.unit);
-  const unit = plain ? "" : ` [${parameter.unit}]`; // the field says m or km
-  const label = element("span", { className: "airlight-label" }, parameter.label + unit);
+  const label = element("span", { className: "airlight-label" }, parameter.label);
   return element("label", { className: `airlight-row airlight-${parameter.kind}` }, label, ...inputs);
 }
 
@@ -131,16 +139,19 @@ function numberRow(parameter, set, rest) {
     set(Math.min(Math.max(number, least), most), true);
   });
   slider.addEventListener("change", rest);
-  taken(field, () => {
-    set(read(parameter, field.value));
-  });
   let shown = 0;
+  // The text is rounded: one that was not changed is the value itself.
+  const typed = () =>
+    field.value === written(parameter, shown) ? shown : read(parameter, field.value);
+  taken(field, () => {
+    set(typed());
+  });
   field.addEventListener("keydown", (event) => {
     if (event.key === "Escape") field.value = written(parameter, shown);
     const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     if (!way) return;
     event.preventDefault();
-    const number = read(parameter, field.value);
+    const number = typed();
     const { step, scale } = parameter;
     const moved = scale === "log" ? number * step ** way : number + way * step;
     try {
@@ -152,10 +163,10 @@ function numberRow(parameter, set, rest) {
   return {
     element: labelled(parameter, field, slider),
     show(value) {
-      shown = value;
-      if (document.activeElement !== field || read(parameter, field.value) !== value) {
+      if (document.activeElement !== field || typed() !== value) {
         field.value = written(parameter, value);
       }
+      shown = value;
       slider.value = String(Math.round(STEPS * shareOf(parameter, value)));
     },
   };

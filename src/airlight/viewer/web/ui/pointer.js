@@ -7,15 +7,20 @@ const LINE = 30;
 const SHEET = 300;
 /** Largest number of notches of one wheel event. */
 const MOST_NOTCHES = 6;
+/** Movement of a finger below which a touch is a tap. [pixel] */
+const FINGER = 10;
 
 export class Pointer {
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Flight} flight
+   * @param {(x: number, y: number) => void} click Called with the place of a click. [pixel]
    */
-  constructor(canvas, flight) {
+  constructor(canvas, flight, click) {
     this.canvas = canvas;
     this.flight = flight;
+    this.click = click;
+    this.pressed = null; // where the only finger or button is down, until it moves
     this.points = new Map();
     this.movesSun = false;
     this.ending = new AbortController();
@@ -25,7 +30,9 @@ export class Pointer {
     listen("pointermove", (event) => this.move(event));
     listen("pointerup", (event) => {
       this.move(event); // the last movement of a flick arrives with its release
+      const clicked = this.pressed && !this.movesSun;
       this.lift(event);
+      if (clicked) this.click(event.clientX, event.clientY);
     });
     listen("pointercancel", (event) => this.lift(event));
     listen("wheel", (event) => this.wheel(event), { passive: false });
@@ -36,6 +43,8 @@ export class Pointer {
     this.canvas.focus({ preventScroll: true });
     this.canvas.setPointerCapture(event.pointerId);
     this.points.set(event.pointerId, [event.clientX, event.clientY]);
+    const single = this.points.size === 1 && event.button === 0;
+    this.pressed = single ? [event.clientX, event.clientY] : null;
     this.movesSun = event.shiftKey || event.ctrlKey || event.button === 2;
   }
 
@@ -45,6 +54,10 @@ export class Pointer {
     const others = [...this.points].filter(([id]) => id !== event.pointerId);
     const here = [event.clientX, event.clientY];
     this.points.set(event.pointerId, here);
+    if (this.pressed) {
+      const far = Math.hypot(here[0] - this.pressed[0], here[1] - this.pressed[1]);
+      if (far >= (event.pointerType === "touch" ? FINGER : RATES.click)) this.pressed = null;
+    }
     if (others.length) {
       const [, other] = others[0];
       const spread = (point) => Math.hypot(point[0] - other[0], point[1] - other[1]);
@@ -58,6 +71,7 @@ export class Pointer {
   }
 
   lift(event) {
+    this.pressed = null;
     if (this.points.delete(event.pointerId)) this.flight.state.rest();
   }
 

@@ -23,7 +23,7 @@ import { openDevice } from "../devices/device.js";
 import { fitting } from "../drawing/view.js";
 import { KEYS } from "../generated/keys.js";
 import { State } from "../state/state.js";
-import { BUTTONS, actionsOf } from "./actions.js";
+import { BUTTONS, MENU, actionsOf } from "./actions.js";
 import { Controls } from "./controls.js";
 import { element } from "./element.js";
 import { Film } from "./film.js";
@@ -39,6 +39,8 @@ import { toolbar } from "./toolbar.js";
 const SMOOTH = 40;
 /** Delay from the last change to a full-size frame after a smaller one. [ms] */
 const REST = 150;
+/** Time for which is said what was done. [ms] */
+const FLASH = 5000;
 /** Time after which the preview has faded. [ms] */
 const FADING = 600;
 /** Smallest scale of width and height while something moves. [1] */
@@ -58,14 +60,14 @@ export class Viewer {
     this.build(place);
     const { root, canvas, tools, controls } = this.parts;
     this.actions = actionsOf(this);
-    this.updateTools = toolbar(tools, BUTTONS, this);
+    this.updateTools = toolbar(tools, BUTTONS, MENU, this);
     this.controls = new Controls(controls, this.state, (text) => this.explain(text));
     this.turn = Promise.resolve();
     this.loop = new FrameLoop((now) =>
       this.alone(() => this.draw(now)).catch((error) => this.say(error.message)),
     );
     this.listening = [
-      new Pointer(canvas, this.flight),
+      new Pointer(canvas, this.flight, (x, y) => this.probe?.pin(x, y)),
       new Keyboard(root, canvas, this.flight, (action) => this.do(action)),
     ];
     this.device = null;
@@ -88,13 +90,14 @@ export class Viewer {
     const parts = {
       title: part("div", "title", { textContent: this.source.title }),
       tools: part("div", "tools"),
-      viewpoints: part("div", "tools"),
+      destinations: part("select", "destinations", { ariaLabel: "view or place to go to" }),
       search: searchField((words) => this.controls.search(words)),
       controls: part("div", "controls"),
       note: part("div", "note", { textContent: this.source.note ?? "" }),
       status: part("div", "status"),
       canvas: element("canvas", { tabIndex: 0, ariaLabel: "picture" }),
       message: element("div", { className: "airlight-over airlight-message" }),
+      done: element("div", { className: "airlight-over airlight-done", role: "status" }),
       working: element("div", { className: "airlight-over airlight-working", hidden: true }),
       fold: element("button", {
         type: "button",
@@ -111,14 +114,18 @@ export class Viewer {
       help: helpPanel(),
     };
     const panel = part("div", "panel");
-    const { title, tools, viewpoints, search, controls, note, status } = parts;
-    panel.append(title, tools, viewpoints, search, controls, note, status);
+    const { title, tools, destinations, search, controls, note, status } = parts;
+    panel.append(title, tools, destinations, search, controls, note, status);
+    destinations.addEventListener("change", () => {
+      this.goTo(destinations.value);
+      destinations.value = "";
+    });
     parts.fold.addEventListener("click", () => this.do("panels"));
     parts.view = part("div", "view");
-    const { canvas, probe, help, message, working, progress, fold } = parts;
+    const { canvas, probe, help, message, done, working, progress, fold } = parts;
     parts.view.append(canvas);
     if (this.source.first) parts.view.append(this.source.first);
-    parts.view.append(progress, probe, working, help, message, fold);
+    parts.view.append(progress, probe, working, help, message, done, fold);
     parts.root = element("div", { className: "airlight" }, panel, parts.view);
     // In JupyterLab, single letters are shortcuts that edit cells.
     parts.root.dataset.lmSuppressShortcuts = "true";
@@ -137,14 +144,34 @@ export class Viewer {
     return this.picture?.planet.viewpoints ?? [];
   }
 
-  showViewpoints() {
-    const buttons = this.viewpoints.map(({ name, sentence }, i) => [
-      `viewpoint ${i + 1}`,
-      name,
-      `${sentence} (${i + 1})`,
-      () => ({}),
-    ]);
-    toolbar(this.parts.viewpoints, buttons, this);
+  /** Named places of the planet's world: name, latitude, longitude. [deg] */
+  get places() {
+    return KEYS.places[this.state.body] ?? [];
+  }
+
+  /** List the viewpoints, and the places of the planet's world. */
+  showDestinations() {
+    const option = (value, text, title = "") => element("option", { value, title }, text);
+    const group = (label, ...options) =>
+      options.length ? [element("optgroup", { label }, ...options)] : [];
+    this.parts.destinations.replaceChildren(
+      element("option", { value: "", hidden: true }, "go to …"),
+      ...group(
+        "view",
+        ...this.viewpoints.map(({ name, sentence }, i) =>
+          option(`viewpoint ${i + 1}`, `${name}: ${sentence}`),
+        ),
+      ),
+      ...group("place", ...this.places.map(([name]) => option(name, name))),
+    );
+    this.parts.destinations.value = "";
+  }
+
+  /** Go to a viewpoint, or to a place under the same view. */
+  goTo(destination) {
+    const place = this.places.find(([name]) => name === destination);
+    if (!place) return this.do(destination);
+    this.flight.goTo({ view: { "view.latitude": place[1], "view.longitude": place[2] } });
   }
 
   async start() {
@@ -163,7 +190,7 @@ export class Viewer {
       this.prepare("rendering");
       this.edits = this.source.edits?.(this) ?? null;
       this.showWork();
-      this.showViewpoints();
+      this.showDestinations();
       if (this.picture.probe) this.probe = new Probe(this.parts.canvas, this.parts.probe, this);
       this.request();
     } catch (error) {
@@ -289,7 +316,8 @@ export class Viewer {
   }
 
   async save() {
-    this.keep(await this.png(...this.size(1)), "png");
+    const size = this.size(1);
+    this.keep(await this.png(...size), "png", size.join(" × "));
   }
 
   /** Start a film of what is shown, or end it and save it. */
@@ -297,20 +325,21 @@ export class Viewer {
     if (!this.film) {
       this.film = new Film(this.parts.canvas);
       this.request();
+      this.tell("filming what is shown, until film is pressed again (O)");
       return;
     }
     const film = this.film;
     this.film = null;
-    this.keep(await film.end(), film.suffix);
+    const blob = await film.end();
+    this.keep(blob, film.suffix, `${(blob.size / 1e6).toFixed(1)} MB`);
   }
 
-  /** Offer a file for download, named after the planet. */
-  keep(blob, suffix) {
-    const link = element("a", {
-      href: URL.createObjectURL(blob),
-      download: `${this.source.title}.${suffix}`,
-    });
+  /** Offer a file for download, named after the planet, and say so. */
+  keep(blob, suffix, size) {
+    const download = `${this.source.title}.${suffix}`;
+    const link = element("a", { href: URL.createObjectURL(blob), download });
     link.click();
+    this.tell(`saved as ${download}, ${size}: in the browser's downloads`);
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
@@ -323,6 +352,7 @@ export class Viewer {
       copyByHand(this.parts.root, link);
     }
     this.explain(`copied: ${link}`);
+    this.flash("the link is copied: it opens what is shown");
   }
 
   /** Fill the screen with panel and picture, or return. */
@@ -335,7 +365,10 @@ export class Viewer {
   leave() {
     const { help, search, root, canvas } = this.parts;
     const typing = root.contains(document.activeElement) && document.activeElement !== canvas;
+    const menu = root.querySelector(".airlight-menu[open]");
     if (!help.hidden) help.hidden = true;
+    else if (menu) menu.open = false;
+    else if (this.probe?.pinned) this.probe.release();
     else if (root.classList.contains("airlight-hidden")) root.classList.remove("airlight-hidden");
     else if (search.value) {
       search.value = "";
@@ -361,6 +394,19 @@ export class Viewer {
     this.parts.note.textContent = text;
   }
 
+  /** Say what was done, in the panel and for some seconds over the picture. */
+  tell(text) {
+    this.explain(text);
+    this.flash(text);
+  }
+
+  flash(text) {
+    const { done } = this.parts;
+    done.textContent = text;
+    clearTimeout(this.flashing);
+    this.flashing = setTimeout(() => (done.textContent = ""), FLASH);
+  }
+
   /** Show an error; an empty text removes it. */
   say(text) {
     this.parts.message.textContent = text;
@@ -369,7 +415,7 @@ export class Viewer {
   showStatus() {
     if (!this.drawn) return;
     const [width, height] = this.drawn;
-    const frame = `${width}×${height}, ${this.milliseconds.toFixed(0)} ms`;
+    const frame = `${width} × ${height} in ${timeText(this.milliseconds)}`;
     const more = this.edits?.status() ?? this.source.status?.() ?? "";
     this.parts.status.textContent = [more, frame, this.device.kind].filter(Boolean).join(" · ");
     this.parts.status.title = this.device.name;
@@ -377,6 +423,7 @@ export class Viewer {
 
   close() {
     this.closed = true;
+    clearTimeout(this.flashing);
     this.film?.end();
     this.loop.close();
     for (const one of this.listening) one.close();
@@ -408,6 +455,13 @@ function helpPanel() {
   });
   const panel = { className: "airlight-over airlight-help", hidden: true };
   return element("div", panel, ...groups);
+}
+
+/** Time in ms, or in s. */
+function timeText(milliseconds) {
+  return milliseconds < 1000
+    ? `${milliseconds.toFixed(0)} ms`
+    : `${(milliseconds / 1000).toFixed(1)} s`;
 }
 
 function pause(milliseconds) {

@@ -8,8 +8,8 @@ from typing import Final
 
 from airlight.studies.film.flight_film import FlightKey
 from airlight.viewer.navigation.flight_recorder import FlightRecorder
+from airlight.viewer.parameters.number_text import quantity_text
 from airlight.viewer.window import style
-from airlight.viewer.window.panels.status import length_text
 
 #: Width of the field with the time of a key frame. [logical pixel]
 _TIME_WIDTH: Final = 84.0
@@ -153,4 +153,4 @@ def _where(key: FlightKey) -> str:
     latitude, longitude = key.view["latitude"], key.view["longitude"]
     north = f"{abs(latitude):.1f}° {'N' if latitude >= 0.0 else 'S'}"
     east = f"{abs(longitude):.1f}° {'E' if longitude >= 0.0 else 'W'}"
-    return f"{length_text(key.view['altitude'])}  {north}  {east}"
+    return f"{quantity_text(key.view['altitude'], 'm')}  {north}  {east}"

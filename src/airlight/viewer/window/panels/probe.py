@@ -10,14 +10,15 @@ import numpy as np
 from airlight.image.sky_magnitude import DARK, sky_magnitude
 from airlight.viewer.painting.probe import Probe
 from airlight.viewer.painting.probing import ProbeResult
+from airlight.viewer.parameters.number_text import luminance_text, number_text, quantity_text
 from airlight.viewer.window import style
 from airlight.viewer.window.panels.status import fixed_window_flags
 from airlight.viewer.window.picture_area import Rectangle
 
 #: Height of the panel. [logical pixel]
-PROBE_HEIGHT: Final = 236.0
+PROBE_HEIGHT: Final = 262.0
 #: Widths of the columns of values and of parts. [logical pixel]
-_NUMBERS: Final = 236.0
+_NUMBERS: Final = 252.0
 _PARTS: Final = 292.0
 #: Margins of the panel and the gap between the columns. [logical pixel]
 _GAPS: Final = 32.0
@@ -61,7 +62,7 @@ def draw_probe(reading: ProbeResult | None, working: str, into: Rectangle) -> bo
         imgui.begin_child("numbers", imgui.ImVec2(_NUMBERS if beside else 0.0, 0.0))
         for name, value in numbers_of(reading.spectrum):
             imgui.text_colored(imgui.ImVec4(*style.QUIET), name)
-            imgui.same_line(96.0)
+            imgui.same_line(100.0)
             imgui.text_unformatted(value)
         if not beside:  # in a narrow window the parts follow, and the panel scrolls
             _parts(reading.spectrum)
@@ -90,22 +91,34 @@ def numbers_of(probe: Probe) -> tuple[tuple[str, str], ...]:
         degree, angle = probe.polarised
         polarised = [("polarised", f"{100.0 * degree:.1f} % at {angle:.1f}°")]
     rows = [
-        ("luminance", f"{probe.luminance:.4g} cd/m²"),
+        ("luminance", luminance_text(probe.luminance)),
         *([("", f"{sky_magnitude(probe.luminance):.2f} mag/arcsec²")] if dark else []),
-        ("colour x, y", f"{x:.4f}, {y:.4f}"),
+        ("colour x, y", f"{x:.3f}, {y:.3f}"),
         *polarised,
-        (f"at {nm}", f"{1e3 * probe.radiance[green]:.4g} mW/(m² sr nm)"),
-        ("depth τ", f"{depth:.4g} at {nm}"),
-        ("passes", f"{100.0 * probe.transmittance[green]:.3g} % at {nm}"),
-        ("direction", f"{probe.view_zenith:.2f}° zenith, {probe.azimuth % 360.0:.1f}°"),
+        (f"at {nm}", f"{number_text(1e3 * probe.radiance[green])} mW/(m² sr nm)"),
+        ("optical depth", f"{number_text(depth)} at {nm}"),
+        ("transmitted", f"{number_text(100.0 * probe.transmittance[green])} % at {nm}"),
+        *zip(("direction", ""), direction_texts(probe.view_zenith, probe.azimuth), strict=True),
     ]
     if math.isfinite(probe.distance):
-        metres = probe.distance
-        far = f"{metres:.4g} m" if metres < 1e3 else f"{metres / 1e3:.5g} km"
-        rows.append(("ground", f"{far} away"))
+        rows.append(("ground", f"{quantity_text(probe.distance, 'm')} away"))
         if probe.latitude is not None and probe.longitude is not None:
             rows.append(("", _on_globe(probe.latitude, probe.longitude)))
     return tuple(rows)
+
+
+def direction_texts(zenith: float, azimuth: float) -> tuple[str, str]:
+    """Format a direction by its zenith angle and its azimuth from the sun. [deg]
+
+    Examples
+    --------
+    >>> direction_texts(83.06, 283.4), direction_texts(103.06, 76.6)
+    (('6.9° up', '76.6° left of the sun'), ('13.1° down', '76.6° right of the sun'))
+    """
+    up, turn = 90.0 - zenith, (azimuth + 180.0) % 360.0 - 180.0
+    side = "right" if turn >= 0.0 else "left"
+    height = f"{abs(up):.1f}° {'up' if up >= 0.0 else 'down'}"
+    return height, f"{abs(turn):.1f}° {side} of the sun"
 
 
 def _on_globe(latitude: float, longitude: float) -> str:
@@ -114,10 +127,10 @@ def _on_globe(latitude: float, longitude: float) -> str:
     Examples
     --------
     >>> _on_globe(-4.074, 12.5)
-    '4.074° S, 12.500° E'
+    '4.07° S, 12.50° E'
     """
     north, east = "S" if latitude < 0.0 else "N", "W" if longitude < 0.0 else "E"
-    return f"{abs(latitude):.3f}° {north}, {abs(longitude):.3f}° {east}"
+    return f"{abs(latitude):.2f}° {north}, {abs(longitude):.2f}° {east}"
 
 
 def _parts(probe: Probe) -> None:
@@ -136,7 +149,7 @@ def _parts(probe: Probe) -> None:
         for index, part in enumerate(probe.parts):
             share = 100.0 * part.luminance / whole if whole > 0.0 else 0.0
             color = implot.get_colormap_color(index + 1)  # the first line is their sum
-            _row(part.name, f"{part.luminance:.4g}", f"{share:.1f}", color=color)
+            _row(part.name, number_text(part.luminance), f"{share:.1f}", color=color)
         imgui.end_table()
     if imgui.begin_table("depths", 2, flags):
         stretch = imgui.TableColumnFlags_.width_stretch.value
@@ -144,7 +157,7 @@ def _parts(probe: Probe) -> None:
         imgui.table_setup_column(f"{probe.wavelengths[green]:.0f} nm")
         imgui.table_headers_row()
         for name, row in zip(probe.names, probe.optical_depth, strict=True):
-            _row(name, f"{row[green]:.4g}")
+            _row(name, number_text(row[green]))
         imgui.end_table()
 
 

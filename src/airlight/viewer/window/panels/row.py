@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+from airlight.viewer.parameters.number_text import quantity_text
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.window import style
 
 #: Widths of the names and of the reset button. [logical pixel]
 NAME_WIDTH = 138.0
 RESET_WIDTH = 26.0
-#: Length from which it is shown in kilometres. [m]
-_FAR = 1e4
 #: Smallest widths of a slider, and of the number beside it. [logical pixel]
 _SLIDER_WIDTH = 72.0
 _NUMBER_WIDTH = 76.0
@@ -132,57 +131,7 @@ def shown(parameter: Parameter, value: Value) -> str:
         return "on" if value else "off"
     if isinstance(value, str):
         return value or "nothing"
-    return _number(float(value), parameter.unit)
-
-
-def _number(value: float, unit: str) -> str:
-    """Format a number with at most four digits, long lengths in km.
-
-    Examples
-    --------
-    >>> _number(4e5, "m"), _number(2.0, "m"), _number(187.7523, "1"), _number(1995.0, "1")
-    ('400 km', '2 m', '187.8', '1995')
-    """
-    if unit == "m" and abs(value) >= _FAR:
-        return with_unit(f"{1e-3 * value:.4g}", "km")
-    return with_unit(f"{value:.4g}", unit)
-
-
-def unit_text(unit: str) -> str:
-    """Format a unit for a panel, with superscript powers; empty for pure numbers.
-
-    Examples
-    --------
-    >>> unit_text("W/m^2/nm"), unit_text("/m"), unit_text("deg"), unit_text("1")
-    ('W/(m² nm)', '/m', '°', '')
-    """
-    if unit in ("1", ""):
-        return ""
-    if unit in ("deg", "degree"):
-        return "°"
-    above, *below = unit.replace("**", "^").split("/")
-    words = [_raised(one) for one in below if one]
-    under = words[0] if len(words) == 1 else f"({' '.join(words)})"
-    over = "" if above == "1" else _raised(above)
-    return f"{over}/{under}" if words else over
-
-
-def with_unit(number: str, unit: str) -> str:
-    """Join a number and its unit, with a space except before °.
-
-    Examples
-    --------
-    >>> with_unit("8.5", "km"), with_unit("60", "deg"), with_unit("0.3", "1")
-    ('8.5 km', '60°', '0.3')
-    """
-    text = unit_text(unit)
-    return number + text if text == "°" else f"{number} {text}".rstrip()
-
-
-def _raised(unit: str) -> str:
-    name, _, power = unit.partition("^")
-    name = "µm" if name == "um" else name
-    return name + power.translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return quantity_text(float(value), parameter.unit)
 
 
 def _explained(parameter: Parameter, default: Value) -> str:
@@ -190,12 +139,10 @@ def _explained(parameter: Parameter, default: Value) -> str:
     lines = [parameter.label, parameter.help]
     if parameter.kind == "number":
         low, high = (max(parameter.least, -1e300), min(parameter.most, 1e300))
-        unit = parameter.unit
-        if abs(low) < 1e300 and high < 1e300:
-            lines.append(f"{low:.6g} to {with_unit(f'{high:.6g}', unit)}")
-        else:
-            high = parameter.high
-            lines.append(f"slider: {parameter.low:.6g} to {with_unit(f'{high:.6g}', unit)}")
+        known = abs(low) < 1e300 and high < 1e300
+        ends = (low, high) if known else (parameter.low, parameter.high)
+        texts = [quantity_text(one, parameter.unit) for one in ends]
+        lines.append(("" if known else "slider: ") + " to ".join(texts))
     lines.append(f"as it was: {shown(parameter, default)}")
     if parameter.kind == "number":
         lines.append("Ctrl+click to type a number")

@@ -11,10 +11,12 @@ from airlight.errors import AirlightError
 from airlight.plain_text import plain
 from airlight.render.picture import picture_suffix, write_picture
 from airlight.render.render_scene import render_solution
+from airlight.render.star_points import add_catalogue
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
 from airlight.viewer.background.error_line import one_line
-from airlight.viewer.painting.picture_source import Picture, Request
+from airlight.viewer.painting.picture_source import Picture
+from airlight.viewer.painting.side_renderer import shows_stars
 from airlight.viewer.window import style
 from airlight.viewer.window.film import RATE, Sun, film_format, sunlit, write_film
 
@@ -75,13 +77,13 @@ class Saving:
             Width and height, by default the window's; a panorama or a cube strip takes the
             largest size of its aspect ratio that fits. [pixel]
         """
-        request, scene = picture.request, picture.request.scene
+        scene = picture.request.scene
         if size is not None:
             scene = resized(scene, *size)
         self._start(
             f"saving {path}",
             lambda: picture_suffix(path),
-            lambda: self._write(path, request, scene, picture.exposure),
+            lambda: self._write(path, picture, scene),
         )
 
     def _start(self, message: str, check: Callable[[], object], work: Callable[[], str]) -> None:
@@ -106,7 +108,8 @@ class Saving:
         self._thread = threading.Thread(target=run, name="airlight-saving", daemon=True)
         self._thread.start()
 
-    def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> str:
+    def _write(self, path: str, picture: Picture, scene: Scene) -> str:
+        request, exposure = picture.request, picture.exposure
         frame = render_solution(
             request.solution,
             scene,
@@ -115,6 +118,8 @@ class Saving:
             progress=self._progress,
         )
         planet = request.solution.planet
+        if planet is not None and shows_stars(picture):
+            add_catalogue(frame.rgb, scene, request.solution, planet.body)
         metadata = {"planet": planet.name if planet else "", **scene.metadata()}
         metadata |= {"orders": request.orders}
         written = write_picture(path, frame, metadata, exposure=exposure, settings=request.display)

@@ -10,14 +10,17 @@ from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.flight_recorder import FlightRecorder
+from airlight.viewer.navigation.places import places_of
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
+from airlight.viewer.parameters.number_text import quantity_text
 from airlight.viewer.parameters.parameter import Parameter, Value
-from airlight.viewer.parameters.sun_clock import CLOCK, date_text
+from airlight.viewer.parameters.sun_clock import CLOCK
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import style
+from airlight.viewer.window.panels.calendar import CalendarButton
 from airlight.viewer.window.panels.flight import FlightTab
 from airlight.viewer.window.panels.parameters import ParameterRows
-from airlight.viewer.window.panels.row import NAME_WIDTH, RESET_WIDTH, with_unit
+from airlight.viewer.window.panels.row import parameter_row
 from airlight.viewer.window.panels.status import fixed_window_flags
 from airlight.viewer.window.panels.values import PanelValues
 from airlight.viewer.window.picture_area import Rectangle
@@ -32,6 +35,16 @@ _MENU = (
 )
 #: Options for the rate of the sun's time, relative to real time. [1]
 SPEEDS = (60.0, 600.0, 1800.0, 3600.0, 14400.0)
+#: Sliders of the sun's place by time of day and season.
+SOLAR_TIME = Parameter(
+    path="local solar time", label="local solar time", group="sun", unit="h", high=24.0,
+    least=0.0, most=24.0, help="12:00 when the sun is highest.",
+)  # fmt: skip
+DECLINATION = Parameter(
+    path="sun's declination", label="sun's declination", group="sun", unit="deg", low=-90.0,
+    high=90.0, least=-90.0, most=90.0,
+    help="How far north of the equator the sun stands: its season.",
+)  # fmt: skip
 
 
 class SidePanel:
@@ -87,6 +100,7 @@ class SidePanel:
         self.probes = False
         self.opens = ""
         self.places: dict[str, tuple[float, float, float, float]] = {}
+        self._calendar = CalendarButton(self.places)
         self._dragged = ""
 
     def draw(self, into: Rectangle) -> None:
@@ -235,6 +249,7 @@ class SidePanel:
         _, self.probes = imgui.checkbox("probe", self.probes)
         self.places["probe"] = style.item_place()
         style.hint("point at the picture and read spectrum, luminance and colour (P)")
+        self._places()
         self._time_of_day()
         self._rows(self.view_rows, self._values.of_view)
         imgui.end_child()
@@ -249,34 +264,45 @@ class SidePanel:
         if end <= imgui.get_cursor_screen_pos().x + imgui.get_content_region_avail().x:
             imgui.same_line()
 
+    def _places(self) -> None:
+        """Draw the menu of named places of the planet's world."""
+        from imgui_bundle import imgui
+
+        places = places_of(self._session.planet.tables.get("body"))
+        if not places:
+            return
+        imgui.set_next_item_width(-1.0)
+        if imgui.begin_combo("##places", "go to a place", imgui.ComboFlags_.height_large):
+            for place in places:
+                picked, _ = imgui.selectable(place.name, False)
+                self.places[f"place {place.name}"] = style.item_place()
+                if picked:
+                    self._attempt(
+                        lambda place=place: self._session.change_view(place.name, place.view)  # type: ignore[misc]
+                    )
+            imgui.end_combo()
+        self.places["places"] = style.item_place()
+        style.hint("latitude and longitude of a place; camera and height stay")
+
     def _time_of_day(self) -> None:
-        """Draw the sliders of local solar time and declination."""
+        """Draw the date, and the sliders of local solar time and declination."""
         from imgui_bundle import imgui
 
         view = self._session.view
-        if view[CLOCK]:
-            imgui.text_unformatted(f"sun of {date_text(view)}")
-            style.hint("date and time of the rows below; moving the sun by hand leaves them")
+        if self._session.planet.tables.get("body") is not None:
+            width = imgui.get_content_region_avail().x
+            changes = self._calendar.draw(view, width, on=bool(view[CLOCK]))
+            if changes:
+                self._attempt(lambda: self._session.change_view("date", changes))
         declination, hour = self._flight.time
-        season = "how far north of the equator the sun stands: its season"
-        for name, value, high, form, sentence in (
-            ("local solar time", hour, 24.0, "%.2f h", "12 h when the sun is highest"),
-            ("sun's declination", declination, 90.0, "%.1f°", season),
-        ):
-            left = imgui.get_cursor_pos_x()
-            imgui.align_text_to_frame_padding()
-            imgui.text_unformatted(name)
-            style.hint(sentence)
-            imgui.same_line(left + NAME_WIDTH)
-            imgui.set_next_item_width(imgui.get_content_region_avail().x - RESET_WIDTH)
-            low = 0.0 if name.startswith("local") else -high
-            moved, new = imgui.slider_float(f"##{name}", value, low, high, form)
-            self.places[name] = style.item_place()
-            style.hint(sentence)
-            if moved and low == 0.0:
-                self._attempt(lambda new=new: self._flight.set_time(declination, new))  # type: ignore[misc]
-            elif moved:
-                self._attempt(lambda new=new: self._flight.set_time(new, hour))  # type: ignore[misc]
+        for slider, value in ((SOLAR_TIME, hour), (DECLINATION, declination)):
+            row = parameter_row(slider, value, value)
+            self.places[slider.path] = row.place
+            if row.value is None:
+                continue
+            new = float(row.value)
+            time = (declination, new) if slider is SOLAR_TIME else (new, hour)
+            self._attempt(lambda time=time: self._flight.set_time(*time))  # type: ignore[misc]
 
     def _compare(self) -> None:
         from imgui_bundle import imgui
@@ -381,4 +407,4 @@ def _text(value: Value | None, unit: str) -> str:
         return "–"
     if isinstance(value, bool):
         return "on" if value else "off"
-    return value if isinstance(value, str) else with_unit(f"{value:.5g}", unit)
+    return value if isinstance(value, str) else quantity_text(value, unit)

@@ -10,6 +10,7 @@ from typing import Any, Final
 
 from airlight.viewer.background.solver_thread import SolverResult, SolverStatus
 from airlight.viewer.painting.picture_source import Picture
+from airlight.viewer.parameters.number_text import quantity_text
 from airlight.viewer.window import style
 from airlight.viewer.window.picture_area import Rectangle
 
@@ -83,7 +84,8 @@ class StatusLine:
 def where_text(view: Mapping[str, Any]) -> str:
     """Altitude of the observer and zenith angle of the sun, formatted."""
     zenith = float(view["view.sun_zenith"])
-    return f"{length_text(float(view['view.altitude']))} up    sun {zenith:.1f}° from the zenith"
+    height = quantity_text(float(view["view.altitude"]), "m")
+    return f"{height} up    sun {zenith:.1f}° from the zenith"
 
 
 def picture_text(shown: Picture) -> str:
@@ -96,21 +98,6 @@ def solver_text(solved: SolverResult | None, status: SolverStatus) -> str:
     """Quality and time of a solution, and the solver's current task."""
     done = "" if solved is None else f"{solved.quality}: {_seconds(solved.seconds)}"
     return ", ".join(one for one in (done, status.text) if one)
-
-
-def length_text(metres: float) -> str:
-    """Format a length [m] in m or km.
-
-    Examples
-    --------
-    >>> length_text(2.0), length_text(35e3), length_text(1.529e7), length_text(4.2e11)
-    ('2 m', '35 km', '15290 km', '4.2e+08 km')
-    """
-    if metres < 1e3:
-        return f"{metres:.4g} m"
-    kilometres = metres / 1e3
-    digits = ".0f" if 1e4 <= kilometres < 1e7 else ".4g"
-    return f"{kilometres:{digits}} km"
 
 
 def _seconds(seconds: float) -> str:
