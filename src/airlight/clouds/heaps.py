@@ -353,4 +353,4 @@ def _bulges(
     found = np.column_stack(
         [x + out * np.cos(turn), y + out * np.sin(turn), height, small, small, 0.0 * small]
     )
-    return found[(small >= least) & (height > 0.0) & (height < top - 0.7 * small)]
+    return np.asarray(found[(small >= least) & (height > 0.0) & (height < top - 0.7 * small)])

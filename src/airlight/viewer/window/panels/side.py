@@ -37,14 +37,26 @@ _MENU = (
 SPEEDS = (60.0, 600.0, 1800.0, 3600.0, 14400.0)
 #: Sliders of the sun's place by time of day and season.
 SOLAR_TIME = Parameter(
-    path="local solar time", label="local solar time", group="sun", unit="h", high=24.0,
-    least=0.0, most=24.0, help="12:00 when the sun is highest.",
-)  # fmt: skip
+    path="local solar time",
+    label="local solar time",
+    group="sun",
+    unit="h",
+    high=24.0,
+    least=0.0,
+    most=24.0,
+    help="12:00 when the sun is highest.",
+)
 DECLINATION = Parameter(
-    path="sun's declination", label="sun's declination", group="sun", unit="deg", low=-90.0,
-    high=90.0, least=-90.0, most=90.0,
+    path="sun's declination",
+    label="sun's declination",
+    group="sun",
+    unit="deg",
+    low=-90.0,
+    high=90.0,
+    least=-90.0,
+    most=90.0,
     help="How far north of the equator the sun stands: its season.",
-)  # fmt: skip
+)
 
 
 class SidePanel:
