@@ -9,6 +9,7 @@ from typing import Any, Final
 from airlight.image.exposure import MOST_EXPOSURE, exposure_factor
 from airlight.image.white_balance import scene_white
 from airlight.render.live_renderer import LiveFrame, LiveRenderer
+from airlight.render.live_system_renderer import LiveSystemRenderer
 from airlight.scene.metering import METERED
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_texture import Canvases
@@ -18,27 +19,28 @@ _PAUSE: Final = 1.0 / 60.0
 
 
 class SideRenderer:
-    """``PictureSource`` that displays the steps of a ``LiveRenderer``.
+    """``PictureSource`` that displays the steps of a live renderer.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
         Device of the textures.
-    renderer : LiveRenderer
-        Renderer, which this object closes.
+    renderer : LiveRenderer or LiveSystemRenderer
+        Renderer of a planet or of a scene of several bodies, which this object closes.
     """
 
-    def __init__(self, device: Any, renderer: LiveRenderer) -> None:
+    def __init__(self, device: Any, renderer: LiveRenderer | LiveSystemRenderer) -> None:
         self._canvases = Canvases(device)
-        self._renderer = renderer
+        self._renderer: Any = renderer
         self._measured: tuple[Request, float] | None = None
         self._exposed: object = None  # solution of the last picture
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """See ``PictureSource.render``."""
         picture: Picture | None = None
+        more = {"system": request.system, "body": request.body} if request.system else {}
         for step in self._renderer.live(
-            request.solution, request.scene, orders=request.orders, stale=stale
+            request.solution, request.scene, orders=request.orders, stale=stale, **more
         ):
             picture = self._displayed(request, step)
             yield picture

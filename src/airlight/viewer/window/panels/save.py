@@ -5,12 +5,13 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from airlight.errors import AirlightError
 from airlight.plain_text import plain
 from airlight.render.picture import picture_suffix, write_picture
 from airlight.render.render_scene import render_solution
+from airlight.render.render_system import render_system
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
 from airlight.viewer.background.error_line import one_line
@@ -107,13 +108,16 @@ class Saving:
         self._thread.start()
 
     def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> str:
-        frame = render_solution(
-            request.solution,
-            scene,
-            orders=request.orders,
-            cancel=lambda: self._cancelled,
-            progress=self._progress,
-        )
+        report: dict[str, Any] = {
+            "cancel": lambda: self._cancelled,
+            "progress": self._progress,
+        }
+        if request.system is not None:
+            nm = tuple(request.solution.wavelengths.tolist())
+            report |= {"width": scene.camera.width, "height": scene.camera.height}
+            frame = render_system(request.system, wavelengths=nm, **report)
+        else:
+            frame = render_solution(request.solution, scene, orders=request.orders, **report)
         planet = request.solution.planet
         metadata = {"planet": planet.name if planet else "", **scene.metadata()}
         metadata |= {"orders": request.orders}
