@@ -67,6 +67,7 @@ def test_a_scene_file_becomes_a_picture(
         (["--wavelengths", "rgb"], "--wavelengths does not apply to a scene without air"),
         (["--exact"], "--exact is not available for scene files"),
         (["--samples", "99"], "samples is 99; allowed: 1 to 16"),
+        (["--star-temperature", "3000K"], "--star-temperature is not available for scene files"),
     ],
 )
 def test_options_that_a_scene_answers_are_refused(

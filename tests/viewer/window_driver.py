@@ -237,7 +237,8 @@ def main() -> None:
     session = opened(Start(planet=planet, view={"light.quality": "preview"}))
     canvas = DesktopCanvas((width, height), "airlight test")
     device = open_device()
-    window = Window(session, canvas, device.device, renderer_by(by, device))
+    renderer = renderer_by(by, device, scene=session.around is not None)
+    window = Window(session, canvas, device.device, renderer)
     answers = Answers(window, canvas)
 
     def listen() -> None:

@@ -17,7 +17,7 @@ from airlight.cli.display_options import DisplayOptions
 from airlight.cli.option_groups import OptionGroup, given_options, given_values, option
 from airlight.cli.place_options import Zone
 from airlight.cli.planet_options import Clouds, overrides_of, with_clouds
-from airlight.cli.solve_options import AccuracyOptions, DistributionOptions, Exact
+from airlight.cli.solve_options import AccuracyOptions, Device, DistributionOptions, Exact
 from airlight.errors import ConflictError, FileError, ParameterError, WorkerError
 
 if TYPE_CHECKING:
@@ -34,6 +34,7 @@ EPILOG = examples(
     "--set view.projection=fisheye --size 4096 --bits 16 -o dome/",
     "airlight animate lunar-eclipse --frames 60 --start 2025-03-14T05:00Z --end 2025-03-14T09:00Z "
     "--size 800x600 -o eclipse/",
+    "airlight animate earth-moon --key 'observer.altitude=110km,30km' --device gpu -o rise/",
     "airlight animate earth --clouds cumulus --set clouds.wind_speed='10 m/s' --frames 90 "
     "-o drift/",
     "airlight animate my-film.toml --scheduler tcp://host:8786 -o frames/",
@@ -99,6 +100,7 @@ class FrameOptions(DisplayOptions):
 class FilmAccuracyOptions(AccuracyOptions):
     """Options of the accuracy of the frames."""
 
+    device: Device = "cpu"
     exact: Exact = False
     samples: Samples = None
 
@@ -113,6 +115,7 @@ class FilmAccuracyOptions(AccuracyOptions):
             height=size[1],
             wavelengths=self.picture_nm(film.planets[0]) if film.planets else None,
             quality=self.quality,
+            device=self.device,
             exact=self.exact,
             samples=self.samples,
         )

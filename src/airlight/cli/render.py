@@ -43,6 +43,7 @@ EPILOG = examples(
     "airlight render earth --altitude 2m --sun-zenith 75 --look-at sun "
     "--second-star 80,12,3500K,0.4deg -o two.png",
     "airlight render lunar-eclipse --size 800x600 -o moon.png",
+    "airlight render earth-moon --device gpu -o earthrise.png",
     "airlight render solar-eclipse-2017 --at 42.35N,3.7W --time 2026-08-12T18:29:20Z --look-at sun "
     "--fov 40 -o burgos.png",
     "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
@@ -120,7 +121,6 @@ def render(
             **given_options(place, "sun_zenith", "sun_azimuth", "season", "sun_distance"),
             **given_options(planet, "ground_albedo", "star_temperature"),
             **given_options(solve, "exact", "no_polarisation"),
-            **(given_options(solve, "device") if solve.device == "gpu" else {}),
             **given_options(lights),
         }
         for given in refused:
@@ -186,7 +186,7 @@ def _scene_frame(
     whole: bool,
 ) -> tuple[Frame, Window]:
     """Frame of a scene file, and its crop window."""
-    from airlight.render.render_system import render_system
+    from airlight.render.system_renderer import SystemRenderer
 
     system = load_scene(planet, place, camera)
     columns, rows = options.picture_size(camera.size, system.view.projection)
@@ -194,18 +194,14 @@ def _scene_frame(
     first = next(iter(system.planets.values()), None)
     if solve.wavelengths is not None and first is None:
         raise ConflictError("--wavelengths", "does not apply to a scene without air")
+    renderer = SystemRenderer(
+        wavelengths=None if first is None else solve.nm(first),
+        samples=camera.samples,
+        **{name: solve.keywords()[name] for name in ("device", "quality", "cache", "refused")},
+    )
+    crop = None if whole else window
     with shown_progress() as report:
-        frame = render_system(
-            system,
-            width=columns,
-            height=rows,
-            quality=solve.quality,
-            samples=camera.samples,
-            wavelengths=None if first is None else solve.nm(first),
-            crop=None if whole else window,
-            cache=not solve.no_cache,
-            progress=report,
-        )
+        frame = renderer.render(system, width=columns, height=rows, crop=crop, progress=report)
     return frame, window
 
 

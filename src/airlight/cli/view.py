@@ -1,4 +1,4 @@
-"""``airlight view``: interactive viewer of a planet."""
+"""``airlight view``: interactive viewer of a planet or a scene of several bodies."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ from airlight.cli.option_groups import given_options, given_values, option
 from airlight.cli.place_options import AngleOptions
 from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.solve_options import Device, Quality
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 EPILOG = examples(
     "airlight view earth",
     "airlight view mars --altitude 2m --sun-zenith 88 --look 85,0",
     "airlight view my-planet.toml --compare earth",
+    "airlight view earth-moon",
     "airlight view earth --altitude 400km --size 1920x1080 --screenshot window.png",
 )
 
@@ -69,12 +70,15 @@ def view(
     F1 in the window lists mouse and key bindings. The first start compiles code, with progress.
     """
     started = time.perf_counter()
+    from airlight.scene.system import is_scene_file
     from airlight.viewer.window.start import Start, show
 
     width, height = options.picture_size(camera.size, "perspective")
     if not all(_SMALLEST <= side <= _LARGEST for side in (width, height)):
         allowed = f"sides of {_SMALLEST} to {_LARGEST} pixels"
         raise ParameterError("--size", camera.size, allowed)
+    if device == "cpu" and is_scene_file(planet.planet):
+        raise ConflictError("--device", "must be gpu for scene files")
     look, ev = camera.direction(), display.ev
     view = {f"view.{name}": number for name, number in place.numbers().items()}
     words = {}

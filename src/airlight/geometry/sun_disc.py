@@ -104,6 +104,24 @@ def mean_cosine(elevation, sine_elevation, angular_radius):
 
 
 @kernel
+def mean_incidence(sine_elevation, angular_radius):
+    """``mean_cosine`` from the sine of the elevation alone. [1]
+
+    Parameters
+    ----------
+    sine_elevation, angular_radius : float
+        Arguments of ``mean_cosine``.
+
+    Examples
+    --------
+    >>> mean_incidence(0.5, 0.005), mean_incidence(-0.5, 0.005)
+    (0.5, 0.0)
+    """
+    elevation = asin(min(max(sine_elevation, -1.0), 1.0))
+    return mean_cosine(elevation, sine_elevation, angular_radius)
+
+
+@kernel
 def visible_spread(elevation, angular_radius):
     r"""Mean elevation of the visible part of a disc, and its standard deviation. [rad]
 

@@ -31,3 +31,18 @@ def layered_texel(behind, light, transmittance, row, column):
         Position of the pixel.
     """
     return light[row, column] + transmittance[row, column] * behind[row, column]
+
+
+@inlined
+def covering_texel(behind, light, coverage, row, column):
+    """Light of a body and of what it leaves of the picture behind it, at a pixel.
+
+    Parameters
+    ----------
+    behind, light, coverage : array, shape (h, w)
+        Picture behind the body, its light and its coverage, as in ``added_texel``.
+    row, column : int
+        Position of the pixel.
+    """
+    covered = coverage[row, column] * behind[row, column]
+    return light[row, column] + behind[row, column] - covered

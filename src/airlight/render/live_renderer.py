@@ -22,7 +22,7 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.image.display_settings import DisplaySettings
@@ -65,6 +65,30 @@ _POLL: Final = 0.02
 _SMALL: Final = 128.0
 
 
+class FrameRenderer(Protocol):
+    """Renderer on a GPU that is ready to render and display a scene."""
+
+    @property
+    def device(self) -> Device:
+        """GPU that renders."""
+
+    def render(self, scene: Scene, *, orders: str = "all") -> Frame:
+        """See ``GpuRenderer.render``."""
+
+    def display(
+        self,
+        scene: Scene,
+        view: Any,
+        target_format: str,
+        *,
+        orders: str = "all",
+        exposure: float,
+        settings: DisplaySettings | None = None,
+        scene_white: White | None = None,
+    ) -> None:
+        """See ``GpuRenderer.display``."""
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LiveFrame:
     """Step of progressive rendering: a frame, or a GPU renderer that is ready to display one.
@@ -81,7 +105,7 @@ class LiveFrame:
         Time to render the frame; 0 on the GPU. [s]
     frame : Frame or None
         Linear sRGB radiance; None if the GPU displays it.
-    renderer : GpuRenderer or None
+    renderer : FrameRenderer or None
         Renderer with the solution; None on the CPU.
     """
 
@@ -90,7 +114,7 @@ class LiveFrame:
     finished: bool
     seconds: float = 0.0
     frame: Frame | None = None
-    renderer: GpuRenderer | None = None
+    renderer: FrameRenderer | None = None
 
     @property
     def by(self) -> str:

@@ -113,7 +113,7 @@ def atmosphere_layer(
         body=body,
         solution=solution,
         altitude=system.place_above(body)[2],
-        axes=level_axes(_zenith(system, body)),
+        axes=level_axes(zenith_above(system, body)),
         layer=layers[0],
         clouds=before,
     )
@@ -161,8 +161,8 @@ def body_lights(lights: SceneLights, camera: Camera, body: Body) -> Iterator[Bod
             continue
         lit = solution.with_light(source, secondary=number > 0)
         towards = lights.towards(light, body.centre[None])[0]
-        local = level_axes(_zenith(system, body), towards)
-        scene = _scene_of_light(lights, camera, body, towards, local)
+        local = level_axes(zenith_above(system, body), towards)
+        scene = scene_of_light(lights, camera, body, towards, local)
         moon = None if light.star is None else occulting_moon(lights, light, body, source)
         visible = number == 0 or light_visibility(
             scene.sun_zenith, first_zenith, 0.0, irradiance / brightest,
@@ -172,8 +172,8 @@ def body_lights(lights: SceneLights, camera: Camera, body: Body) -> Iterator[Bod
         yield BodyLight(lit, scene, local, moon, visible)
 
 
-def _zenith(system: System, body: Body) -> FloatArray:
-    """Unit vector from a body's centre towards the observer. [1]"""
+def zenith_above(system: System, body: Body) -> FloatArray:
+    """Unit vector from the centre of a body towards the observer. [1]"""
     offset = system.eye - body.centre
     return np.asarray(offset / np.linalg.norm(offset))
 
@@ -185,7 +185,7 @@ def _in_frame(
     return lambda rays: transmittance(rays @ local.T)
 
 
-def _scene_of_light(
+def scene_of_light(
     lights: SceneLights, camera: Camera, body: Body, towards: FloatArray, local: FloatArray
 ) -> Scene:
     """Single-planet scene of a light in its local frame, whose axes are the rows of ``local``."""

@@ -12,7 +12,7 @@ behind is sampled ray by ray.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
@@ -20,38 +20,39 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.image.texels import CHANNELS
 from airlight.image.white_balance import star_white
-from airlight.image.xyz import luminance
+from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.light_source import LightSource
 from airlight.planets.parameters import replace as replaced
 from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.render.bare_bodies import body_map, map_mean
 from airlight.render.clouds.cloud_time import CloudTime
 from airlight.render.corona import OUTERMOST, corona
+from airlight.render.pixels.bare_body import map_colors
 from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
 from airlight.render.render_scene import CPU, color_wavelengths
 from airlight.render.scene_lights import SceneLights
+from airlight.render.seen_past import SeenPast
 from airlight.render.solve_planet import solve_planets
-from airlight.render.star_points import add_milky_way, add_shown
+from airlight.render.star_points import add_sky
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import camera_angles, level_axes, zenith_azimuth
 from airlight.scene.frame import Frame
+from airlight.scene.ground_place import map_level
 from airlight.scene.light_position import LightPosition
 from airlight.scene.metering import METERED, white_luminance
-from airlight.scene.moon_face import MOON_MAP, near_side_mean
-from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections.projected import projected_rays
-from airlight.scene.surface_map import surface_map
 from airlight.scene.system import System
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
-from airlight.scene.system.stars import stars
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Default samples per side of a pixel that an edge may cross.
-_SAMPLES: Final = 4
+SAMPLES: Final = 4
 #: Pixels in one block of rows.
 _BLOCK_PIXELS: Final = 1 << 14
 #: Rays traced together.
@@ -98,7 +99,7 @@ def render_system(
     Frame
         Linear sRGB radiance. [W m⁻² sr⁻¹]
     """
-    samples = _SAMPLES if samples is None else samples
+    samples = SAMPLES if samples is None else samples
     if not isinstance(samples, int) or not 1 <= samples <= 16:
         raise ParameterError("samples", samples, "1 to 16")
     system.check_distances()
@@ -177,6 +178,28 @@ def system_frame(
     )
 
 
+def metered_scene(lights: SceneLights, camera: Camera, names: Container[str]) -> Scene | None:
+    """Scene with the visible stars alone, for metering; None if no star is visible.
+
+    Parameters
+    ----------
+    names : container of str
+        Names of the visible stars.
+    """
+    system = lights.system
+    stars = [one.towards(system.eye) for one in lights.stars if one.name in names]
+    if not stars:
+        return None
+    local = level_axes(np.array([0.0, 0.0, 1.0]), stars[0])
+    zenith, azimuth, roll = camera_angles(system.camera_axes @ local.T)
+    first, *others = (zenith_azimuth(local @ one) for one in stars)
+    return Scene(
+        camera=replace(camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
+        sun_zenith=first[0],
+        secondary_lights=tuple(LightPosition(zenith=z, azimuth=a) for z, a in others),
+    )
+
+
 class _BodyTracer:
     """Lines of sight past bodies and layers of air, in the order in which they meet them."""
 
@@ -189,6 +212,7 @@ class _BodyTracer:
     ) -> None:
         self.lights, self.camera, self.items, self.samples = lights, camera, items, samples
         self.system, self.wavelengths = lights.system, lights.wavelengths
+        self.past = SeenPast(self.system, items, self.wavelengths)
         self.eye, self.axes = self.system.eye, self.system.camera_axes
         #: Transmittance of the camera's filter for unpolarised light, of surfaces and stars. [1]
         self.received = 1.0 if camera.polariser is None else 0.5
@@ -209,31 +233,14 @@ class _BodyTracer:
             message="rendering bodies",
         )
         if self.system.stars:
-            true = stars().directions
-            shown = np.isfinite(pixel_positions(self.camera, true @ self.axes.T)[0])
-            add_shown(rgb, self.camera, self.axes, self, self._star, true, shown)
-            add_milky_way(rgb, self.camera, self.axes, self, self._star)
+            add_sky(rgb, self.camera, self.axes, self.past, self._star)
         return system_frame(
             self.lights,
             self.camera,
             rgb.astype(np.float32),
             device=CPU,
-            scene=self._metered(),
+            scene=metered_scene(self.lights, self.camera, self._seen),
             star_radius=max((one.angular_radius for one in self._seen.values()), default=0.0),
-        )
-
-    def _metered(self) -> Scene | None:
-        """Scene with the visible stars alone, for metering; None if no star is visible."""
-        stars = [one.towards(self.eye) for one in self.lights.stars if one.name in self._seen]
-        if not stars:
-            return None
-        local = level_axes(np.array([0.0, 0.0, 1.0]), stars[0])
-        zenith, azimuth, roll = camera_angles(self.axes @ local.T)
-        first, *others = (zenith_azimuth(local @ one) for one in stars)
-        return Scene(
-            camera=replace(self.camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
-            sun_zenith=first[0],
-            secondary_lights=tuple(LightPosition(zenith=z, azimuth=a) for z, a in others),
         )
 
     def _rays(self, first: int, last: int, across: float, down: float) -> FloatArray:
@@ -328,38 +335,9 @@ class _BodyTracer:
             self._disc(light, rays, through, behind)
         return np.asarray(out + self.received * behind)
 
-    def raised(self, true: FloatArray) -> FloatArray:
-        """See ``SeenThrough``: by the air in which the observer is."""
-        for item in self.items:
-            if isinstance(item, AtmosphereLayer) and item.altitude < item.solution.medium.thickness:
-                return item.raised(true)
-        return true
-
-    def behind(self, rays: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """See ``SeenThrough``: past all bodies."""
-        through = np.ones((len(rays), self.wavelengths.size))
-        for item in self.items:
-            if isinstance(item, AtmosphereLayer):
-                dimmed, rays = item.behind(rays)
-                through *= dimmed
-            else:
-                through[self._meets(item, rays)[0]] = 0.0
-        return through, rays
-
-    def _meets(self, body: Body, rays: FloatArray) -> tuple[NDArray[np.intp], FloatArray]:
-        """Indices of rays that hit an airless body, and distances. [m]"""
-        offset = body.centre - self.eye
-        radius = self.system.radius(body)
-        along = rays @ offset
-        # R² - d² sin² by the cross product, which avoids cancellation at large distances.
-        miss = np.linalg.norm(np.cross(rays, offset), axis=-1)
-        met = np.flatnonzero((along > 0.0) & (miss < radius))
-        length = along[met] - np.sqrt((radius - miss[met]) * (radius + miss[met]))
-        return met, np.maximum(length, 0.0)
-
     def _hit(self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
         """Add the reflected radiance of an airless body; rays end there."""
-        met, length = self._meets(body, rays)
+        met, length = self.past.meets(body, rays)
         open_ = through[met].max(axis=1) > 0.0
         met, length = met[open_], length[open_]
         if met.size == 0:
@@ -368,7 +346,8 @@ class _BodyTracer:
         normal = (self.eye + length[:, None] * rays[met] - body.centre) / radius
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
         points = body.centre + radius * normal
-        texture = self._texture(body, normal, length)
+        leaving = -np.einsum("nk,nk->n", normal, rays[met])
+        texture = self._texture(body, normal, length, leaving)
         albedo = body.albedos(self.wavelengths)
         for light in self.lights.on(body):
             source = self.lights.seen_from(light, body)
@@ -384,26 +363,21 @@ class _BodyTracer:
             out[met[lit]] += (light_here @ source.colors()) * texture[lit]
         through[met] = 0.0
 
-    def _texture(self, body: Body, normal: FloatArray, length: FloatArray) -> FloatArray:
-        """Reflectance of a body's map over its mean, shape (n, 3). [1]
-
-        The mean is that of each channel where the albedo has a colour, otherwise the luminance, and
-        that of the near side for the Moon, to which its albedo refers.
-        """
-        if body.map is None:
+    def _texture(
+        self, body: Body, normal: FloatArray, length: FloatArray, leaving: FloatArray
+    ) -> FloatArray:
+        """Reflectance of a body's map over its mean, shape (n, 3). [1]"""
+        picture = body_map(self.system, body)
+        if picture is None:
             return np.ones((len(normal), 3))
-        picture = surface_map(self.system.path_of(body.map))
-        x, y, z = (normal @ self.system.axes(body).T).T
-        footprint = length * self.camera.pixel_angle / self.system.radius(body)
-        colors = picture.sample(
-            np.degrees(np.arcsin(np.clip(z, -1.0, 1.0))),
-            np.degrees(np.arctan2(y, x)),
-            picture.level(footprint),
-        )[..., :3]
-        mean = near_side_mean() if body.map == MOON_MAP else picture.mean_rgb
-        if np.ptp(body.albedos(self.wavelengths)) == 0.0:
-            mean = np.array(luminance(mean))
-        return np.asarray(colors / np.maximum(mean, 1e-6), dtype=np.float64)
+        level = vectorized(map_level)(
+            self.camera.pixel_angle, length, leaving, self.system.radius(body), picture.rows
+        )
+        colors = np.empty((len(normal), CHANNELS))
+        places = np.ascontiguousarray(normal @ self.system.axes(body).T)
+        size = picture.rows, picture.columns, len(picture.levels)
+        map_colors(picture.flat, *size, places, level, colors)
+        return np.asarray(colors[:, :3] / map_mean(picture, body, self.wavelengths))
 
     def _disc(self, light: Light, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
         """Add the limb-darkened disc and the corona of a star."""

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from threading import RLock
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ConflictError
 from airlight.geometry.disc_overlap import visible_discs
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.planets.light_source import LightSource
@@ -28,6 +30,27 @@ _SEPARATIONS: Final = 192
 _SCATTERED: Final = 12
 #: Quadrature points over a star's disc.
 _POINTS: Final = 16
+
+
+class Shade(NamedTuple):
+    """Body before a star, seen from another body.
+
+    Attributes
+    ----------
+    body : Body
+        Body before the star.
+    separations : array, shape (n,)
+        Even angles between its centre and the star's. [rad]
+    left : array, shape (n, nl)
+        Unocculted fraction of the star's irradiance, from the centre of the shaded body. [1]
+    radius : float
+        Sine of its angular radius there; 0 of a planet with air, whose size is not varied. [1]
+    """
+
+    body: Body
+    separations: FloatArray
+    left: FloatArray
+    radius: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +92,12 @@ class SceneLights:
             offset = self.system.body(light.body).centre - points
             return np.asarray(offset / np.linalg.norm(offset, axis=-1, keepdims=True))
         return light.towards(points)
+
+    def place_of(self, light: Light) -> FloatArray | None:
+        """Position of a light, shape (3,) [m]; None at infinity."""
+        if light.body is not None:
+            return self.system.body(light.body).centre
+        return None if light.position is None else np.asarray(light.position, float)
 
     def seen_from(self, light: Light, body: Body) -> LightSource:
         """Light source as seen from the centre of a body, cached."""
@@ -149,6 +178,46 @@ class SceneLights:
             left *= _beside(star.towards(own.centre), alpha, bare, darkening)
         return left
 
+    def shade(self, star: Light, own: Body) -> Shade | None:
+        """Body whose shadow falls on another body; None without one.
+
+        Parameters
+        ----------
+        star, own : Light, Body
+            Star, and body that it lights.
+
+        Raises
+        ------
+        ConflictError
+            If there are several.
+        """
+        source, found = self.seen_from(star, own), None
+        alpha, towards = source.angular_radius, star.towards(own.centre)
+        for body in self.system.bodies:
+            offset = body.centre - own.centre
+            distance = float(np.linalg.norm(offset))
+            if body.name == own.name or alpha <= 0.0:
+                continue
+            apart = math.atan2(
+                float(np.linalg.norm(np.cross(offset, towards))), float(offset @ towards)
+            )
+            reach = 2.0 * math.asin(min(self.system.radius(own) / distance, 1.0))
+            outer = math.asin(min(self.system.outer_radius(body) / distance, 1.0))
+            if apart > outer + alpha + reach:
+                continue
+            if found is not None:
+                raise ConflictError(own.name, f"is behind both {found.body.name} and {body.name}")
+            if body.name in self.solutions:
+                ends = np.array([max(apart - reach, 0.0), apart + reach])
+                self._behind(body, own, source, ends)
+                fine, left = self._shadows[body.name, own.name, source.name]
+                found = Shade(body, fine, left, 0.0)
+            else:
+                fine = np.linspace(max(outer - alpha, 0.0), outer + alpha, _SEPARATIONS)
+                left = _beside_one(alpha, fine, outer, source.darkenings)
+                found = Shade(body, fine, left, math.sin(outer))
+        return found
+
     def _behind(
         self, body: Body, own: Body, source: LightSource, separation: FloatArray
     ) -> FloatArray:
@@ -197,6 +266,20 @@ def _beside(
         ],
         axis=1,
     )
+    return _left(alpha, occluders, darkening)
+
+
+def _beside_one(
+    alpha: float, separation: FloatArray, radius: float, darkening: FloatArray
+) -> FloatArray:
+    """Fraction of a star's irradiance left by one airless body, by separation, (n, nl). [1]"""
+    occluders = np.zeros((separation.size, 1, 3))
+    occluders[:, 0, 0], occluders[:, 0, 2] = separation, radius
+    return _left(alpha, occluders, darkening)
+
+
+def _left(alpha: float, occluders: FloatArray, darkening: FloatArray) -> FloatArray:
+    """Result of ``visible_discs`` for stars of one size, shape (n, nl). [1]"""
     rule = gauss_legendre(_POINTS)
     out = np.empty((len(occluders), len(darkening)))
     visible_discs(

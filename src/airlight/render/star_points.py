@@ -102,6 +102,27 @@ def add_catalogue(
     add_milky_way(rgb, camera, camera.axes, air, star, sky, discs, sun)
 
 
+def add_sky(
+    rgb: NDArray[np.floating],
+    camera: Camera,
+    axes: FloatArray,
+    air: SeenThrough,
+    source: LightSource,
+    weights: FloatArray | None = None,
+) -> None:
+    """Add the catalogue and the Milky Way to a frame in the frame of the J2000 equator.
+
+    Parameters
+    ----------
+    rgb, camera, axes, air, source, weights :
+        Arguments of ``add_shown``.
+    """
+    true = stars().directions
+    shown = np.isfinite(pixel_positions(camera, true @ axes.T)[0])
+    add_shown(rgb, camera, axes, air, source, true, shown, weights)
+    add_milky_way(rgb, camera, axes, air, source, weights=weights)
+
+
 def _sun(direction: FloatArray, source: LightSource) -> Sun:
     """The sun in a direction of the frame of the J2000 equator [1], as far as it is bright."""
     x, y, z = direction.tolist()
@@ -118,12 +139,13 @@ def add_milky_way(
     sky: FloatArray | None = None,
     discs: Sequence[tuple[FloatArray, float]] = (),
     sun: Sun | None = None,
+    weights: FloatArray | None = None,
 ) -> None:
     """Add the Milky Way and zodiacal light, attenuated and refracted by air or occulted.
 
     Parameters
     ----------
-    rgb, camera, axes, air, source :
+    rgb, camera, axes, air, source, weights :
         Arguments of ``add_shown``.
     sky : array, shape (3, 3), optional
         Axes of the frame of ``axes`` in that of the J2000 equator, as rows; by default the same.
@@ -134,7 +156,7 @@ def add_milky_way(
         The sun, for zodiacal light; without it there is none.
     """
     rows, columns = rgb.shape[:2]
-    weights = source.colors() / source.irradiance[:, None]
+    weights = source.colors(weights) / source.irradiance[:, None]
     weights = weights * (1.0 if camera.polariser is None else 0.5)
     assert camera.field_of_view is not None
     angle = math.radians(camera.field_of_view)
@@ -162,6 +184,7 @@ def add_shown(
     source: LightSource,
     true: FloatArray,
     shown: NDArray[np.bool_],
+    weights: FloatArray | None = None,
 ) -> None:
     """Add stars of the catalogue, attenuated and refracted by air or occulted.
 
@@ -181,11 +204,13 @@ def add_shown(
         Directions of all stars of the catalogue. [1]
     shown : array, shape (n,)
         Which of them are added.
+    weights : array, shape (nl, 3), optional
+        Linear sRGB per radiance; by default ``picture_weights``.
     """
     if not shown.any():
         return
     rays, through = apparent_points(air, true[shown])
-    weights = source.colors() / source.irradiance[:, None]
+    weights = source.colors(weights) / source.irradiance[:, None]
     light = (through * stars().irradiances(source.wavelengths)[shown]) @ weights
     light *= 1.0 if camera.polariser is None else 0.5  # starlight is not polarised
     x, y, solid = pixel_positions(camera, rays @ axes.T)

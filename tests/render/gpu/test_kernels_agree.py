@@ -37,6 +37,7 @@ from airlight.image.floating import physical_light
 from airlight.image.gamut import in_gamut
 from airlight.image.tone_maps import TONE_MAPS
 from airlight.physics.optics import (
+    bare_surface,
     clouds,
     cox_munk,
     fresnel,
@@ -162,6 +163,9 @@ GEOMETRY = [
     Case(sun_disc.star_elevation, (R, MU_S, BOTTOM), atol=ANGLE),
     # The rim's arc cosine changes fast where the segment's area hardly changes.
     Case(sun_disc.visible_fraction, (uniform(-0.006, 0.006, 17), 0.00465), atol=ANGLE),
+    # Near ±1 the arc sine, but not the result, is steep.
+    Case(sun_disc.mean_incidence, (uniform(-0.9, 0.9, 18), 0.00465), atol=ANGLE),
+    Case(sun_disc.mean_incidence, (uniform(-0.006, 0.006, 19), 0.00465), atol=0.006 * ANGLE),
     Case(sun_disc.mean_cosine, (uniform(-0.006, 0.006, 17), uniform(-0.006, 0.006, 17), 0.00465),
          atol=0.006 * ANGLE),
     # The variance is a difference of squares of order 1 (in radii), the deviation at least 0.03.
@@ -428,6 +432,8 @@ STEPS = [
     Case(disc_shading.face_level, (0.2 * UNIT, 128)),
     Case(disc_shading.face_place, (MU, np.exp2(np.arange(COUNT) % 6 + 2.0)), atol=64 * EPS),
     Case(disc_shading.moon_shade, (0.01 + 0.99 * UNIT, 0.9 * MU, LIT), atol=300 * EPS),
+    Case(bare_surface.lambert_factor, (UNIT, UNITS[0], MU)),
+    Case(bare_surface.lommel_seeliger_factor, (UNIT, UNITS[0], MU)),
     Case(hapke.grain_phase, (MU, 0.24, 0.33), rtol=POWER),
     Case(hapke.multiple_scattering, (UNIT, 0.6), rtol=POWER),
     Case(hapke.tilted, (0.02 + 0.96 * UNIT, 0.43), atol=16 * EPS, rtol=POWER),

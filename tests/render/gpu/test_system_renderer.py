@@ -11,6 +11,7 @@ import airlight
 from airlight.errors import ConflictError
 from airlight.image.display import to_display
 from airlight.image.display_settings import DisplaySettings
+from airlight.planets.parameters import replace as replaced
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu_system_renderer import GpuSystemRenderer
@@ -86,11 +87,15 @@ def test_planets_before_each_other_are_drawn_as_by_the_cpu(name: str, device: De
     ("changes", "said"),
     [
         (
-            {"bodies": (MARS, Body(name="rock", radius=1e6))},
-            r"bodies\[1\] has no air: the GPU draws",
+            {"bodies": (MARS, Body(name="rock", radius=1e6, position=(0.0, 1e7, 8.4e6)))},
+            r"bodies\[0\] has air in a moon's shadow, which only the CPU draws",
         ),
-        ({"stars": True}, "scene has stars or a corona"),
-        ({"view": View(look_at="sun", field_of_view=30.0)}, r"lights\[0\] is in the picture"),
+        ({"bodies": (Body(name="rock", radius=1e6, position=(1e7, 0.0, 0.0)),)}, "no planet with"),
+        ({"lights": (replaced(SUN, corona="baumbach"),)}, "scene has a corona"),
+        (
+            {"changes": {"earth": {"clouds": [{"kind": "cumulus"}]}}, "bodies": (EARTH,)},
+            "has three-dimensional clouds",
+        ),
     ],
 )
 def test_what_the_device_does_not_draw_is_refused(

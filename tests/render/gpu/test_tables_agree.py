@@ -428,6 +428,16 @@ WHOLE = {
     "test_system_renderer.py::test_planets_before_each_other_are_drawn_as_by_the_cpu": (
         "layered_texel", "light_of_centre", "pixel_transmittance",
     ),
+    "test_scene_bodies.py::test_bodies_without_air_are_those_of_the_cpu": (
+        "covering_texel", "body_coverage", "body_light", "body_ray", "limb_samples",
+        "surface_color", "towards_unit", "sphere_distance", "surface_factor", "factor_of_law",
+        "regolith_factor",
+    ),
+    "test_scene_bodies.py::test_a_shadow_on_a_moon_is_that_of_the_cpu": ("shade_left",),
+    "test_scene_bodies.py::test_the_sun_behind_air_and_a_moon_is_that_of_the_cpu": (
+        "scene_disc",
+    ),
+    "test_scene_bodies.py::test_a_small_sun_has_the_light_of_a_large_one": ("small_disc",),
     "test_gpu_renderer.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
         "displayed", "dithered", "within_gamut",
     ),

@@ -9,15 +9,14 @@ import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.geometry.ephemeris.positions import BODIES
-from airlight.geometry.sun_disc import mean_cosine
+from airlight.geometry.sun_disc import mean_incidence
 from airlight.kernel import vectorized
+from airlight.physics.optics.bare_surface import albedo_unit, law_number, surface_factor
 from airlight.physics.optics.moon_phase import (
     lambert_phase,
     lommel_seeliger_phase,
     moon_albedo,
-    moon_disc,
     moon_phase,
-    moon_reflectance,
 )
 from airlight.physics.units import values_in
 from airlight.planets.parameters import MISSING, parameters
@@ -222,25 +221,15 @@ class Body(TomlModel):
         -------
         array, shape (n,)
             Factor, to be multiplied by ``Body.albedo``.
-
-        Notes
-        -----
-        The Lommel-Seeliger law, L = E (2 p / π) μ₀/(μ₀ + μ), with geometric albedo p, makes the
-        full disc uniform.
         """
-        sine = np.einsum("nk,nk->n", normal, to_light)
-        # Of the light's disc; that of a sphere's limb is half below the horizon.
-        elevation = np.arcsin(np.clip(sine, -1.0, 1.0))
-        lit = np.asarray(vectorized(mean_cosine)(elevation, sine, angular_radius))
-        if self.reflection == "lambert":
-            return lit / np.pi
-        leaving = np.maximum(np.einsum("nk,nk->n", normal, to_eye), 0.0)
-        if self.reflection == "moon":
-            cosine = np.einsum("nk,nk->n", to_light, to_eye)
-            factor = vectorized(moon_reflectance)(lit, leaving, cosine)
-            return np.asarray(factor * lit / (np.pi * moon_disc(0.0)))
-        shade = np.divide(lit, lit + leaving, out=np.zeros_like(lit), where=lit > 0.0)
-        return np.asarray(2.0 / np.pi * shade)
+        sine, leaving, cosine = (
+            np.einsum("nk,nk->n", one, other)
+            for one, other in ((normal, to_light), (normal, to_eye), (to_light, to_eye))
+        )
+        lit = np.asarray(vectorized(mean_incidence)(sine, angular_radius))
+        number = law_number(self.reflection)
+        factor = vectorized(surface_factor)(number, lit, np.maximum(leaving, 0.0), cosine)
+        return np.where(lit > 0.0, factor, 0.0) / albedo_unit(self.reflection)
 
     def axes(self, faced: FloatArray | None) -> FloatArray:
         """Axes of the body-fixed frame as rows, shape (3, 3). [1]

@@ -49,6 +49,8 @@ class System:
         Time for which an ephemeris determined the positions of the bodies.
     changes : mapping
         Overrides of planet files, from path to value, by the name of the body.
+    given : mapping
+        Planets that are read already, by the name of the body.
 
     Raises
     ------
@@ -66,6 +68,7 @@ class System:
     stars: bool = False
     time: datetime | None = None
     changes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    given: Mapping[str, Planet] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         names = [body.name for body in self.bodies]
@@ -114,7 +117,9 @@ class System:
         """Planets of bodies with an atmosphere, by body name."""
         found = {}
         for body in self.bodies:
-            if body.planet is not None:
+            if body.name in self.given:
+                found[body.name] = self.given[body.name]
+            elif body.planet is not None:
                 own_file = body.planet.endswith(".toml")
                 named = self.path_of(body.planet) if own_file else body.planet
                 found[body.name] = load_planet(named, self.changes.get(body.name))
@@ -207,7 +212,7 @@ class System:
         """Right, up and forward of the camera in the frame of the scene, shape (3, 3). [1]"""
         view, eye = self.view, self.eye
         zenith = np.array([0.0, 0.0, 1.0])
-        north = None
+        north = aside = None
         if self.observer.body is not None:
             body = self.body(self.observer.body)
             zenith = unit(eye - body.centre, "observer")
@@ -228,8 +233,11 @@ class System:
             tilt, turn = np.radians(view.look_zenith), np.radians(view.look_bearing)
             flat = np.cos(turn) * level + np.sin(turn) * east
             forward = np.cos(tilt) * zenith + np.sin(tilt) * flat
+            aside = np.cross(flat, zenith)
         up = zenith if view.up is None else unit(view.up, "camera.up")
         right = np.cross(forward, up)
+        if aside is not None and view.up is None:
+            right = aside  # also along the vertical
         if np.linalg.norm(right) < 1e-9:
             # Along the vertical any direction is up: north, or x.
             other = north if north is not None else np.array([1.0, 0.0, 0.0])

@@ -6,19 +6,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
+from airlight.errors import ConflictError
+from airlight.image.four_wavelengths import fitted_weights
 from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES
 from airlight.planets.cloud_cover import cloud_file
 from airlight.planets.clouds import CloudFile
-from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.planets.planet import Planet
-from airlight.render import render
 from airlight.render.clouds.cloud_time import CloudTime, clouds_at
-from airlight.render.render_system import render_system
+from airlight.render.render_scene import render_solution
+from airlight.render.rendering_gpu import Choice, rendering_gpu
 from airlight.render.solve_planet import solve_planet
 from airlight.render.star_points import add_catalogue
+from airlight.render.system_renderer import SystemRenderer
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.ground_overlay import lights_file, relief_file
@@ -30,6 +33,7 @@ from airlight.studies.distribution.fingerprint import digest
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
+    from airlight.render.gpu.device.device import Device
     from airlight.solver.moments.solution import MomentsSolution
 
 #: Cost of a sky-view LUT, in pixels times wavelengths. [1]
@@ -56,6 +60,9 @@ class Quality:
         Samples per side of a pixel; by default 1 of a planet, 4 at the edges of a scene.
     exact : bool
         Whether every pixel of a planet's frame is marched.
+    device : "cpu", "gpu" or "auto"
+        Renderer, as for ``render_scene``; a frame of a scene that the GPU does not draw is
+        refused.
     """
 
     width: int = 1280
@@ -64,6 +71,7 @@ class Quality:
     quality: str = "default"
     samples: int | None = None
     exact: bool = False
+    device: Choice = "cpu"
 
 
 class FrameSpec(Protocol):
@@ -137,13 +145,13 @@ class PlanetFrameSpec:
             columns, rows = reduced(camera.projection, camera.width, camera.height, width)
             scene = replace(scene, camera=replace(camera, width=columns, height=rows))
         clouds = clouds_at(self.planet, scene, self.clouds, quality=self.how.quality)
-        frame = render(
-            solution,
-            scene,
-            exact=self.how.exact,
-            samples=self.how.samples or 1,
-            clouds=clouds,
-        )
+        options: dict[str, Any] = {"exact": self.how.exact, "samples": self.how.samples or 1}
+        gpu, weights = self._gpu, None
+        if gpu is None:
+            options["clouds"] = clouds
+        elif self.how.wavelengths is None:
+            weights = fitted_weights(solution.wavelengths, solution.lights[0].spectrum)
+        frame = render_solution(solution, scene, gpu, weights, **options)
         if self.stars:
             add_catalogue(frame.rgb, scene, solution, self.planet.body, clouds)
         return frame
@@ -162,14 +170,26 @@ class PlanetFrameSpec:
         kind = LINES if how.exact else "picture"
         return {kind: float(rendered) + _TABLE, "solve": solve_work(how.quality, len(nm))}
 
+    @property
+    def _gpu(self) -> Device | None:
+        """GPU that renders the frame; None for the CPU."""
+        device, nm = self.how.device, self.how.wavelengths
+        if self.planet.clouds:
+            if device == "gpu":
+                _refuse("the GPU does not render three-dimensional clouds")
+            return None
+        count = 4 if nm is None else len(nm)
+        return rendering_gpu(device, self.planet, count, self.scene.camera.columns, _refuse)
+
     def _solution(self, progress: Progress | None = None) -> MomentsSolution:
         how, place, planet = self.how, self.scene.place, self.planet.without_clouds
         key = digest((planet, place, how), self.files)
+        nm = how.wavelengths
+        if nm is None and self._gpu is not None:
+            nm = tuple(texel_wavelengths(planet).tolist())
         return _SOLUTIONS.of(
             key,
-            lambda: solve_planet(
-                planet, how.wavelengths, how.quality, around=place, progress=progress
-            ),
+            lambda: solve_planet(planet, nm, how.quality, around=place, progress=progress),
         )
 
     @property
@@ -221,15 +241,15 @@ class SystemFrameSpec:
 
     def _render(self, width: int, height: int, progress: Progress | None = None) -> Frame:
         how = self.how
-        return render_system(
-            self.system,
-            width=width,
-            height=height,
+        renderer = SystemRenderer(
+            device=how.device,
             wavelengths=how.wavelengths,
             quality=how.quality,
             samples=how.samples,
-            clouds=self.clouds,
-            progress=progress,
+            refused=_refuse,
+        )
+        return renderer.render(
+            self.system, width=width, height=height, clouds=self.clouds, progress=progress
         )
 
     def cost(self) -> dict[str, float]:
@@ -271,6 +291,11 @@ class SystemFrameSpec:
         """See ``FrameSpec``."""
         moment = self.system.time
         return {} if moment is None else {"time": moment.isoformat()}
+
+
+def _refuse(reason: str) -> None:
+    """Raise: frames of two devices in a film differ."""
+    raise ConflictError("device", f"gpu cannot render a frame: {reason}")
 
 
 def _planet_files(planet: Planet) -> tuple[Path, ...]:

@@ -14,6 +14,7 @@ from airlight.image.display_settings import DisplaySettings
 from airlight.image.exposure import DEFAULT_EXPOSURE
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
+from airlight.scene.system import System
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.session.adaptation import Adaptation
 
@@ -47,6 +48,10 @@ class Request:
         Display settings.
     orders : str
         ``all``, ``single`` (scattered or reflected once) or ``multiple`` (all but once).
+    system : System, optional
+        Scene of several bodies, whose observer and camera are those of ``scene``.
+    body : str
+        Name of the planet of ``solution`` in it.
     """
 
     solution: MomentsSolution
@@ -58,6 +63,8 @@ class Request:
     meters: bool = False
     display: DisplaySettings = _BY_DAY
     orders: Orders = "all"
+    system: System | None = None
+    body: str = ""
 
     def displayed(self, frame: Frame, exposure: float) -> NDArray[np.uint8]:
         """Pixels of a frame of the request at an exposure [EV], shape (height, width, 3)."""
@@ -70,6 +77,7 @@ class Request:
             and self.solution is other.solution
             and self.orders == other.orders
             and self.scene == other.scene
+            and self.system == other.system
         )
 
     def same(self, other: Request | None) -> bool:

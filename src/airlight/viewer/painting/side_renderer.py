@@ -11,6 +11,7 @@ from airlight.geometry.ephemeris.world import WORLDS
 from airlight.image.exposure import MOST_EXPOSURE, exposure_factor
 from airlight.image.white_balance import scene_white
 from airlight.render.live_renderer import LiveFrame, LiveRenderer
+from airlight.render.live_system_renderer import LiveSystemRenderer
 from airlight.render.star_points import add_catalogue
 from airlight.scene.metering import METERED
 from airlight.scene.projections import PROJECTIONS
@@ -24,27 +25,28 @@ _STARRY: Final = 3.0
 
 
 class SideRenderer:
-    """``PictureSource`` that displays the steps of a ``LiveRenderer``.
+    """``PictureSource`` that displays the steps of a live renderer.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
         Device of the textures.
-    renderer : LiveRenderer
-        Renderer, which this object closes.
+    renderer : LiveRenderer or LiveSystemRenderer
+        Renderer of a planet or of a scene of several bodies, which this object closes.
     """
 
-    def __init__(self, device: Any, renderer: LiveRenderer) -> None:
+    def __init__(self, device: Any, renderer: LiveRenderer | LiveSystemRenderer) -> None:
         self._canvases = Canvases(device)
-        self._renderer = renderer
+        self._renderer: Any = renderer
         self._measured: tuple[Request, float] | None = None
         self._exposed: object = None  # solution of the last picture
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """See ``PictureSource.render``."""
         picture: Picture | None = None
+        more = {"system": request.system, "body": request.body} if request.system else {}
         for step in self._renderer.live(
-            request.solution, request.scene, orders=request.orders, stale=stale
+            request.solution, request.scene, orders=request.orders, stale=stale, **more
         ):
             picture = self._displayed(request, step)
             yield _before_stars(picture)
@@ -139,6 +141,7 @@ def shows_stars(picture: Picture) -> bool:
     known = planet is not None and planet.body in WORLDS
     return (
         known
+        and picture.request.system is None  # which has its own
         and picture.exposure >= _STARRY
         and picture.request.orders == "all"
         and not PROJECTIONS[camera.projection].parallel

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping
 from collections.abc import Set as AbstractSet
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import ParameterError
 from airlight.scene import Scene
@@ -22,6 +22,9 @@ from airlight.viewer.session.adaptation import Adaptation
 from airlight.viewer.session.history import Change, History
 from airlight.viewer.session.planet_state import PlanetState, SolveRequest, Versions
 from airlight.viewer.session.side import Side
+
+if TYPE_CHECKING:
+    from airlight.viewer.session.scene_around import SceneAround
 
 #: Size of the picture until a host sets it. [pixel]
 DEFAULT_SIZE: Final = (960, 540)
@@ -52,6 +55,7 @@ class Editing:
         self.shares_camera = True
         self.shares_exposure = True
         self.adaptation = Adaptation()
+        self.around: SceneAround | None = None
 
     # --- state --------------------------------------------------------------------------------
 

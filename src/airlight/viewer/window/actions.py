@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from airlight.errors import ConflictError
 from airlight.viewer.navigation.flight_recorder import FlightRecorder
 from airlight.viewer.navigation.keys import RATES
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS, Viewpoint, home_view, view_in
@@ -109,6 +110,8 @@ class Actions:
         self.shows_panels = not self.shows_panels
 
     def _toggle_probe(self) -> None:
+        if self._session.around is not None:
+            raise ConflictError("probe", "is not available for a scene of several bodies")
         self._panel.probes = not self._panel.probes
 
     def _toggle_time(self) -> None:
@@ -130,6 +133,8 @@ class Actions:
             self._canvas.toggle_fullscreen()
 
     def _copy_link(self) -> None:
+        if self._session.around is not None:
+            raise ConflictError("copy link", "is not available for a scene of several bodies")
         link = f"#{to_fragment(self._session.to_state())}"
         self._canvas.copy(link)
         self._messages.say("copied: put it behind a page's address, or airlight view '…'")

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from time import perf_counter
-from typing import Final, cast
+from typing import Any, Final, cast
 
 from airlight.planets.planet import Planet
 from airlight.render.solve_planet import PlanetSolver
+from airlight.scene.system import System
 from airlight.viewer.background.solver_thread import SolverResult, SolverStatus, SolverThread
 from airlight.viewer.painting.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.painting.picture_thread import PictureThread
@@ -93,7 +94,14 @@ class Sides:
             meters=follows,
             display=settings_of(view),
             orders=cast(Orders, view["light.orders"]),
+            system=self._system(view, solved),
+            body="" if session.around is None else session.around.body,
         )
+
+    def _system(self, view: Mapping[str, Any], solved: SolverResult) -> System | None:
+        """Scene around the planet; None without one."""
+        around = self._session.around
+        return None if around is None else around.seen(view, solved.planet)
 
     @property
     def _brighter(self) -> str:

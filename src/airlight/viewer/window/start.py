@@ -17,16 +17,20 @@ from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.memory import share_memory_of_threads
 from airlight.planets.reading.reader import read_tables
 from airlight.render.gpu.device.device import Device, NoDevice, open_device
+from airlight.render.gpu.picture.gpu_renderer import QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE
 from airlight.render.live_renderer import LiveRenderer
+from airlight.render.live_system_renderer import LiveSystemRenderer
 from airlight.render.rendering_gpu import Choice
 from airlight.render.solve_planet import live_solver
 from airlight.scene import look_at
+from airlight.scene.system import is_scene_file
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.viewpoints import view_in
 from airlight.viewer.painting.picture_source import PictureSource
 from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import from_fragment
+from airlight.viewer.session.scene_around import SceneAround
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.canvas import DesktopCanvas, OffscreenCanvas, WindowError
 from airlight.viewer.window.window import Window
@@ -48,7 +52,7 @@ class Start:
     Parameters
     ----------
     planet : str
-        Name of a preset, path of a planet file, or URL of a page.
+        Name of a preset, path of a planet or scene file, or URL of a page.
     other : str, optional
         Planet to compare it with.
     changes : tuple of str
@@ -114,7 +118,8 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
     preparing = Preparing(canvas.wake)
     try:
         device = open_device()
-        renderer = renderer_by(start.device, device, preparing.compiler)
+        compiler = preparing.compiler
+        renderer = renderer_by(start.device, device, compiler, scene=session.around is not None)
         solver = live_solver(start.device, device, lambda: _is_plain(session))
         window = Window(session, canvas, device.device, renderer, solver, preparing)
         if start.other is not None:
@@ -131,15 +136,16 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
 
 def opened(start: Start) -> Session:
     """Session in the initial state, with an empty history."""
-    session = _session_of(start.planet)
-    if start.changes:
+    scene = is_scene_file(start.planet)
+    session = _scene_session(start) if scene else _session_of(start.planet)
+    if start.changes and not scene:
         from airlight.planets.reading.overrides import overridden, parsed
 
         changed = overridden(session.planet.tables, dict(parsed(one) for one in start.changes))
         session.replace_tables("overrides", changed)
     for path, value in start.view.items():
         session.set(path, value)
-    placed = "#" in start.planet or bool(set(start.view) & _PLACED)
+    placed = scene or "#" in start.planet or bool(set(start.view) & _PLACED)
     if start.look is None and start.look_at is None and not placed:
         session.move(view_in(session))
     view = session.view
@@ -179,12 +185,33 @@ def _session_of(planet: str) -> Session:
     return session
 
 
+def _scene_session(start: Start) -> Session:
+    """Session in a scene of several bodies, with the view of its file."""
+    from airlight.planets.reading.overrides import overridden, parsed
+
+    around = SceneAround.opened(start.planet, dict(parsed(one) for one in start.changes))
+    session = Session(around.planet)
+    changes = around.system.changes.get(around.body)
+    if changes:
+        session.replace_tables("overrides", overridden(session.planet.tables, changes))
+    session.around = around
+    session.change_view("scene", around.view())
+    return session
+
+
 def renderer_by(
-    choice: Choice, device: Device, compiler: BackgroundCompiler | None = None
+    choice: Choice,
+    device: Device,
+    compiler: BackgroundCompiler | None = None,
+    *,
+    scene: bool = False,
 ) -> Callable[[], PictureSource]:
-    """Factory of picture sources on the GPU or the CPU."""
+    """Factory of picture sources on the GPU or the CPU, of a planet or a scene of bodies."""
 
     def make() -> PictureSource:
+        if scene:
+            size = QUICK_SKY_VIEW_SIZE if device.software else SKY_VIEW_SIZE
+            return SideRenderer(device.device, LiveSystemRenderer(device, size))
         gpu = None if choice == "cpu" else device
         return SideRenderer(device.device, LiveRenderer(gpu, compiler))
 

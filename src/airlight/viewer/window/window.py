@@ -340,6 +340,9 @@ class Window:
 
     def click(self, x: float, y: float) -> None:
         """Probe the picture at a clicked point; see ``Host.click``."""
+        if self.session.around is not None:
+            self.messages.say("a scene of several bodies has no probe")
+            return
         rectangle = self.picture_rectangle()
         at = rectangle.place_of(x, y)
         if at is None:
@@ -374,6 +377,9 @@ class Window:
         shown = self.shown()
         if shown is None:
             self.messages.error = "there is no picture to film yet"
+            return
+        if self.session.around is not None:
+            self.messages.error = "films of scenes are made by airlight animate"
             return
         view = self.session.view
         latitude, zenith, azimuth = (

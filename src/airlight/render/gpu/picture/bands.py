@@ -1,13 +1,19 @@
-"""Bands of rows without ground, star or edges, for which a software GPU can skip work."""
+"""Parts of a frame in which something may be visible, for which a GPU can skip the others."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from airlight.scene import Scene
+from airlight.render.pixels.scenes_by_light import SceneForLight
+from airlight.scene import Camera, Scene
 from airlight.scene.projections.projected import projected_rays
+
+#: First column and row of a part of a frame, and its size. [pixel]
+Window = tuple[int, int, int, int]
 
 #: Rows of a band, and columns between two of its samples. [pixel]
 _STEP: Final = 16
@@ -72,3 +78,64 @@ def bands(
         else:
             found.append(Band(int(first), count, *shows))
     return found
+
+
+def bands_of(
+    light: SceneForLight, uniforms: Mapping[str, float], size: tuple[int, int]
+) -> list[Band]:
+    """Bands of rows of a frame of one light; one with everything for a part of the frame.
+
+    Parameters
+    ----------
+    uniforms : mapping
+        Uniforms of the frame.
+    size : (int, int)
+        Size of the target. [pixel]
+    """
+    scene, solution = light.scene, light.solution
+    if size != (scene.camera.width, scene.camera.height):
+        return [Band(0, size[1], True, True, True)]
+    star = (uniforms["seen_x"], 0.0, uniforms["seen_z"])
+    reach = 2.0 * solution.lights[0].angular_radius + 3.0 * uniforms["pixel_angle"]
+    return bands(scene, uniforms["horizon_mu"], star, reach + solution.geometry.max_refraction)
+
+
+def area_of(
+    camera: Camera, towards: NDArray[np.float64], radius: float, window: Window
+) -> Window | None:
+    """Smallest known rectangle of a window with all pixels near a direction.
+
+    Parameters
+    ----------
+    towards : array, shape (3,)
+        Direction in the camera's frame. [1]
+    radius : float
+        Angle from it. [rad]
+    window : (int, int, int, int)
+        First column and row of the window in the frame, and its size. [pixel]
+
+    Returns
+    -------
+    (int, int, int, int) or None
+        First column and row in the window, and size; None if no pixel is near. [pixel]
+    """
+    assert camera.field_of_view is not None
+    left, top, columns, rows = window
+    x, y = (
+        np.minimum(np.arange(-(-size // _STEP) + 1) * _STEP, size) + first
+        for first, size in ((left, columns), (top, rows))
+    )
+    field = np.radians(camera.field_of_view)
+    rays = projected_rays(
+        camera.projection, x.astype(float), y.astype(float), camera.width, camera.height, field
+    )
+    near = rays @ towards > np.cos(min(radius + _STEP * camera.pixel_angle, np.pi))
+    # a cell belongs to the area if one of its corners is near
+    cells = near[:-1, :-1] | near[1:, :-1] | near[:-1, 1:] | near[1:, 1:]
+    across, down = np.flatnonzero(cells.any(axis=0)), np.flatnonzero(cells.any(axis=1))
+    if not across.size:
+        return None
+    first, above = _STEP * int(across[0]), _STEP * int(down[0])
+    last = min(_STEP * (int(across[-1]) + 1), columns)
+    below = min(_STEP * (int(down[-1]) + 1), rows)
+    return first, above, last - first, below - above

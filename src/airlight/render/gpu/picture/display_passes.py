@@ -13,6 +13,7 @@ from airlight.render.gpu.emit.uniform_struct import Fixed
 from airlight.render.gpu.picture.display_shaders import (
     added_shader,
     coarser_shader,
+    covering_shader,
     display_shader,
     layered_shader,
     spread_shader,
@@ -24,22 +25,25 @@ from airlight.render.gpu.picture.uniforms import FRAME
 LINEAR: Final = "rgba32float"
 
 
-class PlanetLayer(NamedTuple):
-    """Air and ground of a planet.
+class PictureLayer(NamedTuple):
+    """Planet, body without air, or stars.
 
     Attributes
     ----------
     lights : sequence of callable
         ``part(view, format)`` renders the frame of one light.
     transmittance : callable
-        ``transmittance(view, format)`` renders its transmittance.
+        ``transmittance(view, format)`` renders its transmittance, or what it covers.
     key : hashable
         Key of its contents.
+    covers : bool
+        Whether ``transmittance`` renders the coverage.
     """
 
     lights: Sequence[Callable[[Any, str], None]]
     transmittance: Callable[[Any, str], None]
     key: Hashable
+    covers: bool = False
 
 
 class DisplayPasses:
@@ -88,7 +92,7 @@ class DisplayPasses:
             self._groups.clear()
         return self._picture.create_view()
 
-    def render(self, layers: Sequence[PlanetLayer], size: tuple[int, int]) -> None:
+    def render(self, layers: Sequence[PictureLayer], size: tuple[int, int]) -> None:
         """Render layers into the texture of linear radiance, unless it holds them.
 
         Parameters
@@ -147,16 +151,16 @@ class DisplayPasses:
 
     def add_layers(
         self,
-        layers: Sequence[PlanetLayer],
+        layers: Sequence[PictureLayer],
         view: Any,
         size: tuple[int, int],
         target_format: str,
     ) -> None:
-        """Render layers of air, each in front of the one before it, into a target.
+        """Render layers, each in front of the one before it, into a target.
 
         Parameters
         ----------
-        layers : sequence of PlanetLayer
+        layers : sequence of PictureLayer
             Layers from the farthest to the nearest.
         view, size, target_format :
             See ``add_lights``.
@@ -174,7 +178,8 @@ class DisplayPasses:
             self.add_lights(layer.lights, light.create_view(), size, LINEAR)
             layer.transmittance(transmittance.create_view(), LINEAR)
             last = number == len(layers)
-            one = self._pass(layered_shader(), target_format if last else LINEAR)
+            shader = covering_shader() if layer.covers else layered_shader()
+            one = self._pass(shader, target_format if last else LINEAR)
             encoder = self.device.device.create_command_encoder()
             groups = one.bind(
                 {
@@ -187,6 +192,15 @@ class DisplayPasses:
             one.run(encoder, groups, [view if last else spare.create_view()])
             self.device.device.queue.submit([encoder.finish()])
             behind, spare = spare, behind
+
+    def copy(self, texture: Any, view: Any, target_format: str) -> None:
+        """Copy linear radiance into a target of its size."""
+        adding = self._pass(added_shader(), target_format)
+        encoder = self.device.device.create_command_encoder()
+        nothing = self._texture(1, 1, "black")
+        groups = adding.bind({"frame": self._buffer(0), "picture": texture, "level": nothing})
+        adding.run(encoder, groups, [view])
+        self.device.device.queue.submit([encoder.finish()])
 
     def display(
         self, uniforms: Mapping[str, float], pixel_angle: float, view: Any, target_format: str

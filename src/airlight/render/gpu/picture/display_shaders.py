@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from airlight.image.added_light import added_texel, layered_texel
+from airlight.image.added_light import added_texel, covering_texel, layered_texel
 from airlight.image.displayed import Display, displayed
 from airlight.image.glare import coarser_texel, glared_texel, spread_texel
 from airlight.render.gpu.emit.dialect import ShaderDialect
@@ -17,11 +17,14 @@ from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.shaders import (
     Shader,
     assembled,
+    body_shader,
+    disc_shader,
     picture_shader,
     sky_air_shader,
     sky_mirrored_shader,
     sky_peaks_shader,
     sky_polarised_shader,
+    small_disc_shader,
     transmittance_shader,
 )
 from airlight.render.gpu.picture.uniforms import FRAME, Lens
@@ -57,6 +60,12 @@ def added_shader(dialect: ShaderDialect = WGSL) -> Shader:
 def layered_shader(dialect: ShaderDialect = WGSL) -> Shader:
     """Shader of a layer of air in front of a frame of linear radiance."""
     return _level_shader("layered", layered_texel, ("picture", "level", "coarser"), (), dialect)
+
+
+@cache
+def covering_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of a body without air in front of a frame of linear radiance."""
+    return _level_shader("covering", covering_texel, ("picture", "level", "coarser"), (), dialect)
 
 
 def _level_shader(
@@ -125,9 +134,14 @@ def all_shaders() -> tuple[Shader, ...]:
         picture_shader(False),
         picture_shader(True),
         transmittance_shader(),
+        body_shader(False, ()),
+        body_shader(True, ()),
+        disc_shader(()),
+        small_disc_shader(()),
         coarser_shader(),
         spread_shader(),
         added_shader(),
         layered_shader(),
+        covering_shader(),
         display_shader(),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -31,15 +31,15 @@ class FramePasses:
         self._passes: dict[tuple[Shader, tuple[str, ...]], FragmentPass] = (
             {} if like is None else like._passes
         )
-        self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
-        self._textures: dict[int, Mapping[str, Any]] = {}
-        self._places: dict[int, Mapping[str, tuple[int, ...]]] = {}
+        self._groups: dict[tuple[FragmentPass, Hashable], list[Any]] = {}
+        self._textures: dict[Hashable, Mapping[str, Any]] = {}
+        self._places: dict[Hashable, Mapping[str, tuple[int, ...]]] = {}
 
     def read(
         self,
         textures: Mapping[str, Any],
         places: Mapping[str, tuple[int, ...]],
-        light: int = 0,
+        light: Hashable = 0,
     ) -> None:
         """Set the input textures of a light, and the positions of tables in them."""
         self._textures[light], self._places[light] = textures, places
@@ -52,7 +52,7 @@ class FramePasses:
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         return self._device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
 
-    def packed(self, uniforms: Mapping[str, float], light: int = 0) -> NDArray[np.float32]:
+    def packed(self, uniforms: Mapping[str, float], light: Hashable = 0) -> NDArray[np.float32]:
         """Contents of the uniform buffer, for the tables of a light."""
         # Relative to the ground radius in single precision, which is accurate to half a metre.
         r = float(np.float32(uniforms["bottom"])) + (uniforms["r"] - uniforms["bottom"])
@@ -66,7 +66,7 @@ class FramePasses:
         formats: tuple[str, ...],
         area: tuple[int, int, int, int] | None = None,
         keep: bool = False,
-        light: int = 0,
+        light: Hashable = 0,
     ) -> None:
         """Run a shader on an area of its targets.
 
@@ -80,8 +80,8 @@ class FramePasses:
             First column, first row, number of columns and of rows; by default the whole target.
         keep : bool
             Whether the other texels are preserved; otherwise they are cleared.
-        light : int
-            Index of the light whose textures are bound.
+        light : hashable
+            Light whose textures are bound.
         """
         device = self._device.device
         one = self._pass(shader, formats)
@@ -97,7 +97,7 @@ class FramePasses:
             self._passes[key] = FragmentPass(self._device, shader.text, entry, targets, entry)
         return self._passes[key]
 
-    def _bound(self, one: FragmentPass, light: int) -> list[Any]:
+    def _bound(self, one: FragmentPass, light: Hashable) -> list[Any]:
         key = one, light
         if key not in self._groups:
             self._groups[key] = one.bind({"frame": self._uniforms, **self._textures[light]})

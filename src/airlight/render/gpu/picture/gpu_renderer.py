@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Any, Final
 
@@ -18,8 +18,8 @@ from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
-from airlight.render.gpu.picture.bands import Band, bands
-from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, PlanetLayer
+from airlight.render.gpu.picture.bands import Window, bands_of
+from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, PictureLayer
 from airlight.render.gpu.picture.frame_passes import FramePasses
 from airlight.render.gpu.picture.shaders import picture_shader, transmittance_shader
 from airlight.render.gpu.picture.sky_views import SkyViews
@@ -70,6 +70,11 @@ class GpuRenderer:
     like : GpuRenderer, optional
         Renderer of the same device, whose pipelines are used too.
 
+    Attributes
+    ----------
+    passes : FramePasses
+        Passes of rendering.
+
     Examples
     --------
     >>> from airlight.render.gpu.device.device import open_device  # doctest: +SKIP
@@ -87,9 +92,9 @@ class GpuRenderer:
         like: GpuRenderer | None = None,
     ) -> None:
         self.device = device
-        self._passes: FramePasses = FramePasses(device, None if like is None else like._passes)
+        self.passes: FramePasses = FramePasses(device, None if like is None else like.passes)
         on_cpu = device.software if sky_view_on_cpu is None else sky_view_on_cpu
-        self._sky_views = SkyViews(device, self._passes, sky_view_size, on_cpu=on_cpu)
+        self._sky_views = SkyViews(device, self.passes, sky_view_size, on_cpu=on_cpu)
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._given: FloatArray | None = None
@@ -175,7 +180,7 @@ class GpuRenderer:
         rgb = zeros((height, width, 3), np.float32)
         with timed(DEVICE, rendered, f"a picture of {width}x{height} pixels"):
             for number, light in enumerate(lights):
-                uniforms = self._uniforms(light, (camera.width, camera.height), exact, orders, disc)
+                uniforms = self.uniforms(light, (camera.width, camera.height), exact, orders, disc)
                 if samples > 1 and not uniforms["edges"]:
                     allowed = "1 for an exact picture of a software GPU"
                     raise ParameterError("samples", samples, allowed)
@@ -223,7 +228,7 @@ class GpuRenderer:
             if cancel is not None and cancel():
                 raise Cancelled
             if count == height and camera.crop is None and uniforms["samples"] == 1:
-                self._render_light(number, light, uniforms, exact, view, LINEAR)
+                self._render_light(number, light, uniforms, exact, (width, height), view, LINEAR)
                 yield slice(0, height), read_texture(self.device, target)[..., :3]
                 return
             self._sky_views.fill(number, light, uniforms, exact)
@@ -232,7 +237,7 @@ class GpuRenderer:
                     raise Cancelled
                 rows = slice(first, min(first + count, height))
                 strip = {**uniforms, "first_row": camera.top + first}
-                self._passes.run(
+                self.passes.run(
                     picture_shader(exact),
                     strip,
                     [view],
@@ -303,7 +308,8 @@ class GpuRenderer:
         exact: bool = False,
         orders: str = "all",
         disc: bool = True,
-    ) -> PlanetLayer:
+        window: Window | None = None,
+    ) -> PictureLayer:
         """Passes of a frame of several lights.
 
         Parameters
@@ -311,25 +317,32 @@ class GpuRenderer:
         lights : sequence of SceneForLight
             Scenes that add up, see ``scenes_by_light``.
         size : (int, int)
-            Size of the target. [pixel]
+            Size of the frame. [pixel]
         exact, orders, disc :
             Arguments of ``render``.
+        window : (int, int, int, int), optional
+            First column and row, and size of the target in the frame; by default all. [pixel]
         """
-        by_light = [self._uniforms(one, size, exact, orders, disc) for one in lights]
-        return PlanetLayer(
+        by_light = [self.uniforms(one, size, exact, orders, disc) for one in lights]
+        target = size
+        if window is not None:
+            target = window[2:]
+            for uniforms in by_light:
+                uniforms |= {"first_column": window[0], "first_row": window[1]}
+        return PictureLayer(
             [
-                partial(self._render_light, *one, exact)
+                partial(self._render_light, *one, exact, target)
                 for one in zip(range(len(lights)), lights, by_light, strict=True)
             ],
             partial(self._render_transmittance, by_light[0]),
-            (exact, tuple(self._passes.packed(one).tobytes() for one in by_light)),
+            (exact, tuple(self.passes.packed(one).tobytes() for one in by_light)),
         )
 
     def _render_transmittance(
         self, uniforms: dict[str, float], view: Any, target_format: str
     ) -> None:
         """Render the transmittance of the air into a texture."""
-        self._passes.run(transmittance_shader(), uniforms, [view], (target_format,))
+        self.passes.run(transmittance_shader(), uniforms, [view], (target_format,))
 
     def _render_light(
         self,
@@ -337,16 +350,17 @@ class GpuRenderer:
         light: SceneForLight,
         uniforms: dict[str, float],
         exact: bool,
+        size: tuple[int, int],
         view: Any,
         target_format: str,
     ) -> None:
-        """Render linear radiance of one light into a texture."""
-        width, height = int(uniforms["width"]), int(uniforms["height"])
+        """Render linear radiance of one light into a texture of a size."""
+        width, height = size
         self._sky_views.fill(number, light, uniforms, exact)
         if self.device.software and not exact:
             # A software GPU evaluates both sides of every branch: each band has a shader with only
             # the branches that it needs.
-            for band in self._bands(light, uniforms):
+            for band in bands_of(light, uniforms, size):
                 seen = {
                     **uniforms,
                     "mapped": uniforms["mapped"] * band.ground,
@@ -354,7 +368,7 @@ class GpuRenderer:
                     "draws_disc": uniforms["draws_disc"] * band.star,
                     "edges": uniforms["edges"] * band.edge,
                 }
-                self._passes.run(
+                self.passes.run(
                     picture_shader(exact, FRAME.fixed(seen)),
                     uniforms,
                     [view],
@@ -366,7 +380,7 @@ class GpuRenderer:
             return
         rows = self._rows_at_once(width, height, exact)
         for first in range(0, height, rows):
-            self._passes.run(
+            self.passes.run(
                 picture_shader(exact),
                 uniforms,
                 [view],
@@ -376,14 +390,18 @@ class GpuRenderer:
                 number,
             )
 
-    def _uniforms(
-        self, light: SceneForLight, size: tuple[int, int], exact: bool, orders: str, disc: bool
+    def uniforms(
+        self,
+        light: SceneForLight,
+        size: tuple[int, int],
+        exact: bool = False,
+        orders: str = "all",
+        disc: bool = False,
     ) -> dict[str, float]:
         """Uniforms of a frame of one light, without those of the display."""
         solution = light.solution
-        assert self._textures is not None
         assert self._solution is not None
-        uniforms = view_uniforms(light.scene, solution) | self._textures.uniforms
+        uniforms = view_uniforms(light.scene, solution) | self.textures.uniforms
         if solution is not self._solution:
             uniforms |= night_uniforms(solution, self._given)
             uniforms["star_radius"] = solution.tables.star_radius
@@ -417,15 +435,12 @@ class GpuRenderer:
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         return min(max(1, pixels // width), height)
 
-    def _bands(self, light: SceneForLight, uniforms: Mapping[str, float]) -> list[Band]:
-        """Bands of rows, by what may be visible in them."""
-        scene, solution = light.scene, light.solution
-        width, height = int(uniforms["width"]), int(uniforms["height"])
-        if (width, height) != (scene.camera.width, scene.camera.height):
-            return [Band(0, height, True, True, True)]
-        star = (uniforms["seen_x"], 0.0, uniforms["seen_z"])
-        reach = 2.0 * solution.lights[0].angular_radius + 3.0 * uniforms["pixel_angle"]
-        return bands(scene, uniforms["horizon_mu"], star, reach + solution.geometry.max_refraction)
+    @property
+    def textures(self) -> SolutionTextures:
+        """Textures of the solution."""
+        self._require_solution()
+        assert self._textures is not None
+        return self._textures
 
     def _require_solution(self) -> MomentsSolution:
         if self._solution is None:

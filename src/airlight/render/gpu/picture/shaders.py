@@ -26,11 +26,17 @@ from airlight.render.gpu.emit.shader_types import (
 from airlight.render.gpu.emit.uniform_struct import Fixed
 from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.uniforms import CHANNELS, FRAME
+from airlight.render.pixels.bare_body import BareBody, BodyFrame, body_coverage, body_light
 from airlight.render.pixels.ground import GROUND_VALUES
-from airlight.render.pixels.pixel import FrameTables, ViewUniforms, pixel_light
+from airlight.render.pixels.pixel import (
+    FrameTables,
+    ViewUniforms,
+    pixel_light,
+)
 from airlight.render.pixels.pixel_transmittance import pixel_transmittance
 from airlight.render.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
 from airlight.render.pixels.samples import light_of_centre, sampled_light
+from airlight.render.pixels.scene_disc import scene_disc, small_disc
 from airlight.render.pixels.sky_view_lut import Observer, mirrored_texel, sky_view_texel
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.solver.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
@@ -213,11 +219,19 @@ def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -
     made : Emitted
         Function whose other parameters are arrays.
     """
+    declared, call = called(made, arguments, dialect)
+    return [*declared, f"{call};"]
+
+
+def called(
+    made: Emitted, arguments: Sequence[str], dialect: ShaderDialect
+) -> tuple[list[str], str]:
+    """Declarations of the arrays of a function, and its call; arguments of ``filled_by``."""
     handed = [one for several in made.argument_lists(dialect) for one in several]
     arrays = [(name, kind) for name, kind in handed if isinstance(kind, LocalArray)]
     given = [*arguments, *(dialect.array_argument(name) for name, _ in arrays)]
     declared = [dialect.declared(name, kind) for name, kind in arrays]
-    return [*declared, f"{made.name}({', '.join(given)});"]
+    return declared, f"{made.name}({', '.join(given)})"
 
 
 def _whole_window() -> StructValue:
@@ -242,10 +256,46 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     # a shader of rows without an edge has no loop over samples
     once = dict(fixed).get("samples") == 1 and not dict(fixed).get("edges", True)
     lines, emitter = _of_pixels(pixel_light, exact, once, fixed, dialect)
+    return _linear("picture", "linear_picture", lines, emitter, dialect)
+
+
+@cache
+def small_disc_shader(fixed: Fixed, dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of the disc of a star smaller than two pixels, behind the air.
+
+    Parameters
+    ----------
+    fixed : tuple of (str, value)
+        Argument of ``picture_shader``.
+    """
+    lines, emitter = _of_pixels(small_disc, False, True, fixed, dialect)
+    return _linear("disc", "disc_of_star", lines, emitter, dialect)
+
+
+@cache
+def disc_shader(fixed: Fixed, dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of the disc of a star, behind the air and a body.
+
+    Parameters
+    ----------
+    fixed : tuple of (str, value)
+        Argument of ``body_shader``.
+    """
+    emitter = Emitter(dialect)
+    frame, columns = _body_frame(emitter, fixed)
+    result = emitter.module_array("result", LocalArray(1, VEC4))
+    made = emitter.add(scene_disc, F32, F32, frame, columns, result, name="disc_in_pixel")
+    lines = filled_by(made, position(), dialect)
+    return _linear("disc", "disc_of_star", lines, emitter, dialect)
+
+
+def _linear(
+    name: str, entry: str, lines: list[str], emitter: Emitter, dialect: ShaderDialect
+) -> Shader:
+    """Shader of the linear sRGB of pixels from their spectral radiance."""
     light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"
     lines += [dialect.let(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS]
-    entry = dialect.fragment("linear_picture", 1, lines, [light])
-    return assembled("picture", {"linear_picture": entry}, emitter)
+    return assembled(name, {entry: dialect.fragment(entry, 1, lines, [light])}, emitter)
 
 
 @cache
@@ -282,11 +332,48 @@ def _of_pixels(
         ), strict=True))),
         march_workspace(emitter), *arrays, name="light_of_pixel",
     )  # fmt: skip
-    column, row = (
-        f"at.{at} + {FRAME.uniform(name).text}"
-        for at, name in (
-            ("x", "first_column"),
-            ("y", "first_row"),
-        )
-    )
-    return filled_by(made, (column, row), dialect), emitter
+    return filled_by(made, position(), dialect), emitter
+
+
+def position() -> tuple[str, str]:
+    """Column and row of a fragment in the frame."""
+    places = (("x", "first_column"), ("y", "first_row"))
+    column, row = (f"at.{at} + {FRAME.uniform(name).text}" for at, name in places)
+    return column, row
+
+
+@cache
+def body_shader(cover: bool, fixed: Fixed, dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of the light of a body without air, or of its coverage.
+
+    Parameters
+    ----------
+    cover : bool
+        Whether the coverage is rendered.
+    fixed : tuple of (str, value)
+        Choices of ``BareBody`` and the camera, bound as constants.
+    """
+    emitter = Emitter(dialect)
+    frame, columns = _body_frame(emitter, fixed)
+    vector, name = dialect.type_name(VEC4), "coverage" if cover else "light_of_body"
+    if cover:
+        made = emitter.add(body_coverage, F32, F32, frame, columns, name="body_in_pixel")
+        parts = ["seen"] * 4
+    else:
+        color = emitter.module_array("color", LocalArray(4))
+        made = emitter.add(body_light, F32, F32, frame, columns, color, name="body_in_pixel")
+        own = [FRAME.uniform(f"body_color_{axis}").text for axis in "xyz"]
+        parts = [*(f"{dialect.part('seen', i)} * {one}" for i, one in enumerate(own)), "0.0"]
+    lines, call = called(made, position(), dialect)
+    assert made.result is not None
+    lines.append(dialect.let("seen", made.result, call))
+    entry = dialect.fragment(name, 1, lines, [f"{vector}({', '.join(parts)})"])
+    return assembled(name, {name: entry}, emitter)
+
+
+def _body_frame(emitter: Emitter, fixed: Fixed) -> tuple[StructValue, LocalArray]:
+    """``BodyFrame`` for the emitter, and the columns along a line of sight."""
+    kinds = (ViewUniforms, BareBody, Observer, MarchTables)
+    values = (FRAME.struct_value(one, fixed) for one in kinds)
+    frame = StructValue(dict(zip(BodyFrame._fields, values, strict=True)))
+    return frame, emitter.module_array("columns", LocalArray(MAX_CONSTITUENTS))

@@ -9,6 +9,7 @@ import numpy as np
 from airlight.image.displayed import Display
 from airlight.kernel.shader_fields import image
 from airlight.render.gpu.emit.uniform_struct import UniformStruct
+from airlight.render.pixels.bare_body import BareBody
 from airlight.render.pixels.pixel import ViewUniforms
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.solver.moments.march_tables import MarchTables
@@ -62,7 +63,7 @@ class Lens(NamedTuple):
 
 #: Uniforms and tables of the rendering shaders.
 FRAME: Final = UniformStruct(
-    "frame", (MarchTables, Observer, ViewUniforms, Display, Lens, Strip), CHANNELS
+    "frame", (MarchTables, Observer, ViewUniforms, Display, Lens, Strip, BareBody), CHANNELS
 )
 #: Textures of the sky-view LUT: air and ground, separated constituents, Q and U.
 LAYERS: Final = tuple(

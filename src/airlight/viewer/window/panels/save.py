@@ -5,12 +5,13 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from airlight.errors import AirlightError
 from airlight.plain_text import plain
 from airlight.render.picture import picture_suffix, write_picture
 from airlight.render.render_scene import render_solution
+from airlight.render.render_system import render_system
 from airlight.render.star_points import add_catalogue
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
@@ -110,13 +111,16 @@ class Saving:
 
     def _write(self, path: str, picture: Picture, scene: Scene) -> str:
         request, exposure = picture.request, picture.exposure
-        frame = render_solution(
-            request.solution,
-            scene,
-            orders=request.orders,
-            cancel=lambda: self._cancelled,
-            progress=self._progress,
-        )
+        report: dict[str, Any] = {
+            "cancel": lambda: self._cancelled,
+            "progress": self._progress,
+        }
+        if request.system is not None:
+            nm = tuple(request.solution.wavelengths.tolist())
+            report |= {"width": scene.camera.width, "height": scene.camera.height}
+            frame = render_system(request.system, wavelengths=nm, **report)
+        else:
+            frame = render_solution(request.solution, scene, orders=request.orders, **report)
         planet = request.solution.planet
         if planet is not None and shows_stars(picture):
             add_catalogue(frame.rgb, scene, request.solution, planet.body)

@@ -1,0 +1,215 @@
+"""Scene of several bodies around the planet of a session."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.ephemeris.sun_formula import NUMBERED
+from airlight.planets.parameters import replace as replaced
+from airlight.planets.planet import Planet
+from airlight.planets.reading.reader import nested_tables
+from airlight.render.gpu_system_renderer import check_drawn_by_gpu
+from airlight.render.planet_renderer import scene_of_light, zenith_above
+from airlight.render.scene_lights import SceneLights
+from airlight.scene.directions import level_axes
+from airlight.scene.system import System
+from airlight.scene.system.light import Light
+from airlight.scene.system.reading import changed_system, system_text
+from airlight.scene.system.viewpoint import SceneObserver, View
+from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.parameters.sun_clock import CLOCK, DATE
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SceneAround:
+    """Scene file, of which a session edits one planet and moves the observer.
+
+    Attributes
+    ----------
+    tables, file, folder, changes :
+        Arguments of ``changed_system``.
+    system : System
+        Scene as the file has it.
+    body : str
+        Name of the planet with air that is edited, and above which the observer flies.
+    """
+
+    tables: Mapping[str, Any]
+    file: str
+    folder: Path | None
+    changes: Mapping[str, Any]
+    system: System
+    body: str
+    _moved: dict[datetime, System] = field(default_factory=dict, compare=False)
+
+    @classmethod
+    def opened(cls, name_or_path: str, changes: Mapping[str, Any]) -> SceneAround:
+        """Open a scene by preset name or path.
+
+        The planet is that of the observer or, above a body without air or free, the nearest one.
+
+        Raises
+        ------
+        ConflictError
+            If the GPU does not draw the scene.
+        """
+        text, file, folder = system_text(name_or_path)
+        tables = nested_tables(text, file)
+        system = changed_system(tables, file, folder, changes)
+        system.check_distances()
+        check_drawn_by_gpu(system)
+        planets = [body for body in system.bodies if body.planet is not None]
+        nearest = min(planets, key=system.power).name
+        own = system.observer.body if system.observer.body in system.planets else nearest
+        return cls(
+            tables=tables,
+            file=file,
+            folder=folder,
+            changes=changes,
+            system=system,
+            body=str(own),
+        )
+
+    @property
+    def planet(self) -> str:
+        """Preset or planet file of the edited planet."""
+        name = str(self.system.body(self.body).planet)
+        return self.system.path_of(name) if name.endswith(".toml") else name
+
+    @property
+    def dated(self) -> bool:
+        """Whether a date places the bodies and the sun."""
+        return (
+            self.system.time is not None
+            and self.system.planets[self.body].body in NUMBERED
+            and self._ephemeris("bodies")
+            and self._ephemeris("lights")
+        )
+
+    def _ephemeris(self, name: str) -> bool:
+        return any("ephemeris" in one for one in self.tables.get(name, []))
+
+    def view(self) -> dict[str, Value]:
+        """View of the scene file, by paths of a session."""
+        system, body = self.system, self.system.body(self.body)
+        towards = self._star.towards(system.eye)
+        local = level_axes(zenith_above(system, body), towards)
+        lights = SceneLights(system, np.array([550.0]), {})
+        camera = system.view.camera(1280, 720, None)
+        scene = scene_of_light(lights, camera, body, towards, local)
+        found: dict[str, Value] = {
+            "view.projection": camera.projection,
+            "view.field_of_view": float(camera.field_of_view or 60.0),
+            "view.latitude": scene.latitude,
+            "view.longitude": scene.longitude,
+            "view.altitude": max(scene.altitude, 1.0),
+            "view.look_zenith": float(scene.camera.look_zenith or 0.0),
+            "view.heading": (scene.camera.look_azimuth + scene.sun_azimuth) % 360.0,
+            "view.roll": scene.camera.roll,
+            "view.sun_zenith": scene.sun_zenith,
+            "view.sun_azimuth": scene.sun_azimuth % 360.0,
+        }
+        if system.view.polariser is not None:
+            found |= {"view.filter": True, "view.polariser": system.view.polariser % 180.0}
+        if self.dated:
+            assert system.time is not None
+            time = system.time.astimezone(UTC)
+            midnight = time.replace(hour=0, minute=0, second=0, microsecond=0)
+            hour = (time - midnight) / timedelta(hours=1)
+            date = float(time.year), float(time.timetuple().tm_yday), hour
+            found |= {CLOCK: True, **dict(zip(DATE, date, strict=True))}
+        return found
+
+    def seen(self, view: Mapping[str, Value], planet: Planet | None) -> System:
+        """Scene of a view of the session.
+
+        Parameters
+        ----------
+        view : mapping
+            View values by path.
+        planet : Planet, optional
+            Planet as edited.
+        """
+        by_date = self.dated and bool(view[CLOCK])
+        system = self._at(view) if by_date else self.system
+        altitude, latitude, longitude, tilt, heading, roll, field_of_view, polariser = (
+            float(view[f"view.{name}"])
+            for name in (
+                "altitude",
+                "latitude",
+                "longitude",
+                "look_zenith",
+                "heading",
+                "roll",
+                "field_of_view",
+                "polariser",
+            )
+        )
+        system = replace(
+            system,
+            observer=SceneObserver(
+                body=self.body, latitude=latitude, longitude=longitude, altitude=altitude
+            ),
+            view=View(
+                look_zenith=tilt,
+                look_bearing=heading,
+                roll=roll,
+                field_of_view=field_of_view,
+                projection=str(view["view.projection"]),
+                polariser=polariser if view["view.filter"] else None,
+            ),
+            given=self.system.planets | ({} if planet is None else {self.body: planet}),
+        )
+        return system if by_date else self._under_sun(system, view)
+
+    @property
+    def _star(self) -> Light:
+        return next(light for light in self.system.lights if light.star is not None)
+
+    def _at(self, view: Mapping[str, Value]) -> System:
+        """Scene at the date of a view, to the second."""
+        year, day, hour = (float(view[path]) for path in DATE)
+        time = datetime(int(year), 1, 1, tzinfo=UTC) + timedelta(days=int(day) - 1)
+        time += timedelta(seconds=round(3600.0 * hour))
+        if time == self.system.time:
+            return self.system
+        if time not in self._moved:
+            self._moved.clear()
+            changes = {**self.changes, "time": time.isoformat()}
+            self._moved[time] = changed_system(self.tables, self.file, self.folder, changes)
+        return self._moved[time]
+
+    def _under_sun(self, system: System, view: Mapping[str, Value]) -> System:
+        """Scene with its first star where a view has the sun."""
+        zenith, bearing = (
+            math.radians(float(view[f"view.sun_{name}"])) for name in ("zenith", "azimuth")
+        )
+        body = system.body(self.body)
+        up = zenith_above(system, body)
+        north = system.axes(body)[2]
+        level = north - (north @ up) * up
+        size = float(np.linalg.norm(level))
+        if size < 1e-9:  # as System.camera_axes at a pole
+            level = np.cross(up, [0.0, 1.0, 0.0])
+            size = float(np.linalg.norm(level))
+        level = level / size
+        flat = math.cos(bearing) * level + math.sin(bearing) * np.cross(level, up)
+        towards = math.cos(zenith) * up + math.sin(zenith) * flat
+        star = self._star
+        if star.position is None:
+            moved = replaced(star, direction=tuple(towards.tolist()))
+        else:
+            distance = float(np.linalg.norm(np.asarray(star.position) - system.eye))
+            moved = replaced(star, position=tuple((system.eye + distance * towards).tolist()))
+        lights = tuple(moved if one is star else one for one in system.lights)
+        return replace(system, lights=lights)
