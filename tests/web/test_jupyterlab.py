@@ -195,7 +195,7 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(
     for _ in range(3):
         slider.press("PageUp")
     field = page.locator("[data-path='view.look_zenith'] input[type=text]")
-    shown = float(field.input_value())
+    shown = float(field.input_value().removesuffix("°"))
     assert 0.0 < shown < 88.0
     # a key that is pressed in the widget is none of the notebook's, whose letters edit cells
     assert page.evaluate(CELLS) == cells
@@ -219,7 +219,7 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(
     assert page.evaluate(f"{VIEWER}.device.kind") == "kernel"
     shown = page.evaluate(f"{VIEWER}.picture.number")
     run_cell(page, 2)
-    until(page, "document.querySelector(\"[data-path='view.look_zenith'] input\").value === '30'")
+    until(page, "document.querySelector(\"[data-path='view.look_zenith'] input\").value === '30°'")
     began = time.monotonic()
     until(page, f"{VIEWER}.picture.number > {shown}")
     assert np.abs(seen(page) - after).mean() > 0.5

@@ -228,7 +228,8 @@ def test_keys_stay_with_what_is_typed_or_slid(page: Any) -> None:
 
 def test_help_lists_the_table(page: Any) -> None:
     # the same rows, in the same order
-    page.get_by_role("button", name="help", exact=True).click()
+    page.locator(".airlight-menu summary").click()
+    page.locator("[data-action=help]").click()
     shown = page.evaluate(
         """[...document.querySelectorAll(".airlight-help > div")].map((group) => [
           group.querySelector("h3").textContent,

@@ -136,6 +136,7 @@ def test_slider_moves_the_picture_and_the_address(file: Path, opened: Callable[.
     until(page, "location.href === airlight.source.link(airlight.state.asFragment())")
     again = opened(file, page.evaluate("location.hash"))
     assert_same_picture(png(again), expected({**VIEW, "view.look_zenith": zenith}))
+    again.locator(".airlight-menu summary").click()
     again.get_by_role("button", name="reset", exact=True).click()
     assert_same_picture(png(again), expected(VIEW))
     again.get_by_role("button", name="undo", exact=True).click()
