@@ -237,7 +237,7 @@ class System:
         up = zenith if view.up is None else unit(view.up, "camera.up")
         right = np.cross(forward, up)
         if aside is not None and view.up is None:
-            right = aside  # also along the vertical
+            right = aside  # also for a view to the zenith or nadir
         if np.linalg.norm(right) < 1e-9:
             # Along the vertical any direction is up: north, or x.
             other = north if north is not None else np.array([1.0, 0.0, 0.0])

@@ -55,6 +55,13 @@ function withUnit(number, unit) {
   return `${number} ${words.length ? `${over}/${under}` : over}`;
 }
 
+/** Time [ms], in ms or in s. */
+export function timeText(milliseconds) {
+  return milliseconds < 1000
+    ? `${milliseconds.toFixed(0)} ms`
+    : `${(milliseconds / 1000).toFixed(1)} s`;
+}
+
 /** Number of a text [unit], with or without the unit; NaN for a text that is none. */
 export function numberOf(text, unit) {
   const words = text.trim().replace(",", ".").replace(/^−/, "-");

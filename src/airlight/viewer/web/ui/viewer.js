@@ -22,13 +22,16 @@
 import { openDevice } from "../devices/device.js";
 import { fitting } from "../drawing/view.js";
 import { KEYS } from "../generated/keys.js";
+import { timeText } from "../state/number_text.js";
 import { State } from "../state/state.js";
 import { BUTTONS, MENU, actionsOf } from "./actions.js";
+import { copyByHand } from "./clipboard.js";
 import { Controls } from "./controls.js";
 import { element } from "./element.js";
 import { Film } from "./film.js";
 import { Flight } from "./flight.js";
 import { FrameLoop, painted } from "./frame_loop.js";
+import { helpPanel } from "./help_panel.js";
 import { Keyboard } from "./keyboard.js";
 import { Pointer } from "./pointer.js";
 import { Probe } from "./probe.js";
@@ -434,34 +437,6 @@ export class Viewer {
     this.device?.close();
     this.parts.root.remove();
   }
-}
-
-/** Copy a text where the clipboard is closed to pages, as in a page from disk. */
-function copyByHand(root, text) {
-  const field = element("textarea", { value: text, style: "position: fixed; opacity: 0" });
-  root.append(field);
-  field.select();
-  document.execCommand("copy");
-  field.remove();
-}
-
-/** Help overlay with the table of keys. */
-function helpPanel() {
-  const groups = KEYS.help.map(([group, lines]) => {
-    const rows = lines.map(([keys, text]) =>
-      element("tr", {}, element("th", {}, keys), element("td", {}, text)),
-    );
-    return element("div", {}, element("h3", {}, group), element("table", {}, ...rows));
-  });
-  const panel = { className: "airlight-over airlight-help", hidden: true };
-  return element("div", panel, ...groups);
-}
-
-/** Time in ms, or in s. */
-function timeText(milliseconds) {
-  return milliseconds < 1000
-    ? `${milliseconds.toFixed(0)} ms`
-    : `${(milliseconds / 1000).toFixed(1)} s`;
 }
 
 function pause(milliseconds) {

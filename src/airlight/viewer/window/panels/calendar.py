@@ -9,10 +9,11 @@ from typing import Final
 
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.sun_clock import DATE, date_text
+from airlight.viewer.parameters.view_parameters import VIEW_VALUE
 from airlight.viewer.window import style
 
-#: Years that can be chosen, those of the slider.
-YEARS: Final = (1950, 2050)
+#: First and last year that can be chosen, those of the slider.
+YEARS: Final = tuple(int(one) for one in (VIEW_VALUE[DATE[0]].least, VIEW_VALUE[DATE[0]].most))
 #: Width of a day. [logical pixel]
 _DAY: Final = 34.0
 
