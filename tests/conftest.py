@@ -29,10 +29,13 @@ _TOGETHER = (
     "engines/baking", "engines/environment", "geometry/mappings", "image", "physics/optics",
     "planets", "render", "scene", "studies/plots", "web",
 )  # fmt: skip
-#: Groups of tests that take longest, each above a minute, the longest first.
+#: Groups of tests that take longest, each above a minute, the longest first. Files named here stay
+#: on a worker of their own.
 _LONGEST = (
     "web", "render", "tests/viewer/test_window.py", "tests/render/gpu/test_gpu_renderer.py",
-    "tests/docs/test_tutorials.py", "tests/reliability/test_processes.py",
+    "tests/web/test_devices.py", "tests/web/test_marimo.py", "tests/web/test_edits.py",
+    "tests/web/test_jupyterlab.py", "tests/docs/test_tutorials.py",
+    "tests/reliability/test_processes.py",
 )  # fmt: skip
 #: Its tests share nothing, and take long.
 _APART = "tests/against/test_solvers_agree.py"
@@ -86,7 +89,7 @@ def _group(nodeid: str) -> str:
     if parts[0] == "src":
         return "/".join(parts[:3])
     folder = "/".join(parts[1:-1])
-    return folder if folder in _TOGETHER else file
+    return folder if folder in _TOGETHER and file not in _LONGEST else file
 
 
 @pytest.hookimpl(optionalhook=True)

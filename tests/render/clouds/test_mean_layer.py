@@ -1,6 +1,7 @@
 """Light of the air below and above a mean layer of clouds."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -14,7 +15,16 @@ from airlight.render.solve_planet import solve_planet
 
 NM = np.array([440.0, 500.0, 560.0, 620.0, 680.0])
 SOLVED = NM[[0, 1, 3, 4]]
-OPTICS = CloudOptics.of_particles(droplets(10e-6, 0.1), SOLVED)
+
+
+@cache
+def droplet_optics():
+    return CloudOptics.of_particles(droplets(10e-6, 0.1), SOLVED)
+
+
+def optics(_):
+    """As ``CloudDeck`` asks, at ``SOLVED``."""
+    return droplet_optics()
 
 
 @pytest.fixture(scope="module")
@@ -22,12 +32,12 @@ def air():
     return solve_planet(load_planet("earth-atmosphere-plus"), NM, "preview", polarisation=False)
 
 
-def layer(air, columns, depth=10.0, optics=OPTICS):
+def layer(air, columns, depth=10.0, seen=optics):
     """Mean layer of columns of an optical depth, of four."""
     cells = np.zeros((4, 4, 8), np.float32)
     cells[:columns] = depth / 400.0
     field = CloudField(extinction=cells, spacing=(100.0, 100.0, 50.0), base=1000.0)
-    return mean_layer(air, [CloudDeck(field, lambda _: optics)])
+    return mean_layer(air, [CloudDeck(field, seen)])
 
 
 @pytest.fixture(scope="module")
@@ -72,8 +82,8 @@ def test_air_above_a_bright_cloud_receives_more_light(air, overcast):
     """Above an overcast of optical depth 10, which reflects half, but not below a black one."""
     r, mu_s = np.array([air.medium.bottom_radius + 2e3]), np.array([0.7])
     assert np.all(overcast.sky_ratio(r, mu_s) > 1.2)
-    black = replace(OPTICS, albedo=np.zeros(4))
-    dark = layer(air, 4, optics=black)
+    black = replace(droplet_optics(), albedo=np.zeros(4))
+    dark = layer(air, 4, seen=lambda _: black)
     assert np.all(dark.sky_ratio(r, mu_s) < 1.0)
 
 
@@ -83,7 +93,7 @@ def test_kinds_overlap_at_random(air):
     cells[:2] = 0.01
     decks = [
         CloudDeck(CloudField(extinction=cells, spacing=(100.0, 100.0, 50.0), base=base), optics)
-        for base, optics in ((1000.0, lambda _: OPTICS), (5000.0, lambda _: OPTICS))
+        for base in (1000.0, 5000.0)
     ]
     found = mean_layer(air, decks)
     assert [one.fraction for one in found.columns] == [0.25] * 4
