@@ -2,8 +2,8 @@
 
 Crystals leave heads at the top and fall at a constant speed v through the sheared wind, so that a
 trail is displaced by -s Δh²/(2 v) at the depth Δh below its head (Heymsfield 1975, JAS 32, 799),
-spreads, and sublimates towards the base. The wind below the heads turns: trails are hooks, which no
-line of sight follows from end to end.
+grows from a faint head, spreads, and sublimates towards the base. The wind below the heads turns:
+trails are hooks, which no line of sight follows from end to end.
 """
 
 from __future__ import annotations
@@ -24,6 +24,10 @@ FALL: Final = 0.8
 TURN: Final = 0.3
 #: Longest waves of heads over the distance between their groups: trails are fine. [1]
 _HEADS: Final = 0.12
+#: Length of heads along the wind over their width, and depth at which trails have the most ice over
+#: that of the cloud: heads are faint. By eye. [1]
+_DRAWN: Final = 2.0
+_GROWN: Final = 0.3
 
 
 def trail(shear: float) -> float:
@@ -42,7 +46,7 @@ def fibre_extinction(
         See ``heaps.heap_extinction``; ``cell`` is the distance between groups of heads.
     """
     groups = power_law_field(grid, random, slope=-3.0, longest=4.0 * cell, stretch=0.7)
-    heads = power_law_field(grid, random, longest=_HEADS * cell)
+    heads = power_law_field(grid, random, longest=_HEADS * cell, stretch=_DRAWN)
     sources = np.exp(0.8 * groups + 2.0 * heads)
     spectrum = np.fft.fft2(sources)
     waves = np.fft.fftfreq(grid.columns, grid.spacing)
@@ -61,7 +65,7 @@ def fibre_extinction(
             * np.exp(-2.0 * (np.pi * spread) ** 2 * (east**2 + north**2))
         )
         share = fallen / grid.depth
-        water = np.minimum(8.0 * share, 1.0) * np.sqrt(1.0 - share)
+        water = np.minimum(share / _GROWN, 1.0) ** 2 * np.sqrt(1.0 - share)
         layers[:, :, level] = water * np.fft.ifft2(spectrum * response).real
     layers = np.maximum(layers, 0.0)
     columns = layers.sum(axis=2)

@@ -4,7 +4,9 @@ A cloud is a union of ellipsoids with a rough surface: plumes side by side, each
 each other, with smaller thermals on their sides and tops. The level set f [m] is the union's,
 positive within; the cover determines the level at which the surface lies.
 
-Widths follow n(D) ∝ D^-1.7 up to the largest (Neggers, Jonker & Siebesma 2003, JAS 60, 1060).
+Widths follow n(D) ∝ D^-1.7 up to the largest (Neggers, Jonker & Siebesma 2003, JAS 60, 1060); what
+overlaps is one cloud from above, and their equal-area diameters fall as D^-2.1, those of trade
+cumuli as D^-2.19 (Zhao & Di Girolamo 2007, JGR 112, D24205).
 Extinction grows with height above the base as that of a constant number of droplets in adiabatic
 ascent, h^(2/3) (Brenguier et al. 2000, JAS 57, 803), and falls to zero within 20 m
 and seven tenths of a cell of the surface, as in the shells of Heus & Jonker (2008), JAS 65, 1003.
@@ -21,7 +23,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
 from airlight.clouds.cloud_grid import CloudGrid
-from airlight.clouds.organisation import number_density, overlapping, random_places
+from airlight.clouds.organisation import centred, gathered_places, number_density, overlapping
 from airlight.geometry.gradient_noise import gradient_noise
 from airlight.kernel import compiled_loop, kernel
 
@@ -252,7 +254,7 @@ def cloud_widths(
     widths = (least**power + share * (widest**power - least**power)) ** (1.0 / power)
     area = -log(max(1.0 - cover, 0.02))
     if density is not None:
-        area = overlapping(min(cover, 0.98), density)
+        area = overlapping(min(cover, 0.98), centred(density, widest / least))
     wanted = area * grid.size**2 / (_FILLED * 0.25 * np.pi)
     count = int(np.searchsorted(np.cumsum(widths**2), wanted)) + 1
     found = np.sort(widths[:count])[::-1]
@@ -263,10 +265,12 @@ def cloud_widths(
 def _places(
     grid: CloudGrid, random: np.random.Generator, widths: FloatArray, density: FloatArray | None
 ) -> FloatArray:
-    """Places of clouds, the farthest from others of a few random ones, shape (n, 2). [m]"""
-    places, total = np.zeros((widths.size, 2)), None if density is None else np.cumsum(density)
+    """Places of clouds, gathered or the farthest of a few random ones, shape (n, 2). [m]"""
+    if density is not None:
+        return gathered_places(grid, random, widths, density)
+    places = np.zeros((widths.size, 2))
     for n, width in enumerate(widths):
-        tries = random_places(grid, random, total, 3)
+        tries = grid.size * random.random((3, 2))
         if n:
             apart = np.abs(tries[:, None] - places[None, :n])
             apart = np.minimum(apart, grid.size - apart)

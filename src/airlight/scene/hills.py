@@ -3,8 +3,8 @@
 Decoration: fractal relief of cells from a texel of the map (7 km on Earth) to a sixty-fourth of
 it, each with half the height of the next coarser one, so that slopes have no scale of their own.
 Crests are sharp and rough, valleys smooth: finer relief grows with the height of coarser one, as in
-the multifractals of Musgrave, Kolb & Mace (1989, SIGGRAPH Comput. Graph. 23(3), 41). On green land
-there are woods.
+the multifractals of Musgrave, Kolb & Mace (1989, SIGGRAPH Comput. Graph. 23(3), 41), and is bent by
+it, so that valleys wander; slopes leave the bend out. On green land there are woods.
 """
 
 from __future__ import annotations
@@ -99,17 +99,18 @@ def hills(finest, footprint, distance, whole, way, sloping, cell, fall):
         Ratio of the contrast of land at a scale to that at four times the scale. [1]
     """
     height, ascent, tone, loud, rough = 0.0, 0.0, 0.0, 1.0, 1.0
-    scale = COARSEST
+    scale, bend = COARSEST, 0.0
     for octave in range(OCTAVES):
         shown = min(0.6 * scale / footprint - 1.0, 1.0)
         shown = min(shown, GROWTH * (distance / scale - BEGIN))
         if shown > 0.0:
             at = lattice_place(finest, whole, scale)
+            x, y, z = at.x + bend, at.y - bend, at.z + 0.5 * bend
             value, slope = 0.0, 0.0
             if sloping:
-                value, slope = sloping_noise(at.x, at.y, at.z, way)
+                value, slope = sloping_noise(x, y, z, way)
             else:
-                value = smooth_noise(at.x, at.y, at.z)
+                value = smooth_noise(x, y, z)
             here = HALF - abs(value)
             part = shown * rough
             height += part * here * scale / COARSEST
@@ -118,6 +119,7 @@ def hills(finest, footprint, distance, whole, way, sloping, cell, fall):
             if octave < TONED:
                 tone += shown * loud * value
             rough *= min(max(0.8 + 2.0 * here, 0.2), 1.0)
+            bend = 2.0 * bend + shown * value
         loud *= sqrt(fall)
         scale *= 0.5
     return Hills(height, ascent, tone)

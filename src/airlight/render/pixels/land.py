@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import cos, pi, sqrt
 from typing import Final
 
+from airlight.geometry.gradient_noise import smooth_noise
 from airlight.geometry.vectors import Vec3, components, plus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, maximum, splat
@@ -32,6 +33,10 @@ NEARLY_WATER: Final = 0.999
 #: to differences of height between texels of the map of heights. [1]
 LEAST: Final = 0.027
 RUGGED: Final = 3.0
+#: Cells of hilly regions over those of the coarsest octave, and height of hills in the plains
+#: between them over that in hilly ones. [1]
+REGION: Final = 8.0
+PLAIN: Final = 0.2
 #: Altitude over which hills hide nothing; distance of the nearest and of the farthest hills that
 #: do, and distance of the nearest per altitude. [m], [1]
 LOW: Final = 1000.0
@@ -103,25 +108,32 @@ def grown(distance, altitude):
 
 
 @inlined
-def hill_size(latitude, longitude, view):
+def hill_size(place, bottom, view):
     """Height of the coarsest octave of hills, by differences of the map of heights. [m]
+
+    Decoration, by eye: hilly regions and plains of some tens of kilometres.
 
     Parameters
     ----------
-    latitude, longitude : float
-        Geocentric coordinates. [rad]
+    place : Vec3
+        Place from the centre, in the planet's frame, over the radius. [1]
+    bottom : float
+        Radius of the ground. [m]
     view : ViewUniforms
         Camera with its maps.
     """
     size = LEAST * COARSEST * view.detail_cell
     if view.relieved:
+        latitude, longitude = latitude_longitude(place)
         angle = pi / view.over_rows
         parallel = max(cos(latitude), 0.05)
         here = height_at(latitude, longitude, 0, view)
         north = height_at(latitude + angle, longitude, 0, view)
         east = height_at(latitude, longitude + angle / parallel, 0, view)
         size += RUGGED * sqrt((north - here) * (north - here) + (east - here) * (east - here))
-    return size
+    region = bottom / (REGION * COARSEST * view.detail_cell)
+    hilly = 0.6 + 3.0 * smooth_noise(place.x * region, place.y * region, place.z * region)
+    return size * min(max(hilly, PLAIN), 1.0)
 
 
 @inlined
@@ -185,7 +197,6 @@ def seen_hill(ray, frame, color):
     aside = components(along, view.ground_x, view.ground_y, view.ground_z)
     up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
     middle = plus(up, scaled(aside, 0.3 * far / tables.bottom))
-    latitude, longitude = latitude_longitude(middle)
     leaf, snow = 0.0, 0.0
     if view.mapped:
         land_color(middle, view, color)
@@ -193,7 +204,7 @@ def seen_hill(ray, frame, color):
             return ray, 1.0
         snow = snowiness(color[0], color[2])
         leaf = leafiness(color[0], color[1], snow)
-    size = min(hill_size(latitude, longitude, view), HIGHEST) * (1.0 + (SNOWED - 1.0) * snow)
+    size = min(hill_size(middle, tables.bottom, view), HIGHEST) * (1.0 + (SNOWED - 1.0) * snow)
     cell = view.detail_cell
     trees = 250.0 * cell * leaf
     step = (far / near) ** (1.0 / STEPS)
@@ -312,8 +323,7 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
         high = risen(reach, observer.optical_altitude)
         ascent, tone, wood, height = 0.0, 0.0, 0.0, 0.0
         if high > 0.0:
-            latitude, longitude = latitude_longitude(middle)
-            size = hill_size(latitude, longitude, view) * (1.0 + (SNOWED - 1.0) * snow)
+            size = hill_size(middle, frame.tables.bottom, view) * (1.0 + (SNOWED - 1.0) * snow)
             from_there = reach if observer.optical_altitude < LOW else 1e9
             hill = hills(
                 finest, blur, from_there / cell, view.whole, way, True, cell, view.grain_fall
