@@ -21,6 +21,11 @@ from airlight.validation.published.rayleigh_sphere import geometric_albedo
         # Mallama (2007), Icarus 192, 404: R, V, B. The ground has these albedos, and the dust,
         # which is part of them, must not change them by more than 15 %
         ("mars", (700.0, 550.0, 440.0), (0.289, 0.170, 0.089), 0.15),
+        # Mallama, Krobusek & Pavlov (2017), Icarus 282, 19, Table 7: R, V, B, by which the
+        # ground's albedo is set: three digits
+        ("mercury", (700.0, 550.0, 440.0), (0.172, 0.142, 0.105), 0.01),
+        # optics.moon_phase: 0.1498 at 550 nm, 0.1168 at 440 nm, as the ground's
+        ("moon", (550.0, 440.0), (0.1498, 0.1168), 0.01),
         # NASA, Saturnian Satellite Fact Sheet: 0.2, one digit
         pytest.param("titan", (550.0,), (0.2,), 0.25, marks=pytest.mark.slow),
         # Mallama, Wang & Howard (2006), Icarus 182, 10: V 0.67; clouds vary by some per cent

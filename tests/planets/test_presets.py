@@ -39,6 +39,8 @@ def test_all_presets_of_the_plan_are_there():
         "mars-openspace",
         "mars-rayleigh",
         "mars-standard",
+        "mercury",
+        "moon",
         "titan",
         "venus",
     }
@@ -71,6 +73,7 @@ def test_presets_are_physical_at_their_own_wavelengths(name):
 
 COLORED = ("early-earth", "earth", "earth-hazy", "earth-volcanic")
 COLORED += ("exoplanet", "mars", "titan", "venus")
+COLORED += ("mercury", "moon")
 
 
 @pytest.mark.parametrize("name", COLORED)
