@@ -41,9 +41,13 @@ PLANETS = (
     "early-earth",
     "exoplanet",
     "moon",
+    "jupiter",
+    "saturn",
+    "uranus",
+    "neptune",
 )
 #: Presets that are shown from space alone, at these phase angles. [deg]
-DISCS = ("moon",)
+DISCS = ("moon", "jupiter", "saturn", "uranus", "neptune")
 PHASES = {"full": 5.0, "half": 90.0, "crescent": 140.0}
 #: Rayleigh coefficients of Mars at 680, 550, 440 nm, of which the shortcut keeps the ratios.
 #: Collienne, Wolff, Gerz & Jacob (2013), VMV 2013, turn their order round. [m⁻¹]
