@@ -82,7 +82,8 @@ class PlaceOptions(AngleOptions):
     )
     time_: str | None = option(
         "Time, with --at: 2026-06-21T22:10+02:00, …Z, or without a zone with --zone; or an event, "
-        "optionally after a date: {geometry.ephemeris.events:WORDS}.",
+        "optionally after a date: {geometry.ephemeris.events:WORDS}; or the sun's elevation: "
+        "'morning 5deg', 'evening -3deg'.",
         "TIME",
     )
     zone: Zone = None
