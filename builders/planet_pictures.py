@@ -4,7 +4,8 @@ Run with ``python builders/planet_pictures.py``, or with the names of the planet
 airlight itself and nothing else. Every preset becomes three pictures: from the ground with the sun
 20 degrees high, from the ground with the sun on the horizon, and from space. Mars's sunset is
 painted once more beside the shortcut that some programs take, Rayleigh scattering with its colours
-swapped. ``--preview`` is quicker and coarser.
+swapped. Planets without ground or without air are shown from space alone. ``--preview`` is quicker
+and coarser.
 """
 
 from __future__ import annotations
@@ -39,7 +40,15 @@ PLANETS = (
     "titan",
     "early-earth",
     "exoplanet",
+    "moon",
+    "jupiter",
+    "saturn",
+    "uranus",
+    "neptune",
 )
+#: Presets that are shown from space alone, at these phase angles. [deg]
+DISCS = ("moon", "jupiter", "saturn", "uranus", "neptune")
+PHASES = {"full": 5.0, "half": 90.0, "crescent": 140.0}
 #: Rayleigh coefficients of Mars at 680, 550, 440 nm, of which the shortcut keeps the ratios.
 #: Collienne, Wolff, Gerz & Jacob (2013), VMV 2013, turn their order round. [m⁻¹]
 RAYLEIGH_OF_MARS = (0.1023e-6, 0.2429e-6, 0.6081e-6)
@@ -47,11 +56,19 @@ RAYLEIGH_OF_MARS = (0.1023e-6, 0.2429e-6, 0.6081e-6)
 
 def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
     """Name and scene of the three pictures of a planet."""
+    if planet.name.lower() in DISCS:
+        for name, phase in PHASES.items():
+            yield name, from_space(planet, sun_zenith=phase)
+        return
     high = Camera(width=WIDTH, height=HEIGHT, look_zenith=72.0, field_of_view=80.0)
     low = Camera(width=WIDTH, height=HEIGHT, look_zenith=80.0, field_of_view=60.0)
     yield "day", Scene(camera=high, sun_zenith=70.0, ground="detailed")
     yield "sunset", Scene(camera=low, sun_zenith=89.0, ground="detailed")
-    # Six radii from the centre; the picture's height is 1.15 diameters of the air.
+    yield "space", from_space(planet, sun_zenith=55.0, latitude=15.0)
+
+
+def from_space(planet: Planet, **given: float) -> Scene:
+    """Planet from six radii, north above, the sun on the left; the height is 1.15 diameters."""
     distance = 6.0 * planet.bottom_radius
     half = 1.15 * math.asin(planet.top_radius / distance)
     across = 2.0 * math.degrees(math.atan(WIDTH / HEIGHT * math.tan(half)))
@@ -59,18 +76,7 @@ def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
         width=WIDTH, height=HEIGHT, look_zenith=180.0, look_azimuth=90.0, field_of_view=across
     )
     altitude = distance - planet.bottom_radius
-    # North above, the sun on the left.
-    yield (
-        "space",
-        Scene(
-            camera=far,
-            altitude=altitude,
-            sun_zenith=55.0,
-            latitude=15.0,
-            sun_azimuth=270.0,
-            ground="detailed",
-        ),
-    )
+    return Scene(camera=far, altitude=altitude, sun_azimuth=270.0, ground="detailed", **given)
 
 
 def reversed_rayleigh(mars: Planet) -> Planet:

@@ -35,11 +35,17 @@ def test_all_presets_of_the_plan_are_there():
         "earth-openspace-dust",
         "earth-openspace-refractive",
         "exoplanet",
+        "jupiter",
         "mars",
         "mars-openspace",
         "mars-rayleigh",
         "mars-standard",
+        "mercury",
+        "moon",
+        "neptune",
+        "saturn",
         "titan",
+        "uranus",
         "venus",
     }
 
@@ -71,6 +77,7 @@ def test_presets_are_physical_at_their_own_wavelengths(name):
 
 COLORED = ("early-earth", "earth", "earth-hazy", "earth-volcanic")
 COLORED += ("exoplanet", "mars", "titan", "venus")
+COLORED += ("jupiter", "mercury", "moon", "neptune", "saturn", "uranus")
 
 
 @pytest.mark.parametrize("name", COLORED)

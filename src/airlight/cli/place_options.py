@@ -75,13 +75,15 @@ class PlaceOptions(AngleOptions):
     """Options of the observer and the sun, by angles or by place and time."""
 
     at: str | None = option(
-        "Observer position, with --time: 59.33N,18.07E or 59.33,18.07; optionally ,35km. Mars and "
-        "Titan: planetocentric, east positive.",
-        "LAT,LON[,ALTITUDE]",
+        "Observer position, with --time: 59.33N,18.07E or 59.33,18.07, or the name of a city, "
+        "summit or landing site: 'Dead Sea', Gale; optionally ,35km. Mars and Titan: "
+        "planetocentric, east positive.",
+        "LAT,LON|NAME[,ALTITUDE]",
     )
     time_: str | None = option(
         "Time, with --at: 2026-06-21T22:10+02:00, …Z, or without a zone with --zone; or an event, "
-        "optionally after a date: {geometry.ephemeris.events:WORDS}.",
+        "optionally after a date: {geometry.ephemeris.events:WORDS}; or the sun's elevation: "
+        "'morning 5deg', 'evening -3deg'.",
         "TIME",
     )
     zone: Zone = None
@@ -104,7 +106,11 @@ class PlaceOptions(AngleOptions):
     @property
     def altitude_in_at(self) -> bool:
         """Whether ``--at`` has an altitude."""
-        return self.at is not None and self.at.count(",") > 1
+        from airlight.geometry.ephemeris.place_text import is_named
+
+        if self.at is None:
+            return False
+        return self.at.count(",") > (0 if is_named(self.at) else 1)
 
     def _time_options(self) -> dict[str, Any]:
         return given_options(self, "at", "time_", "zone", "season")
@@ -133,8 +139,8 @@ class PlaceOptions(AngleOptions):
             raise ConflictError("--at", "requires --time or --ls")
         from airlight.scene.scene import STANDING, Scene
 
-        latitude, longitude, height = self.position(self.at)
-        _ = planet.world  # refused under the name of its key
+        body = planet.world.name  # refused under the name of its key
+        latitude, longitude, height = self.position(self.at, body)
         try:
             with named_errors("zone", time="--time", solar_longitude="--ls"):
                 return Scene.at(
@@ -151,13 +157,20 @@ class PlaceOptions(AngleOptions):
                 raise
             raise ParameterError("--time", self.time_, error.allowed) from None
 
-    def position(self, at: str) -> tuple[float, float, float | None]:
+    def position(self, at: str, body: str | None = None) -> tuple[float, float, float | None]:
         """Latitude, longitude and altitude of ``--at`` and ``--altitude``. [deg], [m]"""
-        from airlight.geometry.ephemeris.place_text import read_place
+        from airlight.geometry.ephemeris.gazetteer import find_place
+        from airlight.geometry.ephemeris.place_text import is_named, read_place
 
-        latitude, longitude, above = read_place(at, "--at")
+        own = None
+        if is_named(at):
+            name, _, text = at.partition(",")
+            latitude, longitude, own = find_place(name, body, "--at")[1:4]
+            above = text.strip() or None
+        else:
+            latitude, longitude, above = read_place(at, "--at")
         if above is None:
-            return latitude, longitude, self.altitude
+            return latitude, longitude, own if self.altitude is None else self.altitude
         if self.altitude is not None:
             raise ConflictError("--altitude", "cannot be combined with an altitude in --at")
         return latitude, longitude, options.length(above, "--at")

@@ -29,6 +29,9 @@ FloatArray = NDArray[np.float64]
 
 #: Wavelengths of pictures with few wavelengths, by their number. [nm]
 CHOSEN: Final = {3: (450.0, 550.0, 620.0), 4: (440.0, 500.0, 560.0, 620.0)}
+#: Four wavelengths where methane absorbs, whose band is at 620 nm: the best multiples of 10 nm for
+#: the discs of the giant planets (Karkoschka 1998), ΔE 1 or less; ``CHOSEN`` err by up to 25. [nm]
+BESIDE_METHANE: Final = (450.0, 500.0, 570.0, 650.0)
 #: Numbers of wavelengths that can be fitted: one has no freedom, many are for ``rgb_weights``.
 _FEWEST: Final = 2
 _MOST: Final = 8
@@ -127,7 +130,9 @@ def four_wavelengths(
     return wavelengths, fitted_weights(wavelengths, irradiance)
 
 
-def few_wavelengths(count: int = 4, low: float = 280.0, high: float = 1000.0) -> FloatArray:
+def few_wavelengths(
+    count: int = 4, low: float = 280.0, high: float = 1000.0, *, methane: bool = False
+) -> FloatArray:
     """Three or four wavelengths of a picture, within the limits of a planet.
 
     They minimise the mean fourth power of the error over ``typical_light`` under the sun, among
@@ -140,6 +145,8 @@ def few_wavelengths(count: int = 4, low: float = 280.0, high: float = 1000.0) ->
         Number of wavelengths, 3 or 4.
     low, high : float
         Limits of the wavelengths. [nm]
+    methane : bool
+        Whether methane absorbs: four wavelengths are then beside its bands.
 
     Returns
     -------
@@ -153,7 +160,8 @@ def few_wavelengths(count: int = 4, low: float = 280.0, high: float = 1000.0) ->
     """
     if count not in CHOSEN:
         raise ParameterError("count", count, "3 or 4")
-    chosen = np.array(CHOSEN[count])
+    beside = methane and count == len(BESIDE_METHANE)
+    chosen = np.array(BESIDE_METHANE if beside else CHOSEN[count])
     first, last = max(low, chosen[0]), min(high, chosen[-1])
     if not first < last:
         raise ParameterError("low, high", (low, high), "limits that include visible wavelengths")
@@ -249,7 +257,7 @@ def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None
     True
     """
     at = values_in(wavelengths, "nm", "wavelengths")
-    if at.size in CHOSEN and tuple(at) == CHOSEN[at.size]:
+    if tuple(at) in (*CHOSEN.values(), BESIDE_METHANE):
         return fitted_weights(at, irradiance)
     return rgb_weights(at, irradiance)
 

@@ -14,6 +14,7 @@ import numpy.typing as npt
 from airlight.errors import ParameterError
 from airlight.image.four_wavelengths import CHOSEN, few_wavelengths
 from airlight.image.spectral import default_wavelengths
+from airlight.planets.matter.absorbers import CrossSectionAbsorption
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -25,6 +26,8 @@ STILL: Final = 16
 LIVE: Final = 4
 #: Number of wavelengths of each word.
 COUNTS: Final = {"three": 3, "four": 4, "eight": 8, "sixteen": 16}
+#: Table of the bands of methane.
+METHANE_BANDS: Final = "methane-bands"
 
 
 def picture_wavelengths(
@@ -70,7 +73,18 @@ def picture_wavelengths(
         fitted = count in CHOSEN
     else:
         count, fitted = choice, False
-    return few_wavelengths(count, *limits) if fitted else default_wavelengths(count, *limits)
+    if not fitted:
+        return default_wavelengths(count, *limits)
+    return few_wavelengths(count, *limits, methane=_absorbs_methane(planet))
+
+
+def _absorbs_methane(planet: Planet) -> bool:
+    """Whether a constituent has the bands of methane."""
+    return any(
+        isinstance(one.absorption, CrossSectionAbsorption)
+        and one.absorption.cross_section == METHANE_BANDS
+        for one in planet.constituents
+    )
 
 
 def texel_wavelengths(planet: Planet, choice: int | str | None = None) -> FloatArray:
@@ -81,5 +95,7 @@ def texel_wavelengths(planet: Planet, choice: int | str | None = None) -> FloatA
     >>> from airlight.planets import load_planet
     >>> texel_wavelengths(load_planet("earth"))
     array([440., 500., 560., 620.])
+    >>> texel_wavelengths(load_planet("neptune"))  # beside the bands of its methane
+    array([450., 500., 570., 650.])
     """
     return picture_wavelengths(planet, choice, most=LIVE)

@@ -174,3 +174,15 @@ def test_sunset_of_mars_follows_the_season_after_a_date() -> None:
     sun = sun_seen(GALE, moment)
     assert sun.altitude == pytest.approx(-sun.angular_radius, abs=1e-4)
     assert sun.azimuth > 180.0
+
+
+@pytest.mark.parametrize(("half", "other"), [("morning", False), ("evening", True)])
+@pytest.mark.parametrize("elevation", [-8.0, 5.0, 30.0])
+def test_sun_has_the_elevation_that_was_asked_for(half: str, other: bool, elevation: float) -> None:
+    # The place of the sun is a second formula for what the search has found; 0.01° is 3 s
+    place = Place(latitude=47.0, longitude=8.0)
+    when = read_time(f"2026-04-10 {half} {elevation:g}deg", place)
+    assert abs(sun_seen(place, when).altitude - elevation) < 0.01
+    assert (when > read_time("2026-04-10 noon", place)) is other
+    with pytest.raises(ParameterError, match="the sun stays between"):
+        read_time(f"2026-04-10 {half} 80deg", place)

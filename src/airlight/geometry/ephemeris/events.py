@@ -60,6 +60,19 @@ def _events() -> dict[str, Event]:
 EVENTS: Final = _events()
 #: Names of times of day.
 WORDS: Final = (*EVENTS, "noon")
+#: Names of the half days in which the sun has a given elevation.
+HALVES: Final = ("morning", "evening")
+
+
+def sun_at(elevation: float, half: str) -> Event:
+    """Event of the sun's centre at a true elevation [deg], in a half of ``HALVES``.
+
+    Examples
+    --------
+    >>> sun_at(5.0, "evening").rising
+    False
+    """
+    return Event(f"{half} {elevation:g}deg", "sun", elevation, False, half == HALVES[0])
 
 
 class NoEvent(Exception):
@@ -70,15 +83,16 @@ class NoEvent(Exception):
         super().__init__(f"the {body} stays between {lowest:.1f}° and {highest:.1f}°")
 
 
-def time_of_event(name: str, place: Place, start: float, end: float) -> float:
+def time_of_event(name: str | Event, place: Place, start: float, end: float) -> float:
     """First time of an event between two times.
 
     Parameters
     ----------
-    name : str
-        Word of ``WORDS``. Rise and set are of the upper limb at the horizontal, on Earth with
-        34' of refraction as in almanacs; at civil, nautical and astronomical dawn and dusk the
-        sun's centre is 6°, 12° and 18° below the horizontal, without refraction.
+    name : str or Event
+        Word of ``WORDS``, or an event of ``sun_at``. Rise and set are of the upper limb at the
+        horizontal, on Earth with 34' of refraction as in almanacs; at civil, nautical and
+        astronomical dawn and dusk the sun's centre is 6°, 12° and 18° below the horizontal, without
+        refraction.
     place : Place
         Place; events are those on its ground.
 
@@ -102,7 +116,7 @@ def time_of_event(name: str, place: Place, start: float, end: float) -> float:
     if name == "noon":
         world, longitude = place.world, place.longitude
         return clock_time(lambda days: true_solar_time(world, longitude, days), 12.0, start, end)
-    event = EVENTS[name]
+    event = EVENTS[name] if isinstance(name, str) else name
     ground = Place(body=place.body, latitude=place.latitude, longitude=place.longitude)
 
     def above(days: float) -> float:

@@ -51,6 +51,17 @@ def read_place(text: str, field: str = "at") -> tuple[float, float, str | None]:
     return latitude, longitude, altitude
 
 
+def is_named(text: str) -> bool:
+    """Whether a place is given by its name, which begins with a letter.
+
+    Examples
+    --------
+    >>> is_named("Dead Sea"), is_named("K2"), is_named("59.33N,18.07E"), is_named("-4.5,137")
+    (True, True, False, False)
+    """
+    return text.lstrip()[:1].isalpha()
+
+
 def written_place(latitude: float, longitude: float) -> str:
     """Place as text.
 

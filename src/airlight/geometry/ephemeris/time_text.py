@@ -9,7 +9,14 @@ from typing import Final
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from airlight.errors import ConflictError, ParameterError
-from airlight.geometry.ephemeris.events import WORDS, NoEvent, clock_time, time_of_event
+from airlight.geometry.ephemeris.events import (
+    WORDS,
+    Event,
+    NoEvent,
+    clock_time,
+    sun_at,
+    time_of_event,
+)
 from airlight.geometry.ephemeris.instant import days_of, time_at
 from airlight.geometry.ephemeris.place_text import written_place
 from airlight.geometry.ephemeris.sky import Place
@@ -20,10 +27,13 @@ from airlight.physics.units import Measure, quantity
 SOLAR: Final = "solar"
 _FORM: Final = (
     "a time with its zone, 2026-06-21T22:10+02:00 or 2026-06-21T20:10Z; without, if a zone is set; "
-    f"or, also after a date, {', '.join(WORDS)}"
+    f"or, also after a date, {', '.join(WORDS)}, evening 5deg (sun's elevation)"
 )
 _CLOCK = re.compile(r"(?:(\d{4}-\d{2}-\d{2})[T ]+)?(\d{1,2}:\d{2}(?::\d{2}(?:\.\d+)?)?)")
 _WORD = re.compile(r"(?:(\d{4}-\d{2}-\d{2})[T ]+)?([a-z-]+)")
+_ELEVATION = re.compile(
+    r"(?:(\d{4}-\d{2}-\d{2})[T ]+)?(morning|evening) +([+-]?\d{1,2}(?:\.\d+)?) *(?:deg|°)"
+)
 #: Start of the search for a season if no date is given.
 _FIRST_SEASON: Final = date(2000, 1, 1)
 
@@ -43,7 +53,8 @@ def read_time(
     ----------
     text : str
         ISO 8601 with a zone (``2026-06-21T22:10+02:00``, ``…Z``) or without one if ``zone`` is
-        given; or a word of ``WORDS``, also after a date. Default date: today's.
+        given; or, also after a date, a word of ``WORDS`` or the true elevation of the sun's centre,
+        ``morning 5deg`` or ``evening -3deg``. Default date: today's.
     place : Place
         Place, for words and solar time.
     zone : str, optional
@@ -80,10 +91,17 @@ def read_time(
         season = quantity(season, "deg", "season", bare=True)
     words = text.strip()
     match = _WORD.fullmatch(words.lower())
-    if match is not None and match[2] in WORDS:
-        start, end = _span(match[1], place, zone, season, field, today)
+    height = _ELEVATION.fullmatch(words.lower())
+    day: str | None = None
+    event: str | Event | None = None
+    if height is not None:
+        day, event = height[1], sun_at(float(height[3]), height[2])
+    elif match is not None and match[2] in WORDS:
+        day, event = match[1], match[2]
+    if event is not None:
+        start, end = _span(day, place, zone, season, field, today)
         try:
-            return time_at(time_of_event(match[2], place, start, end))
+            return time_at(time_of_event(event, place, start, end))
         except NoEvent as none:
             where = written_place(place.latitude, place.longitude)
             allowed = f"times that occur: at {where} on that day {none}"

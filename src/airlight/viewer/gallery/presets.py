@@ -134,6 +134,12 @@ PRESETS: Final = (
     Preset("mars-openspace", "OpenSpace", "Mars", "literature", _DAY),
     Preset("venus", "Venus", "Venus", "reference", _WHOLE),
     Preset("titan", "Titan", "Titan", "reference", _WHOLE),
+    Preset("mercury", "Mercury", "Mercury", "reference", _WHOLE),
+    Preset("moon", "Moon", "Moon", "reference", _WHOLE),
+    Preset("jupiter", "Jupiter", "Jupiter", "reference", _WHOLE),
+    Preset("saturn", "Saturn", "Saturn", "reference", _WHOLE),
+    Preset("uranus", "Uranus", "Uranus", "reference", _WHOLE),
+    Preset("neptune", "Neptune", "Neptune", "reference", _WHOLE),
     Preset("exoplanet", "TRAPPIST-1 e", "exoplanets", "reference", _SUNSET),
 )
 

@@ -10,8 +10,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal
 
+from airlight.geometry.ephemeris.world import WORLDS
 from airlight.scene.flight import CLIMB, FOOTING, NOTCH, RATE
-from airlight.viewer.navigation.places import PLACES
+from airlight.viewer.navigation.places import menu_name, places_of
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 from airlight.viewer.session.adaptation import BRIGHTEST, TIME_CONSTANT
 from airlight.viewer.session.history import MOST_STEPS, TOGETHER
@@ -196,7 +197,10 @@ def as_json(host: Host) -> dict[str, Any]:
         **{name: _together(name, host) for name in ("held", "factors", "once")},
         "rates": dict(RATES),
         "lost": LOST,
-        "places": {body: [list(one) for one in places] for body, places in PLACES.items()},
+        "places": {
+            body: [[menu_name(one), one.latitude, one.longitude] for one in places_of(body)]
+            for body in WORLDS
+        },
     }
 
 

@@ -10,7 +10,7 @@ from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.flight_recorder import FlightRecorder
-from airlight.viewer.navigation.places import places_of
+from airlight.viewer.navigation.places import menu_name, places_of, view_of
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 from airlight.viewer.parameters.number_text import quantity_text
 from airlight.viewer.parameters.parameter import Parameter, Value
@@ -286,11 +286,13 @@ class SidePanel:
         imgui.set_next_item_width(-1.0)
         if imgui.begin_combo("##places", "go to a place", imgui.ComboFlags_.height_large):
             for place in places:
-                picked, _ = imgui.selectable(place.name, False)
-                self.places[f"place {place.name}"] = style.item_place()
+                name = menu_name(place)
+                picked, _ = imgui.selectable(name, False)
+                self.places[f"place {name}"] = style.item_place()
                 if picked:
+                    view = view_of(place)
                     self._attempt(
-                        lambda place=place: self._session.change_view(place.name, place.view)  # type: ignore[misc]
+                        lambda name=name, view=view: self._session.change_view(name, view)  # type: ignore[misc]
                     )
             imgui.end_combo()
         self.places["places"] = style.item_place()
