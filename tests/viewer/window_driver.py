@@ -10,12 +10,14 @@ import json
 import sys
 import threading
 import time
+import traceback
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from airlight.render.gpu.device.device import open_device
+from airlight.viewer.session.saved_state import to_fragment
 from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels.probe import numbers_of
@@ -63,6 +65,29 @@ class Answers:
         panel, gallery = self.window.panel, self.window.gallery
         tab = panel.flight.places
         return list({**gallery.places, **panel.places, **tab, **panel.planet_rows.places}[path])
+
+    def controls(self) -> dict[str, list[float]]:
+        """Rectangles of all controls that are within the window, by name."""
+        panel, gallery = self.window.panel, self.window.gallery
+        rows = {**panel.view_rows.places, **panel.planet_rows.places}
+        shown = gallery.places if gallery.is_open else {**rows, **panel.flight.places}
+        width, height = self.window.surface.size
+        return {
+            name: list(one)
+            for name, one in {**({} if gallery.is_open else panel.places), **shown}.items()
+            if 0.0 <= one[0] < one[2] <= width and 0.0 <= one[1] < one[3] <= height
+        }
+
+    def state(self) -> dict[str, Any]:
+        """What is displayed: its link, size and exposure, and the error."""
+        session, shown = self.window.session, self.window.shown()
+        return {
+            "link": f"#{to_fragment(session.to_state())}",
+            "size": session.size,
+            "exposure": None if shown is None else shown.exposure,
+            "held": session.holds_exposure,
+            "error": self.window.problem,
+        }
 
     def draws(self, frames: int) -> bool:
         """Whether the window draws some more frames."""
@@ -217,6 +242,12 @@ class Answers:
         while time.thread_time() - before < 0.1:
             pass
         return (time.perf_counter() - started) / (time.thread_time() - before)
+
+    def stack(self) -> str:
+        """What the window's thread is doing."""
+        frame = sys._current_frames()[threading.main_thread().ident or 0]
+        lines = traceback.extract_stack(frame)[-12:]
+        return " < ".join(f"{Path(o.filename).name}:{o.lineno} {o.name}" for o in reversed(lines))
 
     def threads(self) -> list[str]:
         return sorted(one.name for one in threading.enumerate() if "airlight" in one.name)
