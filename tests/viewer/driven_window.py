@@ -105,14 +105,14 @@ class Driven:
     def pixels(self) -> np.ndarray:
         """Pixels of the display, shape (rows, columns, 3).
 
-        The file is an X window dump: a header of numbers of 32 bits, colours, pixels.
+        The file is an X window dump: a header of numbers of 32 bits, colours, pixels as BGRX.
         """
         data = self.screen.read_bytes()
         head = np.frombuffer(data, ">u4", 25)
         start, colors = int(head[0]) + 12 * int(head[19]), 4
         width, height, stride = int(head[4]), int(head[5]), int(head[12])
         body = np.frombuffer(data, np.uint8, stride * height, start).reshape(height, stride)
-        return body[:, : colors * width].reshape(height, width, colors)[..., :3].astype(int)
+        return body[:, : colors * width].reshape(height, width, colors)[..., 2::-1].astype(int)
 
     def picture_pixels(self) -> np.ndarray:
         """Part of the display that the picture occupies."""
