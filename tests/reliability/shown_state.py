@@ -28,10 +28,11 @@ DIFFERENT, FEW = 6.0, 0.02
 
 @dataclass(frozen=True)
 class Expected:
-    """Light of a state, rendered by the CPU."""
+    """Light of a state, rendered by the CPU, and its metered exposure. [EV]"""
 
     session: Session
     frame: Frame
+    metered: float
 
     def picture(self, exposure: float) -> np.ndarray:
         """Displayed picture at an exposure [EV], shape (height, width, 3). [1/255]"""
@@ -43,7 +44,7 @@ class Expected:
     def exposure(self) -> float:
         """Exposure that the state asks for. [EV]"""
         view = self.session.view
-        metered = self.frame.exposure if view["display.automatic"] else 0.0
+        metered = self.metered if view["display.automatic"] else 0.0
         return float(view["display.exposure"]) + metered
 
 
@@ -73,9 +74,10 @@ def expected(link: str, size: tuple[int, int], starry: bool) -> Expected:
     if error or solved is None:
         raise ValueError(error)
     frame = render(solved.solution, session.scene, orders=session.orders)
+    metered = frame.exposure
     if starry and solved.planet.body is not None:
         add_catalogue(frame.rgb, session.scene, solved.solution, solved.planet.body)
-    return Expected(session, frame)
+    return Expected(session, frame, metered)
 
 
 def _blocks(picture: np.ndarray) -> np.ndarray:

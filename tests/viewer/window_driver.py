@@ -12,17 +12,18 @@ import threading
 import time
 import traceback
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from airlight.render.gpu.device.device import open_device
+from airlight.render.rendering_gpu import Choice
 from airlight.viewer.session.saved_state import to_fragment
 from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels.probe import numbers_of
 from airlight.viewer.window.panels.row import parameter_row
-from airlight.viewer.window.start import Start, opened, renderer_by
+from airlight.viewer.window.start import Start, opened, window_of
 from airlight.viewer.window.window import Window
 
 
@@ -45,7 +46,7 @@ class Answers:
         window.draw = draw_and_read  # type: ignore[method-assign]
 
     def settled(self, seconds: float) -> bool:
-        """Whether everything is shown in full quality within a time, and the window then rests."""
+        """Whether everything is shown in full quality within a time."""
         until = time.monotonic() + seconds
         while time.monotonic() < until:
             if self.window.settled and self.window.shown("A") is not None:
@@ -212,6 +213,10 @@ class Answers:
     def mend_rows(self) -> None:
         panel_parameters.parameter_row = parameter_row
 
+    def scene_progress(self) -> list[Any]:
+        shown = self.window.shown()
+        return [self.window.progress, None if shown is None else [shown.width, shown.finished]]
+
     def frames(self) -> int:
         return self.window.frames
 
@@ -264,12 +269,13 @@ class Answers:
 
 
 def main() -> None:
-    planet, width, height, by = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), sys.argv[4]
-    session = opened(Start(planet=planet, view={"light.quality": "preview"}))
+    planet, width, height = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    by = cast(Choice, sys.argv[4])
+    quality = {"light.quality": "preview"}
+    start = Start(planet=planet, view=quality, size=(width, height), device=by)
+    session = opened(start)
     canvas = DesktopCanvas((width, height), "airlight test")
-    device = open_device()
-    renderer = renderer_by(by, device, scene=session.around is not None)
-    window = Window(session, canvas, device.device, renderer)
+    window = window_of(start, session, canvas)
     answers = Answers(window, canvas)
 
     def listen() -> None:
