@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from airlight.kernel.memory import give_back
 from airlight.render.gpu_system_renderer import GpuSystemRenderer
@@ -32,6 +32,36 @@ _COMPILING: Final = 128.0
 #: Time without a change of view after which the final frame is rendered, and its polling. [s]
 _STILL: Final = 0.2
 _POLL: Final = 0.02
+
+
+#: Planets of a scene with their solutions, by name.
+Solved: TypeAlias = "dict[str, tuple[Planet, MomentsSolution]]"
+
+
+def solutions_around(
+    solution: MomentsSolution, system: System, body: str, solved: Solved
+) -> dict[str, MomentsSolution]:
+    """Solutions of all planets of a scene around an edited one.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution of the edited planet.
+    body : str
+        Its name.
+    solved : dict
+        Solutions of the others, which are solved once and added.
+    """
+    found, nm = {}, solution.wavelengths
+    for name, planet in system.planets.items():
+        if name == body:
+            found[name] = solution
+            continue
+        known = solved.get(name)
+        if known is None or known[0] != planet or known[1].wavelengths.size != nm.size:
+            solved[name] = planet, solve_planet(planet.without_clouds, nm)
+        found[name] = solved[name][1]
+    return found
 
 
 @dataclass(frozen=True)
@@ -90,7 +120,7 @@ class LiveSystemRenderer:
     def __init__(self, device: Device, size: tuple[int, int]) -> None:
         self._device = device
         self._renderer = GpuSystemRenderer(device, size)
-        self._solved: dict[str, tuple[Planet, MomentsSolution]] = {}
+        self._solved: Solved = {}
         self._compiling: threading.Thread | None = None
         self._compiled, self._closing = not device.software, False
 
@@ -119,7 +149,7 @@ class LiveSystemRenderer:
         body : str
             Name of the edited planet.
         """
-        solutions = self._solutions(solution, system, body)
+        solutions = solutions_around(solution, system, body, self._solved)
         step = LiveFrame(scene=scene, orders=orders, finished=False)
         if not self._compiled:
             yield from self._while_compiling(solutions, system, step, stale)
@@ -182,22 +212,6 @@ class LiveSystemRenderer:
         finally:
             self._compiled = True
             give_back()
-
-    def _solutions(
-        self, solution: MomentsSolution, system: System, body: str
-    ) -> dict[str, MomentsSolution]:
-        """Solutions of all planets; the others than the edited one are solved once."""
-        found = {}
-        for name, planet in system.planets.items():
-            if name == body:
-                found[name] = solution
-                continue
-            known = self._solved.get(name)
-            nm = solution.wavelengths
-            if known is None or known[0] != planet or known[1].wavelengths.size != nm.size:
-                self._solved[name] = planet, solve_planet(planet.without_clouds, nm)
-            found[name] = self._solved[name][1]
-        return found
 
     def close(self) -> None:
         """See ``LiveRenderer.close``."""
