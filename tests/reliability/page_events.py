@@ -29,7 +29,8 @@ from gestures import Gestures, close_all
 
 from airlight.viewer.browser.page import export_page
 
-PLANET = "earth"
+#: Planet without a map of the ground, which a page has coarser.
+PLANET = "earth-bruneton"
 #: Number of gestures between two comparisons, and the longest time to rest. [ms]
 TOGETHER, FINISH = 25, 600_000
 #: Viewports of a desktop and of a phone. [pixel]

@@ -111,7 +111,8 @@ def fault_of(shown: np.ndarray, wanted: np.ndarray) -> tuple[str, str]:
 
 def facts(state: dict[str, Any]) -> str:
     """State of a viewer in a line."""
-    return f"{state['size']} {state['exposure']} EV {state['link'][:600]}"
+    words = state["size"], state["exposure"], "EV", state.get("progress", ""), state["link"][:600]
+    return " ".join(map(str, words))
 
 
 def save(path: Path, shown: np.ndarray, wanted: np.ndarray) -> None:

@@ -27,7 +27,7 @@ from airlight.viewer.navigation.keys import HELD, ONCE
 
 SIZE = (900, 560)
 #: Times until a frame answers an input: slow, dead. Longest until a picture is finished. [s]
-SLOW, ANSWER, FINISH = 10.0, 120.0, 600.0
+SLOW, ANSWER, FINISH = 10.0, 120.0, 240.0
 #: Number of events between two comparisons.
 TOGETHER = 25
 #: Names of X11 keys by the names of the table of keys.

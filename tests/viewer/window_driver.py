@@ -88,6 +88,7 @@ class Answers:
             "exposure": None if shown is None else shown.exposure,
             "held": session.holds_exposure,
             "error": self.window.problem,
+            "progress": self.window.progress,
         }
 
     def draws(self, frames: int) -> bool:
