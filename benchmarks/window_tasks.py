@@ -148,6 +148,7 @@ def zenith(user: User, folder: Path) -> str:
     user.key("1")
     user.find("look zenith")
     user.type_into("view.look_zenith", "0")
+    user.rest()
     user.click_picture()
     user.window.until(lambda: user.window.ask("probe_rows") and not user.window.ask("busy"), 120.0)
     rows = user.window.ask("probe_rows")

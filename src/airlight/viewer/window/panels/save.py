@@ -121,8 +121,8 @@ class Saving:
             solution = request.solution
             solutions = solutions_around(solution, request.system, request.body, {})
             lights = SceneLights(request.system, solution.wavelengths, solutions)
-            size = scene.camera.width, scene.camera.height, None
-            frame = render_solved_system(lights, size, **report)
+            whole = scene.camera.width, scene.camera.height, None
+            frame = render_solved_system(lights, whole, **report)
         else:
             frame = render_solution(request.solution, scene, orders=request.orders, **report)
         planet = request.solution.planet
