@@ -109,7 +109,8 @@ class WindowEvents:
         return f"slide {name}"
 
     def anywhere(self) -> str:
-        at = self.chance.randrange(SIZE[0]), self.chance.randrange(SIZE[1])
+        left, top, width, height = self.window.ask("picture_place")
+        at = self.chance.randrange(int(left + width)), self.chance.randrange(int(top + height))
         button = self.chance.choice((1, 1, 1, 3))
         self.window.mouse("mousemove", *at, "sleep", 0.1, "click", button)
         return f"click {at} with {button}"
