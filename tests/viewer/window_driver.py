@@ -10,17 +10,20 @@ import json
 import sys
 import threading
 import time
+import traceback
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from airlight.render.gpu.device.device import open_device
+from airlight.render.rendering_gpu import Choice
+from airlight.viewer.session.saved_state import to_fragment
 from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels.probe import numbers_of
 from airlight.viewer.window.panels.row import parameter_row
-from airlight.viewer.window.start import Start, opened, renderer_by
+from airlight.viewer.window.start import Start, opened, window_of
 from airlight.viewer.window.window import Window
 
 
@@ -43,7 +46,7 @@ class Answers:
         window.draw = draw_and_read  # type: ignore[method-assign]
 
     def settled(self, seconds: float) -> bool:
-        """Whether everything is shown in full quality within a time, and the window then rests."""
+        """Whether everything is shown in full quality within a time."""
         until = time.monotonic() + seconds
         while time.monotonic() < until:
             if self.window.settled and self.window.shown("A") is not None:
@@ -63,6 +66,30 @@ class Answers:
         panel, gallery = self.window.panel, self.window.gallery
         tab = panel.flight.places
         return list({**gallery.places, **panel.places, **tab, **panel.planet_rows.places}[path])
+
+    def controls(self) -> dict[str, list[float]]:
+        """Rectangles of all controls that are within the window, by name."""
+        panel, gallery = self.window.panel, self.window.gallery
+        rows = {**panel.view_rows.places, **panel.planet_rows.places}
+        shown = gallery.places if gallery.is_open else {**rows, **panel.flight.places}
+        width, height = self.window.surface.size
+        return {
+            name: list(one)
+            for name, one in {**({} if gallery.is_open else panel.places), **shown}.items()
+            if 0.0 <= one[0] < one[2] <= width and 0.0 <= one[1] < one[3] <= height
+        }
+
+    def state(self) -> dict[str, Any]:
+        """What is displayed: its link, size and exposure, and the error."""
+        session, shown = self.window.session, self.window.shown()
+        return {
+            "link": f"#{to_fragment(session.to_state())}",
+            "size": session.size,
+            "exposure": None if shown is None else shown.exposure,
+            "held": session.holds_exposure,
+            "error": self.window.problem,
+            "progress": self.window.progress,
+        }
 
     def draws(self, frames: int) -> bool:
         """Whether the window draws some more frames."""
@@ -187,6 +214,10 @@ class Answers:
     def mend_rows(self) -> None:
         panel_parameters.parameter_row = parameter_row
 
+    def scene_progress(self) -> list[Any]:
+        shown = self.window.shown()
+        return [self.window.progress, None if shown is None else [shown.width, shown.finished]]
+
     def frames(self) -> int:
         return self.window.frames
 
@@ -218,6 +249,12 @@ class Answers:
             pass
         return (time.perf_counter() - started) / (time.thread_time() - before)
 
+    def stack(self) -> str:
+        """What the window's thread is doing."""
+        frame = sys._current_frames()[threading.main_thread().ident or 0]
+        lines = traceback.extract_stack(frame)[-12:]
+        return " < ".join(f"{Path(o.filename).name}:{o.lineno} {o.name}" for o in reversed(lines))
+
     def threads(self) -> list[str]:
         return sorted(one.name for one in threading.enumerate() if "airlight" in one.name)
 
@@ -233,12 +270,13 @@ class Answers:
 
 
 def main() -> None:
-    planet, width, height, by = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), sys.argv[4]
-    session = opened(Start(planet=planet, view={"light.quality": "preview"}))
+    planet, width, height = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    by = cast(Choice, sys.argv[4])
+    quality = {"light.quality": "preview"}
+    start = Start(planet=planet, view=quality, size=(width, height), device=by)
+    session = opened(start)
     canvas = DesktopCanvas((width, height), "airlight test")
-    device = open_device()
-    renderer = renderer_by(by, device, scene=session.around is not None)
-    window = Window(session, canvas, device.device, renderer)
+    window = window_of(start, session, canvas)
     answers = Answers(window, canvas)
 
     def listen() -> None:

@@ -14,21 +14,8 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import pytest
+from chromium_flags import FLAGS
 
-#: Flags: WebGPU on SwiftShader, WebGL2 on Mesa's llvmpipe, no background network access; shaders
-#: may take longer to compile than a GPU is allowed to be silent.
-FLAGS = (
-    "--no-sandbox",
-    "--enable-unsafe-webgpu",
-    "--use-angle=gl-egl",
-    "--ignore-gpu-blocklist",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--disable-gpu-watchdog",
-)
 #: Time limit of a page on two busy cores. [ms]
 PATIENCE = 300_000
 

@@ -125,6 +125,24 @@ def test_link_carries_what_differs_and_nothing_else(page: Any) -> None:
     assert faults == []
 
 
+def test_link_has_the_view_that_a_window_has_by_default(page: Any) -> None:
+    # A page begins with a view of its own: its link has all that differs from the declared
+    # defaults, which a window begins with, and a window's link leaves these out.
+    got = page.evaluate(
+        """() => {
+          state.planet = "mars";
+          state.parameters.get("view.altitude").default = 2;
+          state.set({ "view.heading": 5 });
+          const text = state.asFragment();
+          const faults = state.takeFragment('#{"planet":"mars","view":{"view.heading":7}}');
+          return [text, state.values, faults];
+        }"""
+    )
+    view = json.loads(unquote(got[0]))["view"]
+    assert view == {"view.altitude": 100.0, "view.heading": 5}
+    assert got[1:] == [{**VALUES, "view.altitude": 2.0, "view.heading": 7}, []]
+
+
 def test_link_that_cannot_be_read_is_said_and_the_rest_is_taken(page: Any) -> None:
     got = page.evaluate(
         """() => ['{"planet":"","view":{"display.tone_map":"none","view.heading":5,"x":1}}', "{",

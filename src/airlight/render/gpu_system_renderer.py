@@ -91,7 +91,7 @@ class GpuSystemRenderer:
     """
 
     def __init__(self, device: Device, sky_view_size: tuple[int, int] = SKY_VIEW_SIZE) -> None:
-        self.device, self._sky_view_size = device, sky_view_size
+        self.device, self.sky_view_size = device, sky_view_size
         self._solutions: Mapping[str, MomentsSolution] = {}
         self._weights: FloatArray | None = None
         self._renderers: dict[str, GpuRenderer] = {}
@@ -124,7 +124,7 @@ class GpuSystemRenderer:
         for name, solution in solutions.items():
             if name not in self._renderers:
                 like = next(iter(self._renderers.values()), None)
-                self._renderers[name] = GpuRenderer(self.device, self._sky_view_size, like=like)
+                self._renderers[name] = GpuRenderer(self.device, self.sky_view_size, like=like)
             elif before.get(name) is solution and weights is given:
                 continue
             self._renderers[name].set_solution(solution, weights)

@@ -392,15 +392,15 @@ class LiveRenderer:
                 if self._device.software and not self._closing:
                     separate = type(self._gpu)(self._device.duplicate(), self._gpu.sky_view_size)
                     separate.set_solution(solution, maps=False)
-                    _render_small(replace(step, renderer=separate))
+                    render_small(replace(step, renderer=separate))
                 if not self._closing:
-                    _render_small(replace(step, renderer=self._gpu))
+                    render_small(replace(step, renderer=self._gpu))
         finally:
             self._compiled = True
             give_back()
 
 
-def _render_small(step: LiveFrame) -> None:
+def render_small(step: LiveFrame) -> None:
     """Render a few pixels with all shaders."""
     import wgpu
 

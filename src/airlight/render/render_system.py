@@ -109,39 +109,54 @@ def render_system(
         first = next(iter(system.planets.values()), None)
         found = np.linspace(400.0, 700.0, 16) if first is None else picture_wavelengths(first)
         nm = tuple(found.tolist())
-    solutions = solve_planets(system, nm, quality, cache=cache, progress=progress, cancel=cancel)
+    report: dict[str, Any] = {"cache": cache, "progress": progress, "cancel": cancel}
+    solutions = solve_planets(system, nm, quality, **report)
     lights = SceneLights(system, np.array(nm), solutions)
+    size = width, height, crop
+    return render_solved_system(lights, size, samples, clouds, quality=quality, **report)
+
+
+def render_solved_system(
+    lights: SceneLights,
+    size: tuple[int, int, tuple[int, int, int, int] | None],
+    samples: int = SAMPLES,
+    clouds: Mapping[str, CloudTime] | None = None,
+    **options: Any,
+) -> Frame:
+    """Render a scene of several bodies whose planets are solved.
+
+    Parameters
+    ----------
+    lights : SceneLights
+        Lights of the scene, with the solutions of its planets.
+    size : (int, int, tuple or None)
+        Width, height and window of ``render_system``. [pixel]
+    samples, clouds :
+        See ``render_system``.
+    **options
+        ``quality``, ``cache``, ``progress`` and ``cancel`` of ``render_system``.
+    """
+    system, (width, height, crop) = lights.system, size
     unfiltered = None
     if system.view.polariser is not None:
         plain = replace(system, view=replaced(system.view, polariser=None))
         small = min(1.0, METERED / width)
-        unfiltered = render_system(
-            plain,
-            width=max(1, round(width * small)),
-            height=max(1, round(height * small)),
-            wavelengths=nm,
-            quality=quality,
+        unfiltered = render_solved_system(
+            replace(lights, system=plain),
+            (max(1, round(width * small)), max(1, round(height * small)), None),
             clouds=clouds,
-            cache=cache,
-            cancel=cancel,
+            **{**options, "progress": None},
         )
     camera = system.view.camera(width, height, crop)
     items = [
-        atmosphere_layer(
-            lights,
-            camera,
-            body,
-            clouds=(clouds or {}).get(body.name),
-            quality=quality,
-            cache=cache,
-            progress=progress,
-            cancel=cancel,
-        )
-        if body.name in solutions
+        atmosphere_layer(lights, camera, body, clouds=(clouds or {}).get(body.name), **options)
+        if body.name in lights.solutions
         else body
         for body in sorted(system.bodies, key=system.power)
     ]
-    frame = _BodyTracer(lights, camera, items, samples).render(progress, cancel)
+    frame = _BodyTracer(lights, camera, items, samples).render(
+        options.get("progress"), options.get("cancel")
+    )
     return replace(frame, unfiltered=unfiltered)
 
 

@@ -3,7 +3,9 @@
  *
  * The format is the JSON of viewer/session/saved_state.py: `planet`, `view` and `set` by path,
  * `off` by index; and `air`, the amounts of a page that solves its own edits, as factors of the
- * planet's own, which in a planet file are `constituents[…].amount` and `ground.brightness`.
+ * planet's own, which in a planet file are `constituents[…].amount` and `ground.brightness`. The
+ * view is given by what differs from the declared defaults, as in a window, whose first view is not
+ * that of the page.
  */
 import { follows, fromFactor, toFactor, withFollowing } from "./amounts.js";
 import { checked } from "./parameters.js";
@@ -14,7 +16,7 @@ const VIEW = /^(view|display|light)\./;
 const AIR = /^air\./;
 const SWITCH = /^light\.constituents\[(\d+)\]$/;
 
-/** Differences of a state from its initial values; empty if there are none. */
+/** Differences of a state from its initial values, with its view; empty if there are none. */
 export function fragmentOf(state) {
   const changes = state.changes();
   if (changes.length === 0) return "";
@@ -22,11 +24,13 @@ export function fragmentOf(state) {
   for (const [path, value] of changes) {
     const place = SWITCH.exec(path);
     if (place) (found.off ??= []).push(Number(place[1]));
-    else if (follows(path)) continue;
+    else if (follows(path) || VIEW.test(path)) continue;
     else if (AIR.test(path)) (found.air ??= {})[path] = factorOf(state, path, value);
-    else if (VIEW.test(path)) (found.view ??= {})[path] = value;
     else (found.set ??= {})[path] = inFile(state.parameters.get(path), value);
   }
+  const defaults = viewDefaults(state);
+  const differs = ([path]) => path in defaults && state.get(path) !== defaults[path];
+  found.view = Object.fromEntries(Object.entries(state.values).filter(differs));
   return encodeURI(JSON.stringify(found)).replaceAll("#", "%23");
 }
 
@@ -38,7 +42,7 @@ export function fragmentOf(state) {
  */
 export function readFragment(state, fragment) {
   const faults = [];
-  const values = { ...state.initial };
+  let values = { ...state.initial };
   const air = {};
   const take = (path, value) => {
     const parameter = state.parameters.get(path);
@@ -52,8 +56,9 @@ export function readFragment(state, fragment) {
   };
   try {
     const found = JSON.parse(decodeURIComponent(fragment.replace(/^#/, "")));
-    const { planet, view = {}, air: amounts = {}, set = {}, off = [] } = found;
+    const { planet, view, air: amounts = {}, set = {}, off = [] } = found;
     if (planet !== state.planet) throw new RangeError(`it shows ${planet}, this is ${state.planet}`);
+    if (view) values = { ...values, ...viewDefaults(state) };
     for (const [path, value] of Object.entries({ ...view, ...amounts })) take(path, value);
     for (const [path, value] of Object.entries(set)) {
       const own = inPage(path);
@@ -64,6 +69,13 @@ export function readFragment(state, fragment) {
     faults.push(error.message);
   }
   return { values: { ...values, ...withFollowing(state.parameters, values, air) }, faults };
+}
+
+/** Values of the view in a link that does not give them. */
+function viewDefaults(state) {
+  const own = ([path]) => VIEW.test(path) && !SWITCH.test(path);
+  const value = ([path, parameter]) => [path, parameter.default ?? state.initial[path]];
+  return Object.fromEntries([...state.parameters].filter(own).map(value));
 }
 
 /** Amount as a factor of the planet's own, with the nine digits that a picture can show. */

@@ -9,9 +9,11 @@ from typing import Any, Final
 
 from airlight.errors import AirlightError
 from airlight.plain_text import plain
+from airlight.render.live_system_renderer import solutions_around
 from airlight.render.picture import picture_suffix, write_picture
 from airlight.render.render_scene import render_solution
-from airlight.render.render_system import render_system
+from airlight.render.render_system import render_solved_system
+from airlight.render.scene_lights import SceneLights
 from airlight.render.star_points import add_catalogue
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
@@ -116,9 +118,11 @@ class Saving:
             "progress": self._progress,
         }
         if request.system is not None:
-            nm = tuple(request.solution.wavelengths.tolist())
-            report |= {"width": scene.camera.width, "height": scene.camera.height}
-            frame = render_system(request.system, wavelengths=nm, **report)
+            solution = request.solution
+            solutions = solutions_around(solution, request.system, request.body, {})
+            lights = SceneLights(request.system, solution.wavelengths, solutions)
+            whole = scene.camera.width, scene.camera.height, None
+            frame = render_solved_system(lights, whole, **report)
         else:
             frame = render_solution(request.solution, scene, orders=request.orders, **report)
         planet = request.solution.planet
