@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +17,20 @@ from airlight.render.gpu.picture.uniforms import FRAME
 #: Uniform of pictures with three-dimensional clouds.
 CLOUDY: Final = "cloud_eye"
 
-if TYPE_CHECKING:
-    from airlight.render.gpu.picture.cloud_textures import CloudTextures
+
+class CloudsOfLight(Protocol):
+    """Three-dimensional clouds of a light, see ``CloudTextures``."""
+
+    @property
+    def places(self) -> Mapping[str, tuple[int, ...]]:
+        """Positions of tables in the textures."""
+
+    @property
+    def textures(self) -> Mapping[str, Any]:
+        """Textures by name."""
+
+    def shader(self, uniforms: Mapping[str, float], exact: bool, fixed: Fixed = ()) -> Shader:
+        """Shader of pixels."""
 
 
 class FramePasses:
@@ -40,7 +52,7 @@ class FramePasses:
         self._groups: dict[tuple[FragmentPass, Hashable], list[Any]] = {}
         self._textures: dict[Hashable, Mapping[str, Any]] = {}
         self._places: dict[Hashable, Mapping[str, tuple[int, ...]]] = {}
-        self._clouds: dict[Hashable, CloudTextures] = {}
+        self._clouds: dict[Hashable, CloudsOfLight] = {}
         self._buffers: dict[UniformStruct, Any] = {}
 
     def read(
@@ -53,7 +65,7 @@ class FramePasses:
         self._textures[light], self._places[light] = textures, places
         self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
 
-    def read_clouds(self, clouds: CloudTextures, light: Hashable = 0) -> None:
+    def read_clouds(self, clouds: CloudsOfLight, light: Hashable = 0) -> None:
         """Set the three-dimensional clouds of a light, for shaders that read them."""
         if self._clouds.get(light) is not clouds:
             self._clouds[light] = clouds
