@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, gradient_noise
-from airlight.kernel import kernel
+from airlight.kernel import in_shaders, kernel
 from airlight.kernel.lanes import LANES, lane_sum, load, maximum, minimum
 
 #: Number of octaves, at most that of lanes.
@@ -82,3 +82,30 @@ def cloud_detail(east, north, altitude, width, cell):
     first = cell * lane_sum(moved * noise)
     second = cell * lane_sum(turned * noise)
     return CloudDetail(exp(lane_sum(noise) - 0.5 * variance), first, second, -0.5 * first)
+
+
+@kernel
+def detail_by_octaves(east, north, altitude, width, cell):
+    """``cloud_detail`` octave by octave, in shaders.
+
+    Parameters
+    ----------
+    east, north, altitude, width, cell :
+        Arguments of ``cloud_detail``.
+    """
+    fine, contrast, moved, hand = 1.0 / cell, CONTRAST, cell * DISPLACED / CONTRAST, 1.0
+    total, variance, first, second = 0.0, 0.0, 0.0, 0.0
+    for _octave in range(OCTAVES):
+        shown = max(min(0.5 / width / fine - 1.0, 1.0), 0.0) * contrast
+        noise = gradient_noise(fine * east, fine * north, fine * altitude)
+        noise *= shown * (1.0 / GRADIENT_DEVIATION)
+        variance += shown * shown
+        total += noise
+        first += moved * noise
+        second += hand * moved * noise
+        fine, contrast, hand = 2.0 * fine, FALL * contrast, -hand
+        moved *= DISPLACED_FALL / FALL
+    return CloudDetail(exp(total - 0.5 * variance), first, second, -0.5 * first)
+
+
+in_shaders(cloud_detail, detail_by_octaves)

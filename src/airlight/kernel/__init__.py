@@ -93,6 +93,19 @@ def inlined(function: Callable[..., Any]) -> Any:
     return _declare(function, "functions", forceinline=True)
 
 
+def in_shaders(function: Any, other: Callable[..., Any]) -> None:
+    """Let shaders have another function instead of one whose lanes have no counterpart there.
+
+    Parameters
+    ----------
+    function : kernel or inlined function
+        Function of the CPU.
+    other : callable
+        Plain function with the same parameters and meaning.
+    """
+    function.py_func.in_shaders = getattr(other, "py_func", other)
+
+
 def compiled_loop(function: Callable[..., Any]) -> Any:
     """Compiled loop over arrays, which releases the interpreter's lock."""
     return _declare(function, "functions")

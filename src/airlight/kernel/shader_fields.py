@@ -31,6 +31,8 @@ class InTexture:
         Whether it is a texture of 8-bit RGBA texels, see ``airlight.image.texels``.
     image : bool
         Whether the texture is an image, read by row and column, rather than flat.
+    halved : bool
+        Whether numbers have 16 bits, in a texture with rows as long as those of packed texels.
     """
 
     texture: str
@@ -39,6 +41,7 @@ class InTexture:
     whole: bool = False
     packed: bool = False
     image: bool = False
+    halved: bool = False
 
     @property
     def channels(self) -> int:
@@ -167,8 +170,15 @@ def scalars_of(bundle: Any, numbers: Mapping[str, float]) -> dict[str, Any]:
     return found
 
 
-def numbers_of(values: Any) -> dict[str, float]:
+def numbers_of(values: Any, start: str = "") -> dict[str, float]:
     """Numbers and vectors among the fields of a NamedTuple, by their names in a struct.
+
+    Parameters
+    ----------
+    values : NamedTuple
+        Values.
+    start : str
+        Beginning of the names, see ``UniformStruct.named``.
 
     Examples
     --------
@@ -180,11 +190,11 @@ def numbers_of(values: Any) -> dict[str, float]:
     """
     found: dict[str, float] = {}
     for one in shader_fields(type(values)):
-        value = getattr(values, one.name)
+        value, name = getattr(values, one.name), f"{start}{one.name}"
         if one.vector:
-            found |= {f"{one.name}_{of}": float(getattr(value, of)) for of in one.vector}
+            found |= {f"{name}_{of}": float(getattr(value, of)) for of in one.vector}
         elif one.is_group:
-            found |= numbers_of(value)
+            found |= numbers_of(value, f"{name}_" if start else "")
         elif one.kind in (float, int, bool):
-            found[one.name] = float(value)
+            found[name] = float(value)
     return found

@@ -146,7 +146,7 @@ class Renderer:
         nm = None if self.wavelengths is None else color_wavelengths(self.wavelengths)
         check_drawn(camera.columns, camera.rows, 3 if self.stokes else 1)
         device = None
-        if clouds is None:
+        if clouds is None or self._draws_clouds(clouds, scene):
             device = self._chosen_device(planet, LIVE if nm is None else len(nm), camera.columns)
         weights, metadata = None, {}
         if nm is None:
@@ -192,14 +192,26 @@ class Renderer:
         return RenderedScene(replace(frame, metadata={**frame.metadata, **metadata}), solution)
 
     def _clouds_around(self, planet: Planet, scene: Scene) -> CloudsAround | None:
-        """Three-dimensional clouds, which the CPU renders."""
+        """Three-dimensional clouds."""
         if not planet.clouds:
             return None
         from airlight.render.clouds.clouds_around import CloudsAround
 
-        if self.device == "gpu" and self.refused is not None:
-            self.refused("the GPU does not render three-dimensional clouds")
         return CloudsAround.of(planet, scene, quality=self.quality, cache=self.cache)
+
+    def _draws_clouds(self, clouds: CloudsAround, scene: Scene) -> bool:
+        """Whether the GPU is to draw clouds, and can."""
+        if self.device != "gpu":
+            return False
+        from airlight.render.rendering_gpu import check_clouds
+
+        try:
+            check_clouds(clouds, scene)
+        except ParameterError as reason:
+            if self.refused is not None:
+                self.refused(str(reason))
+            return False
+        return True
 
     def _chosen_device(self, planet: Planet, count: int, width: int) -> Device | None:
         """GPU for a frame of so many wavelengths and columns; None for the CPU."""

@@ -7,15 +7,22 @@ frame (``LiveRenderer``) and solves (``solve_planet``).
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Final, Literal
 
 from airlight.errors import ParameterError
 from airlight.render.pixels.capacity import check_capacity
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
+    from airlight.render.clouds.clouds_around import CloudsAround
     from airlight.render.gpu.device.device import Device
+    from airlight.scene import Scene
 
+#: Largest altitude of pictures with clouds: above it software GPUs end the march, whose turns they
+#: count. [m]
+_HIGHEST: Final = 24e3
+#: Cells of a box with those of its levels of detail, over its own. [1]
+_WITH_LEVELS: Final = 4.0 / 3.0
 #: Requested device.
 Choice = Literal["auto", "cpu", "gpu"]
 
@@ -65,6 +72,32 @@ def rendering_gpu(
             refused(str(reason))
         return None
     return None if choice == "auto" and device.software else device
+
+
+def check_clouds(clouds: CloudsAround, scene: Scene) -> None:
+    """Raise if the GPU cannot draw clouds: behind a filter, from high above, or in large boxes.
+
+    Parameters
+    ----------
+    clouds, scene : CloudsAround, Scene
+        Clouds and observer.
+    """
+    if scene.altitude > _HIGHEST:
+        allowed = f"at most {_HIGHEST:g} m for clouds on the GPU"
+        raise ParameterError("observer.altitude", scene.altitude, allowed)
+    if scene.camera.polariser is not None:
+        raise ParameterError("camera.polariser", scene.camera.polariser, "none with clouds on it")
+    from airlight.render.clouds.cloud_light import coarse_field
+    from airlight.render.gpu.device.flat import MAX_ROWS
+    from airlight.render.gpu.emit.shader_types import PACKED_WIDTH
+    from airlight.solver.boxes.directions import term_count
+    from airlight.solver.boxes.settings import settings_for
+
+    terms = term_count(settings_for(clouds.quality).stored_degree)
+    cells = sum(coarse_field(deck.field).extinction.size for deck in clouds.decks)
+    most = MAX_ROWS * PACKED_WIDTH // terms
+    if _WITH_LEVELS * cells > most:
+        raise ParameterError("clouds", f"a light of {cells} cells", f"at most {most} on the GPU")
 
 
 def fits(planet: Planet, wavelengths: int) -> bool:

@@ -63,6 +63,6 @@ def test_a_small_field_has_no_finer_box():
 def test_shares_fall_to_nothing_at_the_sides():
     """Also in copies of a field that repeats itself."""
     none = np.zeros((1, 1, 1, 1, 8), np.float32)
-    inner = InnerSource(20.0, 20.0, 10.0, 10.0, none)
+    inner = InnerSource(20.0, 20.0, 10.0, 10.0, 0, 0, none)
     share = [inner_place(x - 0.5, 24.5, 64, 64, inner, True)[2] for x in (20.0, 20.5, 25.0, 89.0)]
     assert share == pytest.approx([0.0, 0.05 / MIXED, 1.0, 1.0])

@@ -36,7 +36,7 @@ from airlight.image.white_balance import star_white
 from airlight.planets import Constituent
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
-from airlight.render.gpu.picture import gpu_renderer as pictures_module
+from airlight.render.gpu.picture import bands
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.render.gpu.picture.uniforms import LAYERS
 from airlight.render.pixels import march_points
@@ -392,7 +392,7 @@ def test_a_picture_in_strips_is_the_whole_one(
     # The same arithmetic for each pixel: bit for bit.
     seen = scene_of(PLANETS["earth, with a map"](), "sunset")
     whole = shows().render(seen, exact=exact).rgb
-    monkeypatch.setattr(pictures_module, "_PIXELS_AT_ONCE", (WIDTH * 5,) * 3)
+    monkeypatch.setattr(bands, "_PIXELS_AT_ONCE", (WIDTH * 5,) * 3)
     said: list[tuple[int, int]] = []
     rgb = shows().render(seen, exact=exact, progress=lambda *one: said.append(one[:2])).rgb
     assert_array_equal(rgb.view(np.uint32), whole.view(np.uint32))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from airlight.clouds.cloud_field import CloudField
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.render.clouds.cell_level import CellLevel
 
 Float32Array = NDArray[np.float32]
 
@@ -93,7 +94,7 @@ def _fill(level, cells, clear, box, towards, periodic, out):
                 if free > 0.0:
                     s += step * (1.0 + floor(free / step))
                     continue
-                depth += step * cell_value(cells, (nx, ny, 0), x, y, z, periodic)
+                depth += step * cell_value(cells, CellLevel(nx, ny, 0), x, y, z, periodic)
                 s += step
             out[j, i] = depth
 
@@ -106,19 +107,19 @@ def cell_value(cells, level, x, y, z, periodic):
     ----------
     cells : array, shape (nz, rows, columns)
         Values.
-    level : (int, int, int)
-        Number of columns and of rows, and the first row, see ``CellLevel``.
+    level : CellLevel
+        Columns and rows.
     x, y, z : float
         Place. [cells]
     periodic : bool
         Whether cells repeat themselves along x and y.
     """
-    nz, (nx, ny, first) = cells.shape[0], level
+    nz, nx, ny = cells.shape[0], level.columns, level.rows
     i, e = cell_before(x, nx, periodic)
     j, f = cell_before(y, ny, periodic)
     k, g = cell_before(z, nz, False)
     right, back, up = cell_after(i, nx, periodic), cell_after(j, ny, periodic), min(k + 1, nz - 1)
-    j, back = first + j, first + back
+    j, back = level.first + j, level.first + back
     low = (1.0 - f) * ((1.0 - e) * cells[k, j, i] + e * cells[k, j, right]) + f * (
         (1.0 - e) * cells[k, back, i] + e * cells[k, back, right]
     )
@@ -131,11 +132,11 @@ def cell_value(cells, level, x, y, z, periodic):
 @inlined
 def plane_value(cells, level, x, y, periodic):
     """``cell_value`` of cells of one altitude, shape (rows, columns)."""
-    nx, ny, first = level
+    nx, ny = level.columns, level.rows
     i, e = cell_before(x, nx, periodic)
     j, f = cell_before(y, ny, periodic)
     right, back = cell_after(i, nx, periodic), cell_after(j, ny, periodic)
-    j, back = first + j, first + back
+    j, back = level.first + j, level.first + back
     low = (1.0 - e) * cells[j, i] + e * cells[j, right]
     high = (1.0 - e) * cells[back, i] + e * cells[back, right]
     return (1.0 - f) * low + f * high
@@ -149,7 +150,7 @@ def cell_before(place, count, periodic):
     whole = floor(place)
     index = whole
     if periodic:
-        index -= count * floor(whole / count)
+        index = whole % count
     return index, place - whole
 
 

@@ -53,7 +53,7 @@ def level_number(width, climb, layer):
 @inlined
 def cell_level(number, levels):
     """``CellLevel`` of a number in an array of ``stacked``."""
-    return CellLevel(levels[number, 0], levels[number, 1], levels[number, 2])
+    return CellLevel(int(levels[number, 0]), int(levels[number, 1]), int(levels[number, 2]))
 
 
 @inlined

@@ -55,12 +55,14 @@ def box_place(point, layer):
     radius = sqrt(dot(point, point))
     factor = layer.radius / max(height, 1e-3 * layer.radius)
     east, north = factor * dot(point, layer.east), factor * dot(point, layer.north)
-    nx, ny, _ = cell_level(0, layer.levels)
+    cells = cell_level(0, layer.levels)
     scale = min(max(height / radius, 1e-3), 1.0)
     scale *= scale
     patch = Patch(0.0, 0.0, 1e9, 0.0, 0.0, 0.0)
     if layer.periodic:
-        patch = patch_at(east, north, nx * layer.step_x, ny * layer.step_y, layer.edges)
+        patch = patch_at(
+            east, north, cells.columns * layer.step_x, cells.rows * layer.step_y, layer.edges
+        )
     east, north = east - layer.corner_x, north - layer.corner_y
     return BoxPlace(
         (east + patch.right) / layer.step_x - 0.5,
@@ -145,7 +147,7 @@ def box_depth_at(point, number, layer):
     if radius < layer.top:
         place = box_place(point, layer)
         share, x, y = 1.0 - place.share, place.x, place.y
-        for _ in range(2):
+        for _turn in range(2):
             inside = layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5)
             x, y = place_in_level(x, nx, level.columns), place_in_level(y, ny, level.rows)
             if share > 0.0 and radius >= layer.base:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Annotated, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.vectors import Vec3
+from airlight.kernel.shader_fields import InTexture
+from airlight.render.clouds.cloud_textures import LIGHT, LINE, PLANE, SOURCE, SPECTRUM, VOLUME
 from airlight.render.clouds.higher_orders import InnerSource
 from airlight.render.clouds.patches import PatchEdges
 from airlight.render.pixels.sky_view_window import SkyViewWindow
@@ -125,30 +127,30 @@ class LayerTables(NamedTuple):
     north: Vec3
     up: Vec3
     sun: Vec3
-    levels: NDArray[np.int64]
-    source_levels: NDArray[np.int64]
-    extinction: Float32Array
-    clear: Float32Array
+    levels: Annotated[NDArray[np.int64], PLANE]
+    source_levels: Annotated[NDArray[np.int64], PLANE]
+    extinction: Annotated[Float32Array, VOLUME]
+    clear: Annotated[Float32Array, VOLUME]
     edges: PatchEdges
-    depth: Float32Array
-    base_depth: Float32Array
+    depth: Annotated[Float32Array, VOLUME]
+    base_depth: Annotated[Float32Array, PLANE]
     mean_visibility: float
-    source: Float32Array
+    source: Annotated[Float32Array, SOURCE]
     inner: InnerSource
-    down: Float32Array
-    solved_extinction: Float32Array
-    spectrum: Float32Array
-    scaled: Float32Array
-    whole: Float32Array
-    single: Float32Array
-    phase: Float32Array
-    phase_f12: Float32Array
-    norms: FloatArray
-    beam: Float32Array
+    down: Annotated[Float32Array, LIGHT]
+    solved_extinction: Annotated[Float32Array, SPECTRUM]
+    spectrum: Annotated[Float32Array, SPECTRUM]
+    scaled: Annotated[Float32Array, SPECTRUM]
+    whole: Annotated[Float32Array, SPECTRUM]
+    single: Annotated[Float32Array, SPECTRUM]
+    phase: Annotated[Float32Array, LIGHT]
+    phase_f12: Annotated[Float32Array, LIGHT]
+    norms: Annotated[FloatArray, PLANE]
+    beam: Annotated[Float32Array, LIGHT]
     beam_low: float
     beam_high: float
-    slant: FloatArray
-    local: Float32Array
+    slant: Annotated[FloatArray, LINE]
+    local: Annotated[Float32Array, LIGHT]
 
 
 class CloudTables(NamedTuple):
@@ -179,8 +181,8 @@ class CloudTables(NamedTuple):
     pixel_angle: float
     layers: tuple[LayerTables, ...]
     window: SkyViewWindow
-    air: Float32Array
-    beyond: Float32Array
+    air: Annotated[Float32Array, InTexture("cloud_air", 3, spectral=True)]
+    beyond: Annotated[Float32Array, InTexture("cloud_air", 2, spectral=True)]
 
 
 class CloudWork(NamedTuple):

@@ -66,9 +66,8 @@ def cloudy_light(px, py, ray, beyond, exact, frame, work, color, result):
         Clouds and workspaces.
     """
     observer, view, tables = frame.observer, frame.camera, frame.tables
-    air_work, clouds, front = work
+    air_work, clouds, front = work.air, work.clouds, work.front
     found = classify_ray(ray, observer, tables)
-    polarised = view.filter > 0
     no_light(tables, front)
     for at in range(0, tables.lanes, LANES):
         for part in range(PARTS):
@@ -78,9 +77,9 @@ def cloudy_light(px, py, ray, beyond, exact, frame, work, color, result):
         half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
         place = sky_view_place(ray, found, clouds.window)
         # also above the tops, where the air is in the light of the clouds
-        line_of_air(ray, half_sine, place, extent, polarised, clouds, tables, front)
+        line_of_air(ray, half_sine, place, extent, view.filter > 0, clouds, tables, front)
         if extent.last > extent.first:
-            add_clouds(ray, half_sine, extent, polarised, clouds, tables, front)
+            add_clouds(ray, half_sine, extent, view.filter > 0, clouds, tables, front)
     seen = seen_line(ray, found, exact, frame, air_work, color)
     if beyond > 1.0:
         haze_beyond(ray, found.sine, beyond, frame, air_work)
@@ -89,26 +88,27 @@ def cloudy_light(px, py, ray, beyond, exact, frame, work, color, result):
         ground_light(mu_s, observer.orders, tables, air_work)
         shade_ground(ray, extent.last, observer.orders, clouds, tables, air_work, front)
     turn_cosine, turn_sine = np.float32(1.0), np.float32(0.0)
-    if polarised:
+    if view.filter > 0:
         nu = min(max(ray.x * observer.sun_x + ray.z * observer.sun_z, -1.0), 1.0)
         cosine, sine = star_plane(ray.z, observer.sun_z, nu)
         turn_cosine, turn_sine = np.float32(cosine), np.float32(sine)
     for at in range(0, tables.lanes, LANES):
         radiance, light = lane_view(air_work.radiance, at), lane_view(front.light, at)
-        lost, clear = lane_view(front.lost, at), lane_view(front.clear, at)[0]
+        lost = lane_view(front.lost, at)
+        clear = lane_view(front.clear, at)[0]
         air = maximum(radiance[0] - lost[WHOLE], 0.0)
         total = line_radiance(air, seen, color, frame, air_work, at)
         total = light[WHOLE] + clear * total
-        if polarised:
+        if view.filter > 0:
             once = light[ONCE] - clear * lost[ONCE]
             radiance[4] = light[Q] + clear * (radiance[4] - lost[Q]) + once * turn_cosine
             radiance[5] = light[U] + clear * (radiance[5] - lost[U]) + once * turn_sine
         store(result, at, filtered(total, seen, view, air_work, at))
     if view.draws_disc and not seen.to_ground:
-        powers, place = seen_disc(px, py, ray, frame, air_work.columns_total)
+        powers, on_disc = seen_disc(px, py, ray, frame, air_work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
-                disc = disc_light(powers, place, seen.whole, tables, air_work.columns_total, at)
+                disc = disc_light(powers, on_disc, seen.whole, tables, air_work.columns_total, at)
                 disc = disc * lane_view(front.clear, at)[1]
                 store(result, at, load(result, at) + disc)
 
@@ -138,8 +138,9 @@ def shade_ground(ray, distance, orders, clouds, tables, work, front):
         front.beams[n] = beam_depth_at(point, number, layer)
         place = box_place(point, layer)
         x, y = place.x, place.y
-        nx, ny, _ = cell_level(0, layer.levels)
-        if layer.periodic or (-0.5 <= x < nx - 0.5 and -0.5 <= y < ny - 0.5):
+        cells = cell_level(0, layer.levels)
+        inside = -0.5 <= x < cells.columns - 0.5 and -0.5 <= y < cells.rows - 0.5
+        if layer.periodic or inside:
             lowest = n
             low, share = sun_place(point, layer)
             below = ground_below(x, y, number, layer)
@@ -153,10 +154,11 @@ def shade_ground(ray, distance, orders, clouds, tables, work, front):
             width = 0.5 * layer.step_x * layer.levels[0, 0]
             mean = np.float32(layer.mean_visibility ** local_slant(point, layer))
             wide = np.float32(min(distance * clouds.pixel_angle / width, 1.0))
-            seen = exponential(load(layer.scaled[0], at) * np.float32(-front.beams[n]))
+            seen = exponential(lane_view(layer.scaled, at)[0] * np.float32(-front.beams[n]))
             received[0] = received[0] * (seen + (splat(mean) - seen) * wide)
             if n == lowest and orders != 1:
-                spectrum, diffuse = lane_view(layer.spectrum, at), splat(0.0)
+                spectrum = lane_view(layer.spectrum, at)
+                diffuse = splat(0.0)
                 for k in range(4):
                     diffuse = diffuse + spectrum[k] * np.float32(front.solved[0, k])
                 received[1] = maximum(diffuse, splat(0.0))
@@ -180,10 +182,10 @@ def ground_below(x, y, number, layer):
     layer : LayerTables
         Clouds above.
     """
-    nx, ny, _ = cell_level(0, layer.levels)
-    mx, my, first = cell_level(number, layer.source_levels)
-    i, e = cell_before((x + 0.5) * mx / nx - 0.5, mx, layer.periodic)
-    j, f = cell_before((y + 0.5) * my / ny - 0.5, my, layer.periodic)
+    cells, rows = cell_level(0, layer.levels), cell_level(number, layer.source_levels)
+    mx, my, first = rows.columns, rows.rows, rows.first
+    i, e = cell_before((x + 0.5) * mx / cells.columns - 0.5, mx, layer.periodic)
+    j, f = cell_before((y + 0.5) * my / cells.rows - 0.5, my, layer.periodic)
     right, back = cell_after(i, mx, layer.periodic), cell_after(j, my, layer.periodic)
     j, back = first + j, first + back
     down = lane_view(layer.down)

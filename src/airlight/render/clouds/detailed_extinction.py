@@ -25,7 +25,7 @@ def extinction_at(place, width, number, layer):
         Arguments of ``detailed_extinction``.
     """
     total, share, x, y = 0.0, 1.0 - place.share, place.x, place.y
-    for _ in range(2):
+    for _turn in range(2):
         if share > 0.0:
             total += share * detailed_extinction(x, y, place.z, width, number, layer)
         share, x, y = place.share, place.other_x, place.other_y
@@ -47,7 +47,8 @@ def detailed_extinction(x, y, z, width, number, layer):
     layer : LayerTables
         Clouds.
     """
-    nz, (nx, ny, _) = layer.extinction.shape[0], cell_level(0, layer.levels)
+    nz, cells = layer.extinction.shape[0], cell_level(0, layer.levels)
+    nx, ny = cells.columns, cells.rows
     found = 0.0
     if clear_distance(x, y, z, number, layer) > 0.0:
         return found

@@ -59,7 +59,8 @@ def line_of_air(ray, half_sine, place, extent, polarised, clouds, tables, work):
     for at in range(0, tables.lanes, LANES):
         for part in range(PARTS):
             lane_view(work.lost, at)[part] = splat(0.0)
-    work.lit[:] = 1.0
+    for node in range(nodes):
+        work.lit[node] = 1.0
     for n in range(len(clouds.layers)):
         shade_line(ray, extent, tuple_item(clouds.layers, n), clouds, work)
     for node in range(nodes):
@@ -75,21 +76,21 @@ def line_of_air(ray, half_sine, place, extent, polarised, clouds, tables, work):
             ahead[WHOLE] = first
             kept[node, WHOLE] = first + air_between(air, place, node, HIGHER) - lost[WHOLE]
             if polarised:
-                phases = lane_view(tables.phase_f12, at)
-                first = first_order_between(air, place, node, FIRST_P, half_sine, phases, tables)
+                elements = lane_view(tables.phase_f12, at)
+                once = first_order_between(air, place, node, FIRST_P, half_sine, elements, tables)
                 if node > 0:
-                    lost[ONCE] += (first - ahead[ONCE]) * np.float32(shade)
-                ahead[ONCE] = first
-                kept[node, ONCE] = first - lost[ONCE]
+                    lost[ONCE] += (once - ahead[ONCE]) * np.float32(shade)
+                ahead[ONCE] = once
+                kept[node, ONCE] = once - lost[ONCE]
                 kept[node, Q] = air_between(air, place, node, HIGHER_Q)
                 kept[node, U] = air_between(air, place, node, HIGHER_U)
     for at in range(0, tables.lanes, LANES):
         air, beyond = lane_view(clouds.air, at), lane_view(clouds.beyond, at)
-        lost, last = lane_view(work.lost, at), nodes - 1
-        lost[WHOLE] += air_between(air, place, last, LOST) + texel_between(beyond, place, 0)
+        lost = lane_view(work.lost, at)
+        lost[WHOLE] += air_between(air, place, nodes - 1, LOST) + texel_between(beyond, place, 0)
         if polarised:
-            lost[Q] += air_between(air, place, last, LOST_Q) + texel_between(beyond, place, 1)
-            lost[U] += air_between(air, place, last, LOST_U) + texel_between(beyond, place, 2)
+            lost[Q] += air_between(air, place, nodes - 1, LOST_Q) + texel_between(beyond, place, 1)
+            lost[U] += air_between(air, place, nodes - 1, LOST_U) + texel_between(beyond, place, 2)
 
 
 @inlined

@@ -124,8 +124,8 @@ def sun_place(point, layer):
     """
     height = dot(point, layer.sun) / sqrt(dot(point, point))
     angle = (height - layer.beam_low) / (layer.beam_high - layer.beam_low)
-    angle = min(max(angle, 0.0), 1.0) * (layer.slant.size - 1)
-    low = min(int(angle), layer.slant.size - 2)
+    angle = min(max(angle, 0.0), 1.0) * (layer.slant.shape[0] - 1)
+    low = min(int(angle), layer.slant.shape[0] - 2)
     return low, angle - low
 
 

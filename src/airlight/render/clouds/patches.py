@@ -10,7 +10,7 @@ box.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Final, NamedTuple
+from typing import Annotated, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,8 @@ from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.power_law_field import power_law_field
 from airlight.kernel import inlined
 from airlight.render.clouds.beam_depth import plane_value
+from airlight.render.clouds.cell_level import CellLevel
+from airlight.render.clouds.cloud_textures import PLANE, VOLUME
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -56,10 +58,10 @@ class PatchEdges(NamedTuple):
         the box. [m]
     """
 
-    east: Float32Array
-    north: Float32Array
-    free: FloatArray
-    moved: FloatArray
+    east: Annotated[Float32Array, PLANE]
+    north: Annotated[Float32Array, PLANE]
+    free: Annotated[FloatArray, PLANE]
+    moved: Annotated[FloatArray, VOLUME]
 
 
 @lru_cache(maxsize=8)
@@ -171,11 +173,12 @@ def patch_at(east, north, width, length, edges):
     free = WIDTH * min((near_x - BENT) * width, (near_y - BENT) * length)
     share, to_east, to_north = 0.0, 0, 0
     if free <= 0.0:
-        rows, columns = edges.free.shape
-        i, j = (x - column) * columns, (y - row) * rows
-        free = edges.free[min(int(j), rows - 1), min(int(i), columns - 1)]
-        x += plane_value(edges.east, (columns, rows, 0), i, j, True)
-        y += plane_value(edges.north, (columns, rows, 0), i, j, True)
+        rows, columns = edges.free.shape[0], edges.free.shape[1]
+        across, along = (x - column) * columns, (y - row) * rows
+        free = edges.free[min(int(along), rows - 1), min(int(across), columns - 1)]
+        cells = CellLevel(columns, rows, 0)
+        x += plane_value(edges.east, cells, across, along, True)
+        y += plane_value(edges.north, cells, across, along, True)
         column, row = np.floor(x), np.floor(y)
         if free <= 0.0:
             near_x, near_y = 0.5 - abs(x - column - 0.5), 0.5 - abs(y - row - 0.5)
@@ -184,9 +187,9 @@ def patch_at(east, north, width, length, edges):
                 to_east = 1 if x - column > 0.5 else -1
             else:
                 to_north = 1 if y - row > 0.5 else -1
-    last = edges.moved.shape[0] - 1
-    i, j = int(column) & last, int(row) & last
-    m, n = (int(column) + to_east) & last, (int(row) + to_north) & last
+    count = edges.moved.shape[0]
+    i, j = int(column) % count, int(row) % count
+    m, n = (int(column) + to_east) % count, (int(row) + to_north) % count
     return Patch(
         edges.moved[j, i, 0],
         edges.moved[j, i, 1],

@@ -69,8 +69,8 @@ def sight_extents(ray, sine, to_ground, clouds, work):
     for n in range(len(clouds.layers)):
         layer = tuple_item(clouds.layers, n)
         one = sight_extent(ray.z, sine, to_ground, clouds.eye, clouds.radius, layer.base, layer.top)
-        extents = work.extents[n]
-        extents[0], extents[1], extents[2], extents[3] = one.first, one.last, one.leaves, one.enters
+        work.extents[n, 0], work.extents[n, 1] = one.first, one.last
+        work.extents[n, 2], work.extents[n, 3] = one.leaves, one.enters
     return sight_extent(ray.z, sine, to_ground, clouds.eye, clouds.radius, clouds.base, clouds.top)
 
 
@@ -87,21 +87,20 @@ def way_to_layer(s, number, work):
     work : CloudWork
         Workspace, after ``sight_extents``.
     """
-    extents = work.extents[number]
-    if s < extents[0]:
-        return extents[0] - s + 1e-3
-    if s >= extents[1]:
+    if s < work.extents[number, 0]:
+        return work.extents[number, 0] - s + 1e-3
+    if s >= work.extents[number, 1]:
         return 1e9
-    if extents[2] < s < extents[3]:
-        return extents[3] - s + 1e-3
+    if work.extents[number, 2] < s < work.extents[number, 3]:
+        return work.extents[number, 3] - s + 1e-3
     return 0.0
 
 
 @inlined
 def way_out_of_layer(s, number, work):
     """Distance from a point inside a layer to its base, or to the end; as ``way_to_layer``. [m]"""
-    extents = work.extents[number]
-    return (extents[2] if s <= extents[2] else extents[1]) - s + 1e-3
+    leaves = work.extents[number, 2]
+    return (leaves if s <= leaves else work.extents[number, 1]) - s + 1e-3
 
 
 @inlined

@@ -185,7 +185,13 @@ def _inner(light: CloudLight, factor: float) -> InnerSource:
     corner = inner.field.west - field.west, inner.field.south - field.south
     wide, long = inner.field.sides
     return InnerSource(
-        corner[0] / east, corner[1] / north, wide / east, long / north, _source(inner, factor)
+        corner[0] / east,
+        corner[1] / north,
+        wide / east,
+        long / north,
+        inner.moments.shape[0],
+        inner.moments.shape[1],
+        _source(inner, factor),
     )
 
 

@@ -206,6 +206,55 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
     return texture
 
 
+def half_texture(device: Device, texels: NDArray[np.float16], label: str = "") -> Any:
+    """Flat texture of numbers of 16 bits, with rows of ``PACKED_WIDTH``.
+
+    Parameters
+    ----------
+    device : Device
+        Device from ``open_device``.
+    texels : array of float16, shape (n, 4)
+        Values.
+    label : str
+        Label in messages of the device.
+
+    Returns
+    -------
+    wgpu.GPUTexture
+        ``rgba16float``, ``PACKED_WIDTH`` wide.
+
+    Raises
+    ------
+    ParameterError
+        If they exceed the capacity of a texture (33.5 million texels).
+    """
+    import wgpu
+
+    count, rows = len(texels), packed_rows(len(texels))
+    if rows > MAX_ROWS:
+        raise ParameterError("count", count, f"at most {PACKED_WIDTH * MAX_ROWS} texels")
+    use = wgpu.TextureUsage
+    texture = device.device.create_texture(
+        label=label,
+        size=(PACKED_WIDTH, rows, 1),
+        format="rgba16float",
+        usage=use.TEXTURE_BINDING | use.COPY_DST,
+    )
+    for first in range(0, count, _BAND * PACKED_WIDTH):
+        some = texels[first : first + _BAND * PACKED_WIDTH]
+        height = -(-len(some) // PACKED_WIDTH)
+        whole = np.zeros((height * PACKED_WIDTH, CHANNELS), np.float16)
+        whole[: len(some)] = some
+        device.device.queue.write_texture(
+            {"texture": texture, "origin": (0, first // PACKED_WIDTH, 0)},
+            whole,
+            {"bytes_per_row": 2 * CHANNELS * PACKED_WIDTH, "rows_per_image": height},
+            (PACKED_WIDTH, height, 1),
+        )
+        device.device.queue.submit([])
+    return texture
+
+
 def read_texture(device: Device, texture: Any) -> Float32Array:
     """Read back a two-dimensional texture.
 

@@ -14,6 +14,7 @@ import numpy as np
 from airlight.image.encoding import srgb_curve_inverse
 from airlight.image.texels import CHANNELS, channel_of
 from airlight.kernel import lanes as lane_module
+from airlight.kernel.tuple_item import tuple_item
 from airlight.render.gpu.emit.scope import Scope, SubsetError
 from airlight.render.gpu.emit.shader_types import (
     BOOL,
@@ -35,7 +36,8 @@ from airlight.render.gpu.emit.shader_types import (
 
 #: Functions of ``airlight.kernel.lanes`` that a shader can call.
 _LANE_CALLS: Final = (
-    "load", "store", "splat", "exponential", "maximum", "minimum", "fourth_root",
+    "load", "store", "splat", "exponential", "maximum", "minimum", "fourth_root", "folded",
+    "largest",
 )  # fmt: skip
 
 
@@ -114,6 +116,10 @@ class Calls(Scope, ABC):
             return self.dialect.convert(below, I32), I32
         if called is int:
             return self.dialect.convert(self.as_scalar(node.args[0], F32), I32), I32
+        if called is tuple_item:
+            item = self.bound(node)
+            if isinstance(item, StructValue):
+                return "", item
         if called in (float, np.float32, np.float64):
             return self.as_scalar(node.args[0], F32), F32
         if called is np.empty:
@@ -168,6 +174,11 @@ class Calls(Scope, ABC):
             return self.as_scalar(node.args[0], VEC4), VEC4
         if name == "exponential":
             return f"exp({self.as_scalar(node.args[0], VEC4)})", VEC4
+        if name == "folded":  # there are no upper halves
+            return self.as_scalar(node.args[0], VEC4), VEC4
+        if name == "largest":
+            whole = self.as_scalar(node.args[0], VEC4)
+            return f"max(max({whole}.x, {whole}.y), max({whole}.z, {whole}.w))", F32
         if name == "fourth_root":
             nothing = self.dialect.convert("0.0", VEC4)
             return f"sqrt(sqrt(max({self.as_scalar(node.args[0], VEC4)}, {nothing})))", VEC4

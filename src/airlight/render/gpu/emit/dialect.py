@@ -45,6 +45,8 @@ class Dialect(ABC):
         that pass arrays by value.
     unrolls : bool
         Whether innermost loops are unrolled by four.
+    whole : int
+        Most turns of a constant innermost loop that is unrolled as a whole.
     largest : float
         Largest literal.
     writes_tables : bool
@@ -56,6 +58,7 @@ class Dialect(ABC):
     mathematics: ClassVar[Mapping[Any, str | Callable[..., Any]]]
     module_arrays: ClassVar[bool] = False
     unrolls: ClassVar[bool] = True
+    whole: ClassVar[int] = 0
     largest: ClassVar[float] = 3.4e38
     writes_tables: ClassVar[bool] = False
 
@@ -66,6 +69,10 @@ class Dialect(ABC):
     @abstractmethod
     def declared(self, name: str, kind: Scalar | LocalArray | TupleType) -> str:
         """Declaration of an uninitialised variable."""
+
+    def in_module(self, name: str, kind: LocalArray) -> str:
+        """Declaration of an array of the module."""
+        return self.declared(name, kind)
 
     @abstractmethod
     def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:

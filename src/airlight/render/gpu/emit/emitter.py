@@ -86,6 +86,8 @@ class Emitter:
             Emitted function, cached by argument types.
         """
         plain = getattr(function, "py_func", function)
+        if isinstance(self.dialect, ShaderDialect):
+            plain = getattr(plain, "in_shaders", plain)
         parameters = plain.__code__.co_varnames[: plain.__code__.co_argcount]
         if len(parameters) != len(arguments):
             raise SubsetError(
@@ -152,7 +154,7 @@ class Emitter:
     def functions_text(self) -> str:
         """Structs, module arrays and functions, callees first."""
         structs = [self.dialect.struct(several) for several in self.tuples.values()]
-        arrays = [f"{self.dialect.declared(*one)}\n" for one in self.arrays.items()]
+        arrays = [f"{self.dialect.in_module(*one)}\n" for one in self.arrays.items()]
         functions = "\n".join(one.text for one in self.emitted.values())
         return "".join([*structs, *arrays]) + functions
 

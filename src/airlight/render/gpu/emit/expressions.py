@@ -169,6 +169,10 @@ class Expressions(Calls):
                 return str(owner.size), Constant(owner.size)
         owner = self.bound(node.value)
         if isinstance(owner, ShaderTable):
+            lane = self.lane(node, owner.rank) if owner.spectral else None
+            if lane is not None:
+                whole, component = lane
+                return f"{self.element(whole)[0]}[{component}]", F32
             if owner.image:
                 places = self.indices(node, owner)
                 return self.dialect.texel(owner.name, *places), owner.element
@@ -190,6 +194,15 @@ class Expressions(Calls):
             flat = f"({flat} * {length} + {one})"
         return flat
 
+    def lane(self, node: ast.Subscript, rank: int) -> tuple[ast.Subscript, str] | None:
+        """Element of a number of indices, and the lane that an index after these is of it."""
+        if not isinstance(node.slice, ast.Tuple) or len(node.slice.elts) != rank + 1:
+            return None
+        *indices, last = node.slice.elts
+        place = indices[0] if rank == 1 else ast.Tuple(indices, ast.Load())
+        whole = ast.copy_location(ast.Subscript(node.value, place, ast.Load()), node)
+        return whole, self.as_scalar(last, I32)
+
     def place(self, node: ast.Subscript) -> tuple[str, Scalar]:
         """Emit an array element as an lvalue or rvalue, or an element of a table as an lvalue."""
         owner = self.bound(node.value)
@@ -197,4 +210,11 @@ class Expressions(Calls):
             return self.dialect.element(owner, self.flat_index(node, owner)), owner.element
         if not isinstance(owner, LocalArray):
             raise self.refuse(node, "is neither a table nor an array")
+        if owner.columns and isinstance(node.slice, ast.Tuple):
+            row, column = (self.as_scalar(one, I32) for one in node.slice.elts)
+            index = f"({row} * {owner.columns} + {column})"
+            return f"{self.array_text(node.value)}[{index}]", owner.element
+        lane = self.lane(node, 1) if owner.element == VEC4 else None
+        if lane is not None:
+            return f"{self.place(lane[0])[0]}[{lane[1]}]", F32
         return f"{self.array_text(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element

@@ -16,6 +16,7 @@ import numpy as np
 
 from airlight.errors import AirlightError
 from airlight.kernel import lanes as lane_module
+from airlight.kernel.tuple_item import tuple_item
 from airlight.render.gpu.emit.dialect import Dialect, Named
 from airlight.render.gpu.emit.shader_types import (
     BOOL,
@@ -126,6 +127,8 @@ class Scope:
     def declare(self, node: ast.AST, name: str, found: Value) -> None:
         """Set the type of a variable, promoted if it already has one."""
         before = self.names.get(name)
+        if isinstance(before, StructValue) and isinstance(found, StructValue):
+            before = None  # items of a tuple, one after another
         if isinstance(before, UniformValue):
             before = before.scalar
         if isinstance(before, Constant):
@@ -188,6 +191,9 @@ class Scope:
             case ast.Name() | ast.Attribute():
                 found = self.bound(node)
                 return found.value if isinstance(found, Constant) else None
+            case ast.Call(func=ast.Name(id="len"), args=[several]):
+                members = self.bound(several)
+                return len(members.fields) if isinstance(members, StructValue) else None
             case ast.UnaryOp(op=op, operand=operand):
                 inside = self.fold(operand)
                 if inside is None:
@@ -252,6 +258,10 @@ class Scope:
                 if isinstance(found, float):
                     return Constant(found)
                 return found
+        if isinstance(node, ast.Call) and self.bound(node.func) is tuple_item:
+            several, index = self.bound(node.args[0]), self.fold(node.args[1])
+            if isinstance(several, StructValue):
+                return several.fields.get(str(index))
         return None
 
 

@@ -107,11 +107,14 @@ class LocalArray:
         Type of the elements.
     variable : str
         Module variable, in languages with module arrays.
+    columns : int
+        Length of the second of two axes; 0 with one axis.
     """
 
     size: int
     element: Scalar = F32
     variable: str = ""
+    columns: int = 0
 
     @property
     def name(self) -> str:

@@ -189,6 +189,8 @@ class FunctionBody:
             sign = ">"
         if self.single_iteration(node, target, call.args, depth):
             return
+        if self.at_emission(node, target, call.args, depth):
+            return
         self.expressions.declare(node, target.id, I32)
         name = self.expressions.mangle(target.id)
         turns = self.constant_range(call.args)
@@ -227,6 +229,23 @@ class FunctionBody:
             del self.names[target.id]
         else:
             self.names[target.id] = before
+        return True
+
+    def at_emission(
+        self, node: ast.For, target: ast.Name, ends: Sequence[ast.expr], depth: int
+    ) -> bool:
+        """Emit the body for each item of a tuple, or of a short loop; returns whether it is one."""
+        inside = [one for end in ends for one in ast.walk(end)]
+        turns = self.constant_range(ends)
+        if turns is None:
+            return False
+        short = len(turns) <= self.dialect.whole and not _is_not_unrolled(node)
+        if not short and not any(isinstance(one, ast.Call) for one in inside):
+            return False
+        for turn in turns:
+            self.names[target.id] = Constant(turn)
+            self.block(node.body, depth)
+        del self.names[target.id]
         return True
 
     def unrolled(self, node: ast.For, name: str, first: str, last: str, depth: int) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, get_origin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +46,9 @@ class UniformStruct:
         NamedTuples with the scalars and tables; they may share scalars.
     more : tuple of str
         Further vectors of four wavelengths.
+    named : tuple of (str, type)
+        Further NamedTuples, with the beginning of the names of what they hold; so are those inside
+        them. Fields that are tuples are left out.
 
     Attributes
     ----------
@@ -62,6 +65,7 @@ class UniformStruct:
     name: str
     bundles: tuple[Any, ...]
     more: tuple[str, ...] = ()
+    named: tuple[tuple[str, Any], ...] = ()
     numbers: dict[str, Scalar] = field(init=False, default_factory=dict)
     tables: dict[str, TextureTable] = field(init=False, default_factory=dict)
     choices: tuple[str, ...] = field(init=False, default=())
@@ -71,7 +75,11 @@ class UniformStruct:
 
     def __post_init__(self) -> None:
         choices = []
-        for one in (one for bundle in self.bundles for one in _leaves(bundle)):
+        every = [
+            *((bundle, "") for bundle in self.bundles),
+            *((kind, at) for at, kind in self.named),
+        ]
+        for one in (one for bundle in every for one in _leaves(*bundle)):
             if isinstance(one.mark, InTexture):
                 self.tables[one.name] = self._table(one.name, one.mark)
                 self.textures.setdefault(one.mark.texture, one.mark.channels)
@@ -102,7 +110,15 @@ class UniformStruct:
             )
         where, pair = f"{self.name}.table_{name}", mark.rank == 4
         return TextureTable(
-            name, mark.texture, mark.rank, mark.spectral, f"{where}.x", where, 1, pair=pair
+            name,
+            mark.texture,
+            mark.rank,
+            mark.spectral,
+            f"{where}.x",
+            where,
+            1,
+            pair=pair,
+            packed=mark.halved,
         )
 
     # --- in the shader ------------------------------------------------------------------------
@@ -118,7 +134,7 @@ class UniformStruct:
         vector, component = self._places[name]
         return UniformValue(f"{self.name}.{vector}.{component}", self.numbers[name])
 
-    def struct_value(self, kind: Any, fixed: Fixed = ()) -> StructValue:
+    def struct_value(self, kind: Any, fixed: Fixed = (), start: str = "") -> StructValue:
         """NamedTuple for the emitter, with tables, uniforms and constants as fields.
 
         Parameters
@@ -127,23 +143,27 @@ class UniformStruct:
             NamedTuple from ``bundles``, or a nested one.
         fixed : tuple
             Names and values of scalars bound as constants.
+        start : str
+            Beginning of names, see ``named``.
         """
         known = dict(fixed)
         fields: dict[str, Value] = {}
         for one in shader_fields(kind):
+            name = f"{start}{one.name}"
             if one.vector:
-                numbers = {of: self.uniform(f"{one.name}_{of}") for of in one.vector}
+                numbers = {of: self.uniform(f"{name}_{of}") for of in one.vector}
                 fields[one.name] = StructValue(numbers, VEC3 if one.vector == VEC3.fields else None)
             elif one.is_group:
-                fields[one.name] = self.struct_value(one.kind, fixed)
+                inside = f"{name}_" if start else ""
+                fields[one.name] = self.struct_value(one.kind, fixed, inside)
             elif isinstance(one.mark, Always):
                 fields[one.name] = Constant(one.mark.value)
-            elif one.name in known:
-                fields[one.name] = Constant(known[one.name])
-            elif one.name in self.tables:
-                fields[one.name] = self.tables[one.name].table
-            else:
-                fields[one.name] = self.uniform(one.name)
+            elif name in known:
+                fields[one.name] = Constant(known[name])
+            elif name in self.tables:
+                fields[one.name] = self.tables[name].table
+            elif get_origin(one.kind) is not tuple:
+                fields[one.name] = self.uniform(name)
         return StructValue(fields)
 
     def read_by(self, body: str) -> list[TextureTable]:
@@ -209,13 +229,14 @@ class UniformStruct:
 
     def laid_out(
         self, arrays: Mapping[str, NDArray[Any]]
-    ) -> tuple[dict[str, Float32Array], dict[str, Place]]:
+    ) -> tuple[dict[str, NDArray[Any]], dict[str, Place]]:
         """Texture contents with the tables concatenated.
 
         Parameters
         ----------
         arrays : mapping
-            Arrays of numbers, any shape, or of texels, shape (..., 4), by the names of tables.
+            Arrays of numbers, any shape, or of texels, shape (..., 4), by the names of tables;
+            those of 16 bits stay so.
 
         Returns
         -------
@@ -224,7 +245,7 @@ class UniformStruct:
         places : dict
             Start and axis lengths of each table.
         """
-        parts: dict[str, list[Float32Array]] = {}
+        parts: dict[str, list[NDArray[Any]]] = {}
         places: dict[str, Place] = {}
         for name, table in self.tables.items():
             if name not in arrays:
@@ -233,7 +254,8 @@ class UniformStruct:
             before = parts.setdefault(table.texture, [])
             shape = arrays[name].shape if channels == 1 else arrays[name].shape[:-1]
             places[name] = (sum(part.shape[0] for part in before), *shape)
-            before.append(np.ascontiguousarray(arrays[name], np.float32).reshape(-1, channels))
+            kind = np.float16 if arrays[name].dtype == np.float16 else np.float32
+            before.append(np.ascontiguousarray(arrays[name], kind).reshape(-1, channels))
         return {name: np.concatenate(part) for name, part in parts.items()}, places
 
     def packed(self, values: Mapping[str, float], places: Mapping[str, Place]) -> Float32Array:
@@ -261,12 +283,13 @@ class UniformStruct:
         return out
 
 
-def _leaves(bundle: Any) -> Iterable[ShaderField]:
+def _leaves(bundle: Any, start: str = "") -> Iterable[ShaderField]:
     """Scalars and tables of a NamedTuple, including nested ones."""
     for one in shader_fields(bundle):
+        name = f"{start}{one.name}"
         if one.vector:
-            yield from (ShaderField(f"{one.name}_{of}", float, None) for of in one.vector)
+            yield from (ShaderField(f"{name}_{of}", float, None) for of in one.vector)
         elif one.is_group:
-            yield from _leaves(one.kind)
-        else:
-            yield one
+            yield from _leaves(one.kind, f"{name}_" if start else "")
+        elif get_origin(one.kind) is not tuple:
+            yield one._replace(name=name)

@@ -25,7 +25,7 @@ _RESERVED: Final = """
     sin sine smooth sqrt squared step struct switch tan texture trunc true u32 uniform var vec4f
     while active centroid common floor_div floor_mod filter half fixed image interface packed
     partition public static superp target template this union unsigned using volatile highp lowp
-    mediump flat buffer texel
+    mediump flat buffer texel patch
 """
 
 
@@ -150,4 +150,18 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
         return "\n".join(parts)
 
 
+class WgslOfModule(Wgsl):
+    """WGSL whose arrays are variables of the module, which fields of any depth can name.
+
+    Sums of harmonics are unrolled: Mesa's software renderer counts all turns of a march.
+    """
+
+    module_arrays = True
+    whole = 16
+
+    def in_module(self, name: str, kind: LocalArray) -> str:
+        return f"var<private> {name}: {self.type_name(kind)};"
+
+
 WGSL: Final = Wgsl()
+WGSL_OF_MODULE: Final = WgslOfModule()

@@ -18,6 +18,10 @@ Window = tuple[int, int, int, int]
 #: Rows of a band, and columns between two of its samples. [pixel]
 _STEP: Final = 16
 
+#: Pixels per submission: interpolated, marched, and marched in software. It stays below the
+#: watchdog limits of drivers, and a strip that is read back takes 64 MiB at most.
+_PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
+
 
 class Band(NamedTuple):
     """Contiguous rows with the same shader.
@@ -98,6 +102,20 @@ def bands_of(
     star = (uniforms["seen_x"], 0.0, uniforms["seen_z"])
     reach = 2.0 * solution.lights[0].angular_radius + 3.0 * uniforms["pixel_angle"]
     return bands(scene, uniforms["horizon_mu"], star, reach + solution.geometry.max_refraction)
+
+
+def rows_at_once(width: int, height: int, exact: bool, software: bool) -> int:
+    """Rows per submission.
+
+    Parameters
+    ----------
+    width, height : int
+        Size of the target, with all samples of a row. [pixel]
+    exact, software : bool
+        Whether every pixel is marched, and whether the device is the CPU.
+    """
+    pixels = _PIXELS_AT_ONCE[(2 if software else 1) if exact else 0]
+    return min(max(1, pixels // width), height)
 
 
 def area_of(

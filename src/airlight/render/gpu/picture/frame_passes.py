@@ -3,16 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping, Sequence
-from functools import cached_property
-from typing import Any
+from typing import Any, Final, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.fragment_pass import FragmentPass
-from airlight.render.gpu.picture.shaders import Shader
+from airlight.render.gpu.emit.uniform_struct import Fixed, UniformStruct
+from airlight.render.gpu.picture.shaders import Shader, picture_shader
 from airlight.render.gpu.picture.uniforms import FRAME
+
+#: Uniform of pictures with three-dimensional clouds.
+CLOUDY: Final = "cloud_eye"
+
+
+class CloudsOfLight(Protocol):
+    """Three-dimensional clouds of a light, see ``CloudTextures``."""
+
+    @property
+    def places(self) -> Mapping[str, tuple[int, ...]]:
+        """Positions of tables in the textures."""
+
+    @property
+    def textures(self) -> Mapping[str, Any]:
+        """Textures by name."""
+
+    def shader(self, uniforms: Mapping[str, float], exact: bool, fixed: Fixed = ()) -> Shader:
+        """Shader of pixels."""
 
 
 class FramePasses:
@@ -27,13 +45,15 @@ class FramePasses:
     """
 
     def __init__(self, device: Device, like: FramePasses | None = None) -> None:
-        self._device = device
+        self.device = device
         self._passes: dict[tuple[Shader, tuple[str, ...]], FragmentPass] = (
             {} if like is None else like._passes
         )
         self._groups: dict[tuple[FragmentPass, Hashable], list[Any]] = {}
         self._textures: dict[Hashable, Mapping[str, Any]] = {}
         self._places: dict[Hashable, Mapping[str, tuple[int, ...]]] = {}
+        self._clouds: dict[Hashable, CloudsOfLight] = {}
+        self._buffers: dict[UniformStruct, Any] = {}
 
     def read(
         self,
@@ -45,18 +65,52 @@ class FramePasses:
         self._textures[light], self._places[light] = textures, places
         self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
 
-    @cached_property
-    def _uniforms(self) -> Any:
+    def read_clouds(self, clouds: CloudsOfLight, light: Hashable = 0) -> None:
+        """Set the three-dimensional clouds of a light, for shaders that read them."""
+        if self._clouds.get(light) is not clouds:
+            self._clouds[light] = clouds
+            self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
+
+    def picture_shader(
+        self, uniforms: Mapping[str, float], exact: bool, fixed: Fixed = (), light: Hashable = 0
+    ) -> Shader:
+        """Shader of the pixels of a light, with clouds if its uniforms have them.
+
+        Parameters
+        ----------
+        uniforms : mapping
+            Uniforms of the frame.
+        exact, fixed :
+            Arguments of ``picture_shader``.
+        light : hashable
+            Light.
+        """
+        if CLOUDY not in uniforms:
+            return picture_shader(exact, fixed)
+        return self._clouds[light].shader(uniforms, exact, fixed)
+
+    def _buffer(self, struct: UniformStruct) -> Any:
         import wgpu
 
-        use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
-        return self._device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
+        if struct not in self._buffers:
+            use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
+            size = struct.packed({}, {}).nbytes
+            self._buffers[struct] = self.device.device.create_buffer(size=size, usage=use)
+        return self._buffers[struct]
 
-    def packed(self, uniforms: Mapping[str, float], light: Hashable = 0) -> NDArray[np.float32]:
-        """Contents of the uniform buffer, for the tables of a light."""
+    def packed(
+        self,
+        uniforms: Mapping[str, float],
+        light: Hashable = 0,
+        struct: UniformStruct = FRAME,
+    ) -> NDArray[np.float32]:
+        """Contents of a uniform buffer, for the tables of a light."""
         # Relative to the ground radius in single precision, which is accurate to half a metre.
         r = float(np.float32(uniforms["bottom"])) + (uniforms["r"] - uniforms["bottom"])
-        return FRAME.packed({**uniforms, "r": r}, dict(self._places.get(light, {})))
+        places = dict(self._places.get(light, {}))
+        if struct is not FRAME:
+            places |= self._clouds[light].places
+        return struct.packed({**uniforms, "r": r}, places)
 
     def run(
         self,
@@ -83,22 +137,25 @@ class FramePasses:
         light : hashable
             Light whose textures are bound.
         """
-        device = self._device.device
+        device = self.device.device
         one = self._pass(shader, formats)
-        device.queue.write_buffer(self._uniforms, 0, self.packed(uniforms, light))
+        packed = self.packed(uniforms, light, shader.struct)
+        device.queue.write_buffer(self._buffer(shader.struct), 0, packed)
         encoder = device.create_command_encoder()
-        one.run(encoder, self._bound(one, light), list(views), area, keep)
+        one.run(encoder, self._bound(one, light, shader.struct), list(views), area, keep)
         device.queue.submit([encoder.finish()])
 
     def _pass(self, shader: Shader, targets: tuple[str, ...]) -> FragmentPass:
         key = shader, targets
         if key not in self._passes:
             entry = next(iter(shader.entries))
-            self._passes[key] = FragmentPass(self._device, shader.text, entry, targets, entry)
+            self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
         return self._passes[key]
 
-    def _bound(self, one: FragmentPass, light: Hashable) -> list[Any]:
+    def _bound(self, one: FragmentPass, light: Hashable, struct: UniformStruct) -> list[Any]:
         key = one, light
         if key not in self._groups:
-            self._groups[key] = one.bind({"frame": self._uniforms, **self._textures[light]})
+            clouds = {} if struct is FRAME else self._clouds[light].textures
+            read = {**self._textures[light], **clouds}
+            self._groups[key] = one.bind({"frame": self._buffer(struct), **read})
         return self._groups[key]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +18,10 @@ from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
-from airlight.render.gpu.picture.bands import Window, bands_of
+from airlight.render.gpu.picture.bands import Window, bands_of, rows_at_once
 from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, PictureLayer
 from airlight.render.gpu.picture.frame_passes import FramePasses
-from airlight.render.gpu.picture.shaders import picture_shader, transmittance_shader
+from airlight.render.gpu.picture.shaders import transmittance_shader
 from airlight.render.gpu.picture.sky_views import SkyViews
 from airlight.render.gpu.picture.solution_textures import SolutionTextures
 from airlight.render.gpu.picture.uniforms import FRAME
@@ -42,6 +42,9 @@ from airlight.scene.frame import Frame
 from airlight.scene.metering import unfiltered, white_luminance
 from airlight.solver.moments.solution import MomentsSolution, moments_solution
 
+if TYPE_CHECKING:
+    from airlight.render.clouds.clouds_around import CloudsAround
+
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
@@ -51,9 +54,6 @@ SKY_VIEW_SIZE: Final = COARSEST
 MEDIUM_SKY_VIEW_SIZE: Final = (128, 64)
 #: Size on a software GPU while the view moves: within 2/255 of the marched picture.
 QUICK_SKY_VIEW_SIZE: Final = (64, 32)
-#: Pixels per submission: interpolated, marched, and marched in software. It stays below the
-#: watchdog limits of drivers, and a strip that is read back takes 64 MiB at most.
-_PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
 
 
 class GpuRenderer:
@@ -77,7 +77,6 @@ class GpuRenderer:
 
     Examples
     --------
-    >>> from airlight.render.gpu.device.device import open_device  # doctest: +SKIP
     >>> renderer = GpuRenderer(open_device())  # doctest: +SKIP
     >>> renderer.set_solution(solution)  # doctest: +SKIP
     >>> frame = renderer.render(Scene())  # doctest: +SKIP
@@ -144,6 +143,7 @@ class GpuRenderer:
         orders: str = "all",
         disc: bool = True,
         samples: int = 1,
+        clouds: CloudsAround | None = None,
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Frame:
@@ -161,7 +161,9 @@ class GpuRenderer:
             Whether the star's disc is rendered.
         samples : int
             Samples per side of every pixel, 1 to 16. Pixels on the horizon and the limb are
-            supersampled anyway, except if a software GPU marches them.
+            supersampled anyway, except if a software GPU marches them, or clouds.
+        clouds : CloudsAround, optional
+            Three-dimensional clouds; the CPU solves their light.
 
         Returns
         -------
@@ -171,8 +173,7 @@ class GpuRenderer:
         camera = scene.camera
         width, height = camera.columns, camera.rows
         check_drawn(width, height)
-        limit = self.device.device.limits["max-texture-dimension-2d"]
-        if width > limit:
+        if width > (limit := self.device.device.limits["max-texture-dimension-2d"]):
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
         solution = self._require_solution()
         lights = scenes_by_light(scene, solution)
@@ -181,10 +182,19 @@ class GpuRenderer:
         with timed(DEVICE, rendered, f"a picture of {width}x{height} pixels"):
             for number, light in enumerate(lights):
                 uniforms = self.uniforms(light, (camera.width, camera.height), exact, orders, disc)
+                if clouds is not None and self.device.software:
+                    uniforms["edges"] = 0.0
                 if samples > 1 and not uniforms["edges"]:
-                    allowed = "1 for an exact picture of a software GPU"
+                    allowed = "1 for an exact picture, or clouds, of a software GPU"
                     raise ParameterError("samples", samples, allowed)
                 uniforms |= {"first_column": camera.left, "samples": samples}
+                if clouds is not None and light.air:
+                    from airlight.render.gpu.picture.cloud_textures import set_clouds
+
+                    lit = clouds.lit(
+                        light.solution, light.scene, light=scene.lights.index(light.light)
+                    )
+                    uniforms |= set_clouds(self.passes, number, light, lit, uniforms, exact)
                 for rows, strip in self._strips(number, light, uniforms, exact, cancel):
                     rgb[rows] += strip
                     release(rgb[rows])
@@ -218,7 +228,9 @@ class GpuRenderer:
 
         camera = light.scene.camera
         width, height = camera.columns, camera.rows
-        count = self._rows_at_once(int(uniforms["samples"] ** 2) * width, height, exact)
+        count = rows_at_once(
+            int(uniforms["samples"] ** 2) * width, height, exact, self.device.software
+        )
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
             size=(width, count, 1), format=LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
@@ -238,7 +250,7 @@ class GpuRenderer:
                 rows = slice(first, min(first + count, height))
                 strip = {**uniforms, "first_row": camera.top + first}
                 self.passes.run(
-                    picture_shader(exact),
+                    self.passes.picture_shader(strip, exact, light=number),
                     strip,
                     [view],
                     (LINEAR,),
@@ -334,15 +346,11 @@ class GpuRenderer:
                 partial(self._render_light, *one, exact, target)
                 for one in zip(range(len(lights)), lights, by_light, strict=True)
             ],
-            partial(self._render_transmittance, by_light[0]),
+            lambda view, kind: self.passes.run(
+                transmittance_shader(), by_light[0], [view], (kind,)
+            ),
             (exact, tuple(self.passes.packed(one).tobytes() for one in by_light)),
         )
-
-    def _render_transmittance(
-        self, uniforms: dict[str, float], view: Any, target_format: str
-    ) -> None:
-        """Render the transmittance of the air into a texture."""
-        self.passes.run(transmittance_shader(), uniforms, [view], (target_format,))
 
     def _render_light(
         self,
@@ -369,7 +377,7 @@ class GpuRenderer:
                     "edges": uniforms["edges"] * band.edge,
                 }
                 self.passes.run(
-                    picture_shader(exact, FRAME.fixed(seen)),
+                    self.passes.picture_shader(uniforms, exact, FRAME.fixed(seen), number),
                     uniforms,
                     [view],
                     (target_format,),
@@ -378,10 +386,10 @@ class GpuRenderer:
                     number,
                 )
             return
-        rows = self._rows_at_once(width, height, exact)
+        rows = rows_at_once(width, height, exact, self.device.software)
         for first in range(0, height, rows):
             self.passes.run(
-                picture_shader(exact),
+                self.passes.picture_shader(uniforms, exact, light=number),
                 uniforms,
                 [view],
                 (target_format,),
@@ -429,11 +437,6 @@ class GpuRenderer:
         for channel, column in zip(("red", "green", "blue"), weights.T, strict=True):
             uniforms |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
         return uniforms
-
-    def _rows_at_once(self, width: int, height: int, exact: bool) -> int:
-        """Rows per submission."""
-        pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
-        return min(max(1, pixels // width), height)
 
     @property
     def textures(self) -> SolutionTextures:

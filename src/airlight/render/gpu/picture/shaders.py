@@ -23,7 +23,7 @@ from airlight.render.gpu.emit.shader_types import (
     LocalArray,
     StructValue,
 )
-from airlight.render.gpu.emit.uniform_struct import Fixed
+from airlight.render.gpu.emit.uniform_struct import Fixed, UniformStruct
 from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.render.pixels.bare_body import BareBody, BodyFrame, body_coverage, body_light
@@ -63,6 +63,8 @@ class Shader:
         Textures in binding order, after the uniforms.
     emitter : Emitter
         Emitter of its functions.
+    struct : UniformStruct
+        Its uniforms and tables.
     """
 
     name: str
@@ -71,6 +73,7 @@ class Shader:
     entries: dict[str, str]
     textures: tuple[str, ...]
     emitter: Emitter
+    struct: UniformStruct = FRAME
 
     @property
     def text(self) -> str:
@@ -88,7 +91,9 @@ class Shader:
         return self.dialect.module([self.functions, self.entries[entry]])
 
 
-def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
+def assembled(
+    name: str, entries: dict[str, str], emitter: Emitter, struct: UniformStruct = FRAME
+) -> Shader:
     """Shader from its entry points, their emitted functions and the tables that these read.
 
     Parameters
@@ -97,20 +102,22 @@ def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
         Source of each entry point.
     emitter : Emitter
         Emitter of the functions that the entry points call.
+    struct : UniformStruct
+        Uniforms and tables that they read.
     """
     dialect = emitter.dialect
     assert isinstance(dialect, ShaderDialect)
     body = emitter.module()
-    tables = FRAME.read_by("\n".join([body, *entries.values()]))
+    tables = struct.read_by("\n".join([body, *entries.values()]))
     textures = tuple(dict.fromkeys(table.texture for table in tables))
     slots = {texture: slot for slot, texture in enumerate(textures, start=1)}
-    lines = [FRAME.text(dialect)]
+    lines = [struct.text(dialect)]
     lines += [dialect.texture(texture, 0, slot) for texture, slot in slots.items()]
     for table in tables:
         texture = dialect.texture_name(table.texture, 0, slots[table.texture])
         lines.append(table.reader(dialect, texture))
     functions = "\n".join([*lines, body])
-    return Shader(name, dialect, functions, entries, textures, emitter)
+    return Shader(name, dialect, functions, entries, textures, emitter, struct)
 
 
 @cache
@@ -256,7 +263,7 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     # a shader of rows without an edge has no loop over samples
     once = dict(fixed).get("samples") == 1 and not dict(fixed).get("edges", True)
     lines, emitter = _of_pixels(pixel_light, exact, once, fixed, dialect)
-    return _linear("picture", "linear_picture", lines, emitter, dialect)
+    return linear_shader("picture", "linear_picture", lines, emitter)
 
 
 @cache
@@ -269,7 +276,7 @@ def small_disc_shader(fixed: Fixed, dialect: ShaderDialect = WGSL) -> Shader:
         Argument of ``picture_shader``.
     """
     lines, emitter = _of_pixels(small_disc, False, True, fixed, dialect)
-    return _linear("disc", "disc_of_star", lines, emitter, dialect)
+    return linear_shader("disc", "disc_of_star", lines, emitter)
 
 
 @cache
@@ -286,16 +293,28 @@ def disc_shader(fixed: Fixed, dialect: ShaderDialect = WGSL) -> Shader:
     result = emitter.module_array("result", LocalArray(1, VEC4))
     made = emitter.add(scene_disc, F32, F32, frame, columns, result, name="disc_in_pixel")
     lines = filled_by(made, position(), dialect)
-    return _linear("disc", "disc_of_star", lines, emitter, dialect)
+    return linear_shader("disc", "disc_of_star", lines, emitter)
 
 
-def _linear(
-    name: str, entry: str, lines: list[str], emitter: Emitter, dialect: ShaderDialect
+def linear_shader(
+    name: str, entry: str, lines: list[str], emitter: Emitter, struct: UniformStruct = FRAME
 ) -> Shader:
-    """Shader of the linear sRGB of pixels from their spectral radiance."""
+    """Shader of the linear sRGB of pixels from their spectral radiance.
+
+    Parameters
+    ----------
+    name, entry : str
+        Names of the shader and of its entry point.
+    lines : list of str
+        Statements that fill ``result``.
+    emitter, struct :
+        Arguments of ``assembled``.
+    """
+    dialect = emitter.dialect
+    assert isinstance(dialect, ShaderDialect)
     light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"
     lines += [dialect.let(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS]
-    return assembled(name, {entry: dialect.fragment(entry, 1, lines, [light])}, emitter)
+    return assembled(name, {entry: dialect.fragment(entry, 1, lines, [light])}, emitter, struct)
 
 
 @cache
@@ -319,6 +338,34 @@ def _of_pixels(
 ) -> tuple[list[str], Emitter]:
     """Statements that call ``pixel_light`` or the like for a fragment, and their emitter."""
     emitter = Emitter(dialect)
+    return call_of_light(emitter, light, exact, once, fixed, march_workspace(emitter)), emitter
+
+
+def call_of_light(
+    emitter: Emitter,
+    light: Callable[..., Any],
+    exact: bool,
+    once: bool,
+    fixed: Fixed,
+    work: StructValue,
+) -> list[str]:
+    """Statements that fill ``result`` with the light of a fragment.
+
+    Parameters
+    ----------
+    emitter : Emitter
+        Emitter of the shader.
+    light : inlined function
+        ``pixel_light`` or the like.
+    exact, fixed :
+        Arguments of ``picture_shader``.
+    once : bool
+        Whether the pixel has one sample.
+    work : StructValue
+        Workspace.
+    """
+    dialect = emitter.dialect
+    assert isinstance(dialect, ShaderDialect)
     places = ("color", "result") if once else ("color", "total", "result")
     kinds = {"color": LocalArray(GROUND_VALUES)}
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
@@ -330,9 +377,9 @@ def _of_pixels(
                 FRAME.struct_value(one, fixed) for one in (Observer, ViewUniforms, MarchTables)
             ),
         ), strict=True))),
-        march_workspace(emitter), *arrays, name="light_of_pixel",
+        work, *arrays, name="light_of_pixel",
     )  # fmt: skip
-    return filled_by(made, position(), dialect), emitter
+    return filled_by(made, position(), dialect)
 
 
 def position() -> tuple[str, str]:

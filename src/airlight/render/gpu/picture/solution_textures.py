@@ -124,7 +124,7 @@ class SolutionTextures:
         textures: dict[str, Any] = {} if solved is None else {"fields": solved}
         for one, contents in made.textures.items():
             if one not in textures:
-                textures[one] = flat_texture(device, _uneven(contents), one)
+                textures[one] = flat_texture(device, uneven(contents), one)
         name = medium.surface.map if maps else None
         found = None if name is None else surface_map(name)
         if before is not None and before.textures.get("map of") == name:
@@ -149,7 +149,7 @@ class SolutionTextures:
         return cls(uniforms, made.places, textures)
 
 
-def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
+def uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
     """Texels padded so that the number of rows is not a power of two.
 
     Mesa recompiles a shader, which takes seconds to minutes, when a texture's height changes to or
