@@ -1,6 +1,6 @@
 """Cumulonimbus: a tower of thermals whose top spreads as an anvil of ice.
 
-The anvil is even above, near the level of neutral buoyancy, and lets the tower overshoot. It
+The anvil is nearly even above, at the level of neutral buoyancy, and lets the tower overshoot. It
 reaches farther downwind, thins outwards and frays to fibres along the wind. Its constants are by
 eye, also that its ice is a tenth of the tower's.
 """
@@ -28,7 +28,11 @@ _DOWNWIND: Final = 0.4
 #: tower. [1]
 _EVEN: Final = 0.9
 _THIN: Final = 0.07
-_DEEP: Final = 0.16
+_DEEP: Final = 0.22
+#: Standard deviation of the height of the upper side, and its fall at the edge, over that of the
+#: cloud. [1]
+_WAVES: Final = 0.015
+_SAG: Final = 0.06
 #: Displacement of the edge by lobes, and by fibres, over the radius. [1]
 _LOBES: Final = 0.12
 _FRAYED: Final = 0.07
@@ -65,7 +69,8 @@ def storm_extinction(
     inwards = np.maximum(edge - out, 0.01 if cover == 1.0 else 0.0)
     depth = grid.depth * (_THIN * np.minimum(4.0 * inwards, 1.0) + _DEEP * np.exp(-4.0 * near))
     ice = _ICE * np.exp(_CONTRAST * fibres) * np.minimum(2.0 * inwards, 1.0)
-    above = _EVEN * grid.depth - grid.heights
+    upper = _EVEN + _WAVES * lobes - _SAG * (1.0 - np.minimum(2.0 * inwards, 1.0)) ** 2
+    above = grid.depth * np.minimum(upper, 1.0)[..., None] - grid.heights
     inside = np.minimum(above, depth[..., None] - above) / grid.level + 0.5
     anvil = np.clip(inside, 0.0, 1.0) * grid.heights ** (2.0 / 3.0) * ice[..., None]
     return np.asarray(np.maximum(towers, anvil))
