@@ -56,6 +56,20 @@ def test_time_moves_the_bodies_of_a_scene_with_an_ephemeris() -> None:
         assert_allclose(one.position, other.position)
 
 
+def test_the_camera_of_a_scene_follows_the_body_that_it_looks_at() -> None:
+    # As that of the file at the later time; after a turn by hand it stays.
+    session = opened(Start(planet="lunar-eclipse"))
+    session.set("view.hour", 8.5)
+    assert session.around is not None
+    got = session.around.seen(session.view, None)
+    wanted = load_system("lunar-eclipse", {"time": "2025-03-14T08:30Z"})
+    assert_allclose(got.camera_axes, wanted.camera_axes, rtol=0.0, atol=2e-6)
+    session.set("view.heading", float(session.view["view.heading"]) + 1.0)
+    turned = session.view["view.heading"]
+    session.set("view.hour", 9.0)
+    assert session.view["view.heading"] == turned
+
+
 def test_the_sun_is_moved_by_hand_in_a_scene() -> None:
     # Its zenith angle above the place is then the session's.
     session = opened(Start(planet="mars-phobos"))

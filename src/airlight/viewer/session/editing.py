@@ -55,7 +55,6 @@ class Editing:
         self.shares_camera = True
         self.shares_exposure = True
         self.adaptation = Adaptation()
-        self.around: SceneAround | None = None
 
     # --- state --------------------------------------------------------------------------------
 
@@ -63,6 +62,15 @@ class Editing:
     def planet(self) -> PlanetState:
         """Current planet."""
         return self._side.planet
+
+    @property
+    def around(self) -> SceneAround | None:
+        """Scene of several bodies around the planet."""
+        return self._side.around
+
+    @around.setter
+    def around(self, scene: SceneAround | None) -> None:
+        self._side.around = scene
 
     @property
     def planet_name(self) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from airlight.planets.reading.reader import nested_tables
 from airlight.render.gpu_system_renderer import check_drawn_by_gpu
 from airlight.render.planet_renderer import scene_of_light, zenith_above
 from airlight.render.scene_lights import SceneLights
+from airlight.scene import Scene
 from airlight.scene.directions import level_axes
 from airlight.scene.system import System
 from airlight.scene.system.light import Light
@@ -28,6 +29,10 @@ from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.sun_clock import CLOCK, DATE
 
 FloatArray = NDArray[np.float64]
+
+#: Paths of the aim, and its largest error while a camera looks at a body. [deg]
+AIM: Final = ("view.look_zenith", "view.heading", "view.roll")
+_AIMED: Final = 0.05
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -101,21 +106,14 @@ class SceneAround:
 
     def view(self) -> dict[str, Value]:
         """View of the scene file, by paths of a session."""
-        system, body = self.system, self.system.body(self.body)
-        towards = self._star.towards(system.eye)
-        local = level_axes(zenith_above(system, body), towards)
-        lights = SceneLights(system, np.array([550.0]), {})
-        camera = system.view.camera(1280, 720, None)
-        scene = scene_of_light(lights, camera, body, towards, local)
+        system, scene = self.system, self._scene(self.system)
         found: dict[str, Value] = {
-            "view.projection": camera.projection,
-            "view.field_of_view": float(camera.field_of_view or 60.0),
+            "view.projection": scene.camera.projection,
+            "view.field_of_view": float(scene.camera.field_of_view or 60.0),
             "view.latitude": scene.latitude,
             "view.longitude": scene.longitude,
             "view.altitude": max(scene.altitude, 1.0),
-            "view.look_zenith": float(scene.camera.look_zenith or 0.0),
-            "view.heading": (scene.camera.look_azimuth + scene.sun_azimuth) % 360.0,
-            "view.roll": scene.camera.roll,
+            **_aim(scene),
             "view.sun_zenith": scene.sun_zenith,
             "view.sun_azimuth": scene.sun_azimuth % 360.0,
         }
@@ -130,6 +128,44 @@ class SceneAround:
             found |= {CLOCK: True, **dict(zip(DATE, date, strict=True))}
         return found
 
+    def _scene(self, system: System) -> Scene:
+        """Scene above the edited planet, with the camera of a scene of several bodies."""
+        body = system.body(self.body)
+        towards = self._star.towards(system.eye)
+        local = level_axes(zenith_above(system, body), towards)
+        lights = SceneLights(system, np.array([550.0]), {})
+        return scene_of_light(lights, system.view.camera(1280, 720, None), body, towards, local)
+
+    def aimed(self, view: Mapping[str, Value], changes: Mapping[str, Value]) -> dict[str, Value]:
+        """Changes of a view; at another date a camera still looks at the body of the scene file.
+
+        Parameters
+        ----------
+        view, changes : mapping
+            Values before, and changes, by path. A camera that has been turned stays.
+        """
+        dated = self.dated and any(path in changes for path in DATE)
+        if not dated or self.system.view.look_at is None or any(path in changes for path in AIM):
+            return dict(changes)
+        before = self._at_body(view)
+        turned = (float(view[path]) - before[path] for path in AIM)
+        if any(abs((turn + 180.0) % 360.0 - 180.0) > _AIMED for turn in turned):
+            return dict(changes)
+        return {**changes, **self._at_body({**view, **changes})}
+
+    def _place(self, view: Mapping[str, Value]) -> SceneObserver:
+        latitude, longitude, altitude = (
+            float(view[f"view.{name}"]) for name in ("latitude", "longitude", "altitude")
+        )
+        return SceneObserver(
+            body=self.body, latitude=latitude, longitude=longitude, altitude=altitude
+        )
+
+    def _at_body(self, view: Mapping[str, Value]) -> dict[str, float]:
+        """Aim of the scene file's camera at the date and place of a view."""
+        system = replace(self._at(view), observer=self._place(view), view=self.system.view)
+        return _aim(self._scene(system))
+
     def seen(self, view: Mapping[str, Value], planet: Planet | None) -> System:
         """Scene of a view of the session.
 
@@ -142,24 +178,13 @@ class SceneAround:
         """
         by_date = self.dated and bool(view[CLOCK])
         system = self._at(view) if by_date else self.system
-        altitude, latitude, longitude, tilt, heading, roll, field_of_view, polariser = (
+        tilt, heading, roll, field_of_view, polariser = (
             float(view[f"view.{name}"])
-            for name in (
-                "altitude",
-                "latitude",
-                "longitude",
-                "look_zenith",
-                "heading",
-                "roll",
-                "field_of_view",
-                "polariser",
-            )
+            for name in ("look_zenith", "heading", "roll", "field_of_view", "polariser")
         )
         system = replace(
             system,
-            observer=SceneObserver(
-                body=self.body, latitude=latitude, longitude=longitude, altitude=altitude
-            ),
+            observer=self._place(view),
             view=View(
                 look_zenith=tilt,
                 look_bearing=heading,
@@ -213,3 +238,10 @@ class SceneAround:
             moved = replaced(star, position=tuple((system.eye + distance * towards).tolist()))
         lights = tuple(moved if one is star else one for one in system.lights)
         return replace(system, lights=lights)
+
+
+def _aim(scene: Scene) -> dict[str, float]:
+    """Aim of a scene's camera, by paths of a session. [deg]"""
+    camera = scene.camera
+    heading = (camera.look_azimuth + scene.sun_azimuth) % 360.0
+    return dict(zip(AIM, (float(camera.look_zenith or 0.0), heading, camera.roll), strict=True))

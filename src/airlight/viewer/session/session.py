@@ -128,7 +128,7 @@ class Session(Editing):
     def store_b(self) -> None:
         """Copy the current side to the other; later edits apply to the current side only."""
         self._other = Side(self._side.planet, self._side.view, self._clock)
-        self._other.first = self._side.first
+        self._other.first, self._other.around = self._side.first, self.around
 
     def swap(self) -> None:
         """Show the other side; without one, the current side is copied first."""

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import ParameterError
 from airlight.planets.schema.toml_table import suggestion
@@ -19,6 +19,9 @@ from airlight.viewer.session.edited_amounts import amount_edited, amount_value, 
 from airlight.viewer.session.edits import edited, restored
 from airlight.viewer.session.history import Change, History, Step
 from airlight.viewer.session.planet_state import PlanetState
+
+if TYPE_CHECKING:
+    from airlight.viewer.session.scene_around import SceneAround
 
 #: Prefixes of the paths of a constituent's switch and of its keys.
 _SWITCH: Final = "light.constituents["
@@ -60,6 +63,7 @@ class Side:
         self.history = History()
         self._clock = clock
         self.dragged = ""
+        self.around: SceneAround | None = None
         self._listed: tuple[Any, tuple[str, ...], Any, dict[str, Parameter]] | None = None
 
     # --- state --------------------------------------------------------------------------------
@@ -151,11 +155,13 @@ class Side:
         return self.put(after)
 
     def followed(self, after: Change) -> Change:
-        """Change completed by sun and Moon from date and place, if the view uses them."""
+        """Change completed by sun, Moon and aim from date and place, if the view uses them."""
         planet = self.planet if after.planet is None else after.planet
         body = planet.tables.get("body")
         opened = after.planet is not None and bool(self.view[CLOCK]) and CLOCK not in after.view
         view = {**after.view, CLOCK: True} if opened else after.view
+        if self.around is not None:
+            view = self.around.aimed(self.view, view)
         return replace(after, view=with_sky(body, self.view, view))
 
     def change(self, name: str, after: Change) -> AbstractSet[str]:

@@ -17,6 +17,8 @@ from airlight.viewer.session.session import Session, SessionSide
 
 #: Time for which a picture counts as new. [s]
 _FRESH: Final = 0.5
+#: Difference of exposures at which a side is far too dark, by eye. [EV]
+_DARK: Final = 3.0
 
 
 class Sides:
@@ -104,12 +106,25 @@ class Sides:
         return None if around is None else around.seen(view, solved.planet)
 
     @property
+    def _metered(self) -> dict[str, float]:
+        """Metered exposures of the sides' pictures. [EV]"""
+        shown = {side: self._pictures.get(side) for side in self._wanted}
+        return {side: one.metered for side, one in shown.items() if one and one.metered is not None}
+
+    @property
+    def dark_side(self) -> str:
+        """Side that the exposure of the other one makes far too dark; empty if there is none."""
+        session, metered = self._session, self._metered
+        together = session.shares_exposure and bool(session.view["display.automatic"])
+        if not together or len(metered) < 2:
+            return ""
+        side = max(metered, key=metered.__getitem__)
+        return side if metered[side] - min(metered.values()) > _DARK else ""
+
+    @property
     def _brighter(self) -> str:
         """Side whose exposure both share: that of less exposure, so that neither is white."""
-        shown = {side: self._pictures.get(side) for side in self._wanted}
-        metered = {
-            side: one.metered for side, one in shown.items() if one and one.metered is not None
-        }
+        metered = self._metered
         showing = self._session.showing
         return min(metered, key=metered.__getitem__) if len(metered) > 1 else showing
 

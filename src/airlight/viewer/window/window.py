@@ -305,7 +305,12 @@ class Window:
         names = [self.session.planet_name, self.session.planet_name_other]
         if self.session.showing == "B":
             names.reverse()
-        return f"A  {names[0]}", f"B  {names[1]}"
+        dark = self._sides.dark_side
+        a, b = (
+            f"{side}  {name}" + (f", exposed for {other}" if side == dark else "")
+            for side, other, name in zip("AB", "BA", names, strict=True)
+        )
+        return a, b
 
     def _status(self) -> StatusLine:
         if self._saving.message and not self._saving.busy:

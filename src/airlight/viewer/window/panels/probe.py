@@ -59,6 +59,7 @@ def draw_probe(reading: ProbeResult | None, working: str, into: Rectangle) -> bo
     style.hint("close the probe (P)")
     if reading is not None:
         beside = into.width > _NUMBERS + _PARTS + _GAPS
+        plotted = into.width > _NUMBERS + _PARTS + _PLOT
         imgui.begin_child("numbers", imgui.ImVec2(_NUMBERS if beside else 0.0, 0.0))
         for name, value in numbers_of(reading.spectrum):
             imgui.text_colored(imgui.ImVec4(*style.QUIET), name)
@@ -69,10 +70,10 @@ def draw_probe(reading: ProbeResult | None, working: str, into: Rectangle) -> bo
         imgui.end_child()
         if beside:
             imgui.same_line()
-            imgui.begin_child("parts", imgui.ImVec2(_PARTS, 0.0))
+            imgui.begin_child("parts", imgui.ImVec2(_PARTS if plotted else 0.0, 0.0))
             _parts(reading.spectrum)
             imgui.end_child()
-        if into.width > _NUMBERS + _PARTS + _PLOT:
+        if plotted:
             imgui.same_line()
             _plot(reading.spectrum)
     imgui.end()
@@ -139,7 +140,11 @@ def _parts(probe: Probe) -> None:
 
     green = int(np.argmin(np.abs(np.asarray(probe.wavelengths) - _GREEN)))
     whole = sum(one.luminance for one in probe.parts)
-    flags = imgui.TableFlags_.row_bg.value | imgui.TableFlags_.sizing_fixed_fit.value
+    flags = (
+        imgui.TableFlags_.row_bg.value
+        | imgui.TableFlags_.sizing_fixed_fit.value
+        | imgui.TableFlags_.pad_outer_x.value
+    )
     if imgui.begin_table("parts", 3, flags):
         stretch = imgui.TableColumnFlags_.width_stretch.value
         imgui.table_setup_column("part of the light", stretch)
