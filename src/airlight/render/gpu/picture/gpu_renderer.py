@@ -228,9 +228,8 @@ class GpuRenderer:
 
         camera = light.scene.camera
         width, height = camera.columns, camera.rows
-        count = rows_at_once(
-            int(uniforms["samples"] ** 2) * width, height, exact, self.device.software
-        )
+        across = width * int(uniforms["samples"] ** 2)
+        count = rows_at_once(across, height, exact, self.device.software)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
             size=(width, count, 1), format=LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
