@@ -1,6 +1,6 @@
 """Integrals of irradiance over wavelengths, and the wavelengths that they need.
 
-Irradiance over the star's irradiance is interpolated log-linearly to whole nanometres; the star's
+Irradiance over the star's irradiance is interpolated log-linearly to half nanometres; the star's
 lines are thus integrated at the resolution of its own spectrum.
 """
 
@@ -92,7 +92,7 @@ class SpectralIntegrals:
     def __init__(self, solution: Solution) -> None:
         self._order = np.argsort(solution.wavelengths)
         self.wavelengths = solution.wavelengths[self._order]
-        self.dense = whole_nanometres(*self.range)
+        self.dense = steps_between(*self.range, 0.5)
         source = solution.lights[0]
         known = source.irradiance if source.spectrum is None else source.spectrum(self.dense)
         self.star = np.asarray(known, float)
@@ -109,7 +109,7 @@ class SpectralIntegrals:
         return "{:g} to {:g} nm".format(*self.range)
 
     def spectra(self, ratio: FloatArray) -> FloatArray:
-        """Irradiance at whole nanometres from that over the star's, (n, nl) to (n, nd)."""
+        """Irradiance at half nanometres from that over the star's, (n, nl) to (n, nd)."""
         logs = np.log(np.maximum(ratio[:, self._order], _DARK))
         found = [np.interp(self.dense, self.wavelengths, one) for one in logs]
         between = np.exp(found)
@@ -141,9 +141,10 @@ class SpectralIntegrals:
         planet = self._solution.planet
         if planet is None:
             return {}
-        depth = vertical_depth(planet, self.dense)
-        true = np.exp(-AIR_MASS * depth)
-        at = np.interp(self.wavelengths, self.dense, depth)
+        whole = steps_between(*self.range, 1.0)
+        depth = vertical_depth(planet, whole)
+        true = np.exp(-AIR_MASS * np.interp(self.dense, whole, depth))
+        at = np.interp(self.wavelengths, whole, depth)
         near = np.exp(-AIR_MASS * np.interp(self.dense, self.wavelengths, at))
         found = {}
         for name, one in WEIGHTED.items():
@@ -162,15 +163,15 @@ class SpectralIntegrals:
         return float(np.trapezoid(light * near[inside], nm)) / whole - 1.0 if whole > 0.0 else 0.0
 
 
-def whole_nanometres(low: float, high: float) -> FloatArray:
-    """Both ends and the whole nanometres between them.
+def steps_between(low: float, high: float, step: float) -> FloatArray:
+    """Both ends and the multiples of a step between them.
 
     Examples
     --------
-    >>> whole_nanometres(440.5, 443.0)
-    array([440.5, 441. , 442. , 443. ])
+    >>> steps_between(440.7, 442.0, 0.5)
+    array([440.7, 441. , 441.5, 442. ])
     """
-    between = np.arange(np.floor(low) + 1.0, np.ceil(high))
+    between = np.arange(np.floor(low / step) + 1.0, np.ceil(high / step)) * step
     return np.unique(np.concatenate(([low], between, [high])))
 
 
@@ -196,7 +197,7 @@ def irradiance_wavelengths(planet: Planet) -> tuple[float, ...]:
     low, high = max(low, SHORTEST), min(high, LONGEST)
     if high - low < 1.0:
         return tuple(planet.wavelengths)
-    dense = whole_nanometres(np.ceil(low), np.floor(high))
+    dense = steps_between(np.ceil(low), np.floor(high), 1.0)
     depth = vertical_depth(planet, dense)
     beam = np.exp(-AIR_MASS * depth)
     burning = erythema(dense) * planet.star.irradiances(dense)
