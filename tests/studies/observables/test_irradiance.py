@@ -16,6 +16,7 @@ from airlight.solver.moments.solution import MomentsSolution
 from airlight.studies.observables import irradiance
 from airlight.studies.observables.plane_irradiance import Plane
 from airlight.studies.observables.spectral_integrals import (
+    WEIGHTED,
     SpectralIntegrals,
     irradiance_wavelengths,
 )
@@ -87,12 +88,12 @@ def test_weights_of_flat_light_are_those_of_their_definitions(earth: MomentsSolu
     integrals.star[:] = 1.0
     flat = np.ones((1, len(NM)))
     assert_allclose(integrals.broadband(flat), 320.0)
-    assert_allclose(integrals.weighted("par", flat), 300.0)
+    assert_allclose(integrals.weighted(WEIGHTED["par"], flat), 300.0)
     # 106.857 nm: the sum of the luminous efficiency (Wyszecki & Stiles 1982); 0.1 % of it lies
     # beyond the solution's wavelengths
-    assert_allclose(integrals.weighted("illuminance", flat), 683.0 * 106.857, rtol=2e-3)
+    assert_allclose(integrals.weighted(WEIGHTED["illuminance"], flat), 683.0 * 106.857, rtol=2e-3)
     # the mean photon of 400 to 700 nm is that of 550 nm: 4.598 µmol/J (CODATA)
-    assert_allclose(integrals.weighted("par_photons", flat), 300.0 * 4.598, rtol=1e-4)
+    assert_allclose(integrals.weighted(WEIGHTED["par_photons"], flat), 300.0 * 4.598, rtol=1e-4)
 
 
 def test_overhead_sun_gives_the_published_illuminance(earth: MomentsSolution) -> None:

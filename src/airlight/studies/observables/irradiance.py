@@ -196,7 +196,7 @@ def _integrals(
         weighted += [(f"poa_{name}", "poa", name) for name in ("illuminance", "par")]
     missing = []
     for name, of, kind in weighted:
-        values = integrals.weighted(kind, ratios[of]) * factors
+        values = integrals.weighted(WEIGHTED[kind], ratios[of]) * factors
         label = WEIGHTED[kind].label + (" of the plane" if of == "poa" else "")
         data[name] = ("case", values, {"units": WEIGHTED[kind].unit, "long_name": label})
         if np.isnan(values).any():

@@ -20,6 +20,7 @@ from airlight.physics.spectra.action_spectra import (
     photons,
     photosynthetic,
 )
+from airlight.physics.spectra.v_band import V_RANGE, v_passband
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.solver.solution import Solution
@@ -78,6 +79,8 @@ WEIGHTED: Final = {
     ),
     "uv_index": Integral("1", "UV index", lambda nm: UV_INDEX_SCALE * erythema(nm), 250.0, 400.0),
 }
+#: Energy in the passband of V, see ``airlight.physics.spectra.v_band``.
+V_BAND: Final = Integral("W m-2", "irradiance in V", v_passband, *V_RANGE)
 
 
 class SpectralIntegrals:
@@ -120,9 +123,11 @@ class SpectralIntegrals:
         """Irradiance over all wavelengths, shape (n,). [W m⁻²]"""
         return np.asarray(np.trapezoid(self.spectra(ratio), self.dense))
 
-    def weighted(self, name: str, ratio: FloatArray) -> FloatArray:
-        """Integral of ``WEIGHTED``, shape (n,); NaN where the wavelengths do not reach."""
-        one = WEIGHTED[name]
+    def weighted(self, one: Integral, ratio: FloatArray) -> FloatArray:
+        """Integral with a weight, shape (n,); NaN where the wavelengths do not reach.
+
+        Of radiance over the star's irradiance it is luminance, or radiance in a passband.
+        """
         inside = (self.dense >= one.low) & (self.dense <= one.high)
         nm = self.dense[inside]
         if nm.size < 2:
