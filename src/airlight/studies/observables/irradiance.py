@@ -113,7 +113,8 @@ def irradiance(
     if not listed:
         raise ParameterError("scenes", "none", "one or more")
     if solution.wavelengths.size < 2 and not spectral:
-        raise ParameterError("wavelengths", solution.wavelengths, "two or more, or spectral")
+        one = float(solution.wavelengths[0])
+        raise ParameterError("wavelengths", one, "two or more, or spectral")
     dark = _ratios(solution, listed, plane, progress)
     factors = np.array([_distance_factor(solution, one) if true_distance else 1 for one in listed])
     data, notes = (_spectra if spectral else _integrals)(solution, dark, factors)
