@@ -10,13 +10,15 @@ from pvlib.spectrum import get_reference_spectra
 
 from tables import write_table
 
-FIRST, LAST = 280, 1000  # nm; the standard begins at 280
+#: First wavelength of the standard, and the last at which its step is one nanometre or less. [nm]
+FIRST, EVERY = 280, 1700
 
 
 def main() -> None:
-    """Keep the rows at whole nanometres; below 400 nm the standard's step is 0.5 nm."""
+    """Keep the rows at whole nanometres; the standard's step is 0.5 nm below 400 nm."""
     spectrum = get_reference_spectra(standard="ASTM G173-03")["extraterrestrial"]
-    wavelengths = np.arange(FIRST, LAST + 1.0)
+    beyond = spectrum.index[spectrum.index > EVERY].to_numpy(float)
+    wavelengths = np.concatenate([np.arange(FIRST, EVERY + 1.0), beyond])
     values = spectrum.loc[wavelengths].to_numpy()[:, None]  # fails if a row is missing
     path = write_table(
         "astm-g173",
@@ -28,7 +30,8 @@ def main() -> None:
             "licence": "published by the National Laboratory of the Rockies (formerly NREL) for "
             "free use; pvlib is BSD-3-Clause",
             "note": [
-                "Rows at whole nanometres, 280 to 1000 nm, as printed; none is interpolated.",
+                "Rows at whole nanometres, 280 to 4000 nm, as printed; none is interpolated.",
+                "Their step is 1 nm to 1700 nm; then follow 1702 nm and every 5 nm from 1705 nm.",
                 "Below 400 nm the standard also has rows at half nanometres; they are left out.",
             ],
         },

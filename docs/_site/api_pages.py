@@ -18,7 +18,7 @@ STATIONS = (
     ("Light", ("solve", "Solution", "degree_of_polarisation", "angle_of_polarisation")),
     ("Pictures", ("Scene", "MoonLight", "StarLight", "Camera", "look_at", "local_ground",
                   "lowered_ground", "render", "Frame", "write_picture")),
-    ("Observables", ("observe",)),
+    ("Observables", ("observe", "irradiance", "Plane")),
     ("Tables", ("bake", "load_tables")),
     ("Composition", ("compose", "Pinhole", "Placement")),
     ("Errors and warnings", ("AirlightError", "ParameterError", "FileError", "ConvergenceError",

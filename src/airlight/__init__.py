@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from airlight.scene.star_light import StarLight
     from airlight.solver import Solution, solve
     from airlight.solver.stokes_frame import angle_of_polarisation, degree_of_polarisation
-    from airlight.studies.observables import observe
+    from airlight.studies.observables import Plane, irradiance, observe
 
 #: Module of each public name.
 _HOMES = {
@@ -67,6 +67,8 @@ _HOMES = {
     "Frame": "airlight.render",
     "write_picture": "airlight.render.picture",
     "observe": "airlight.studies.observables",
+    "irradiance": "airlight.studies.observables",
+    "Plane": "airlight.studies.observables",
     "bake": "airlight.engines.baking.bake",
     "load_tables": "airlight.engines.baking.table_files",
     "compose": "airlight.engines.composition",
@@ -104,6 +106,8 @@ __all__ = [
     "Frame",
     "write_picture",
     "observe",
+    "irradiance",
+    "Plane",
     "bake",
     "load_tables",
     "compose",

@@ -42,7 +42,7 @@ def test_files_of_each_kind_are_written_at_once(
         (("--of", "disc", "--phase-angles", "0,200"), "--phase-angles is 200.0; allowed: 0 to 180"),
         (("--of", "disc", "--tangent-heights", "5km"), "--tangent-heights"),
         (("--of", "limb", "--tangent-heights", "900km"), "--tangent-heights is 900000.0"),
-        (("--of", "transmission", "-o", "x.txt"), ".csv, .nc, .png, .svg, .pdf"),
+        (("--of", "transmission", "-o", "x.txt"), ".csv, .nc, .json, .png, .svg, .pdf"),
         (("--of", "transmission", "-o", "no/such/folder/x.csv"), "there is no folder"),
         (("--of", "disc", "--phase-angles", "0:x:2"), "--phase-angles"),
     ],

@@ -44,6 +44,8 @@ COMMANDS: Final = {
     "aerial": "Bake aerial perspective around an observer to textures and shader functions.",
     "view": "Open an interactive viewer: fly, move the sun, edit parameters, probe radiances.",
     "radiance": "Compute spectral radiance along a line of sight, in W m⁻² sr⁻¹ nm⁻¹.",
+    "irradiance": "Compute irradiance: GHI, DNI, DHI, illuminance, PAR, UV index; horizontal or "
+    "tilted.",
     "spectrum": "Compute observables of a planet: albedos, phase curve, transit, limb, disc.",
     "sweep": "Compute the missing or changed blocks of a grid of radiances, in W m⁻² sr⁻¹ nm⁻¹.",
     "fit": "Fit parameters of a planet to measured radiances, or to a photograph of its sky.",

@@ -40,6 +40,7 @@ EPILOG = examples(
     "airlight radiance earth --sun-zenith 92 --view-zenith 60 --solver montecarlo "
     "--relative-error 0.005",
     "airlight radiance earth --sun-zenith 80 --view-zenith 30 --azimuth 180 --stokes",
+    "airlight radiance earth --sun-zenith 90:102:2 --view-zenith 0 --photometric",
 )
 
 #: Rows of a file per call of the solution.
@@ -118,6 +119,11 @@ class SolverOptions(SolveOptions):
         "the meridian plane, counterclockwise, in degrees).",
         default=False,
     )
+    photometric: bool = option(
+        "Also luminance [cd m-2] and V surface brightness [mag arcsec-2], from 400:700:20 unless "
+        "--wavelengths is given.",
+        default=False,
+    )
     solver: str = option(
         "Solver; montecarlo traces every radiance and adds its standard error.",
         "{solver.solve:SOLVERS}",
@@ -129,6 +135,17 @@ class SolverOptions(SolveOptions):
     )
     seed: int | None = option("Monte Carlo: seed of the random numbers (1).", "NUMBER")
 
+    def chosen(self, planet: Planet) -> tuple[float, ...]:
+        """Wavelengths of the option, of photometry or of the planet. [nm]"""
+        given = self.nm(planet)
+        if given is None and self.photometric:
+            from airlight.studies.observables.brightness import BRIGHTNESS_WAVELENGTHS
+
+            return BRIGHTNESS_WAVELENGTHS
+        if self.photometric and given is not None and len(given) < 2:
+            raise ParameterError("--wavelengths", self.wavelengths, "two or more for --photometric")
+        return given or tuple(planet.wavelengths)
+
     def settings(self) -> Any:
         """Name of the quality, or Monte Carlo settings."""
         from airlight.solver.solve import SOLVERS
@@ -139,6 +156,9 @@ class SolverOptions(SolveOptions):
             raise ConflictError("--stokes", "requires --solver moments or montecarlo")
         if self.stokes and self.no_polarisation:
             raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
+        if self.photometric and (self.stokes or self.solver == "montecarlo"):
+            other = "--stokes" if self.stokes else "--solver montecarlo"
+            raise ConflictError("--photometric", f"cannot be combined with {other}")
         if self.solver != "montecarlo":
             for one in given_options(self, "relative_error", "seed"):
                 raise ConflictError(one, "requires --solver montecarlo")
@@ -162,18 +182,19 @@ def radiance(
     """
     settings = solve.settings()
     long = observers.from_file and solve.solver == "moments" and not observers.labelled
+    long = long and not solve.photometric
     for given in () if long else given_options(distribution):
         raise ConflictError(given, "requires --input FILE, a .csv output and --solver moments")
     if long:
         observers.check_file(planet)
         world = planet.load()
-        _long_table(world, observers, solve.nm(world) or world.wavelengths, solve, distribution)
+        _long_table(world, observers, solve.chosen(world), solve, distribution)
         return
     cases = observers.cases(planet)
     world = planet.load()
     if observers.input_ is None:
         world = _ground_of(world, planet, observers, cases)
-    nm = solve.nm(world) or world.wavelengths
+    nm = solve.chosen(world)
     sampled, stokes = solve.solver == "montecarlo", solve.stokes
     from airlight.solver import solve as solved
     from airlight.studies.sweep.cases import error_columns, radiance_columns, write_cases
@@ -191,6 +212,8 @@ def radiance(
             values, errors, histories = _estimates(solution, cases, stokes)
         else:
             values = _answers(solution, cases, len(columns), stokes, report)
+    if solve.photometric:
+        cases = _with_brightness(solution, cases, values)
     if observers.labelled:
         from airlight.studies.sweep.case_dataset import case_dataset, write_dataset
 
@@ -227,6 +250,20 @@ def _ground_of(
     if above != height:
         height = cases.values[:, 0] = above
     return planet.local(world, height)
+
+
+def _with_brightness(solution: Any, cases: Cases, values: NDArray[np.float64]) -> Cases:
+    """Table of observers with luminance and V; printed if there is none."""
+    from airlight.studies.observables.brightness import COLUMNS, brightness
+
+    luminance, magnitude = brightness(solution, values)
+    if not cases.header:
+        say(f"luminance  {luminance[0]:.6g} cd m⁻²")
+        say(f"V  {magnitude[0]:.4f} mag arcsec⁻²")
+        return cases
+    found = zip(cases.rows, luminance, magnitude, strict=True)
+    rows = [[*row, f"{light:.8g}", f"{v:.6g}"] for row, light, v in found]
+    return replace(cases, header=[*cases.header, *COLUMNS], rows=rows)
 
 
 def _print(

@@ -38,8 +38,6 @@ EPILOG = examples(
 _FIGURES: Final = (".png", ".svg", ".pdf")
 #: Default wavelengths: those at which the planet has data. [nm]
 _FIRST, _LAST, _STEP = 360, 830, 10
-#: Rows of a table that are printed.
-_ROWS: Final = 24
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,7 +91,7 @@ def spectrum(
         list[Path] | None,
         options.output_option(
             "FILE",
-            "Output: .csv, .nc (netCDF), or a figure (.png, .svg, .pdf); may be repeated. "
+            "Output: .csv, .json, .nc (netCDF), or a figure (.png, .svg, .pdf); may be repeated. "
             "Default: print the numbers.",
         ),
     ] = None,
@@ -165,20 +163,10 @@ def _write(path: Path, data: xarray.Dataset) -> None:
 
 def _print(data: xarray.Dataset) -> None:
     """Print the first rows."""
-    dims = [*(str(name) for name in data.sizes if name != "wavelength"), "wavelength"]
-    columns = [str(name) for name in data.data_vars if data[name].ndim]
-    whole = data[columns].stack(row=dims)
-    shown = range(min(whole.sizes["row"], _ROWS))
-    texts = {name: [f"{whole[name].values[k]:.6g}" for k in shown] for name in dims}
-    texts |= {name: [f"{whole[name].values[k]:.4e}" for k in shown] for name in columns}
-    units = {name: f"[{data[name].attrs['units']}]" for name in texts}
-    wide = {name: max(map(len, (name, units[name], *rows))) for name, rows in texts.items()}
-    for cells in ({name: name for name in texts}, units):
-        say("  ".join(f"{cells[name]:>{wide[name]}}" for name in texts))
-    for k in shown:
-        say("  ".join(f"{rows[k]:>{wide[name]}}" for name, rows in texts.items()))
-    if whole.sizes["row"] > _ROWS:
-        say(f"… {whole.sizes['row'] - _ROWS} rows more: -o FILE.csv has all")
-    for label, one in data.data_vars.items():
-        if not one.ndim:
-            say(f"{label} {one.item():.4f}: {one.attrs['long_name']}")
+    from airlight.cli.dataset_table import say_table
+    from airlight.studies.observables.spectrum_files import table_of
+
+    table = table_of(data)
+    say_table(table)
+    for label, (value, _, meant) in table.scalars.items():
+        say(f"{label} {value:.4f}: {meant}")

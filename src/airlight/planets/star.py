@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.physics.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS, SOLAR_TEMPERATURE
+from airlight.physics.spectra.sun import SPECTRA, solar_irradiance
 from airlight.physics.units import Measure, quantity, with_powers
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Wavelengths, key
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Name of the solar spectrum measured at 1 au.
-SUN: Final = "astm-g173"
 #: Name, in an editor, of a star defined by its temperature.
 BLACK_BODY: Final = "black body"
 #: Unit of irradiances.
@@ -42,7 +41,7 @@ IRRADIANCE: Final = "W/m^2/nm"
 
 
 def _read_spectrum(table: TomlTable, name: str, wavelengths: Wavelengths) -> str:
-    return table.text(name, "the name of a spectrum, 'astm-g173'")
+    return table.text(name, f"the name of a spectrum: {', '.join(SPECTRA)}")
 
 
 def _read_irradiance(table: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
@@ -91,7 +90,8 @@ class Star(TomlModel):
     Parameters
     ----------
     spectrum : str, optional
-        ``"astm-g173"``, the sun at 1 au, scaled to ``distance``.
+        ``"astm-g173"`` or ``"sao2010"``, which has the lines in half nanometres: the sun at 1 au,
+        scaled to ``distance``.
     irradiance : float or PerWavelength, optional
         Irradiance at the planet, 0 to 1e9. [W m⁻² nm⁻¹]
     temperature : float, optional
@@ -115,7 +115,7 @@ class Star(TomlModel):
         help="Measured solar spectrum at 1 au, or a black body.",
         note="`distance` scales it.",
         read=_read_spectrum,
-        choices=lambda: (SUN,),
+        choices=lambda: tuple(SPECTRA),
         synonyms=("sunlight", "colour", "color", "kind of star", "red dwarf"),
         placeholder=BLACK_BODY,
         offered=lambda star: "temperature" in star,
@@ -301,9 +301,8 @@ class Star(TomlModel):
             return power_law_at(self.irradiance, wavelengths)
         assert self.known_distance is not None
         if self.spectrum is not None:
-            from airlight.physics.spectra.sun import solar_irradiance
-
-            return solar_irradiance(wavelengths) * (ASTRONOMICAL_UNIT / self.known_distance) ** 2
+            there = (ASTRONOMICAL_UNIT / self.known_distance) ** 2
+            return solar_irradiance(wavelengths, self.spectrum) * there
         from airlight.physics.spectra.blackbody import star_irradiance
 
         assert self.temperature is not None

@@ -112,6 +112,11 @@ class IndependentColumns(Solution):
         """See ``Solution``."""
         return self._mean(lambda one: one.relative_direct_irradiance(r, mu_s))
 
+    def relative_beam(self, r: FloatArray, mu_s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """See ``Solution``."""
+        both = self._mean(lambda one: np.stack(one.relative_beam(r, mu_s)))
+        return both[0], both[1]
+
     def transmittance(self, **arguments: Any) -> xarray.DataArray:
         """Mean transmittance; arguments of ``Solution.transmittance``."""
         found = [one.solution.transmittance(**arguments) for one in self.columns]

@@ -158,6 +158,28 @@ class Solution(ABC):
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """Direct horizontal irradiance per irradiance of the star, (n, nl). [1]"""
 
+    def relative_beam(self, r: FloatArray, mu_s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Unscattered irradiance, horizontal and normal, per that of the star. [1]
+
+        Without the delta-M fraction of forward peaks, unlike ``relative_direct_irradiance``.
+
+        Parameters
+        ----------
+        r, mu_s : array, shape (n,)
+            Radii [m] and cosines of the star's zenith angle [1].
+
+        Returns
+        -------
+        horizontal, normal : array, shape (n, nl)
+            [1]
+
+        Raises
+        ------
+        ParameterError
+            If the solver has no unscattered beam.
+        """
+        raise ParameterError("solver", self.report.solver, "moments")
+
     @property
     def wavelengths(self) -> FloatArray:
         """Wavelengths, shape (nl,). [nm]"""

@@ -8,19 +8,20 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import ParameterError
 from airlight.physics.spectra.color_matching import cie_1931
-from airlight.physics.spectra.sun import solar_irradiance
+from airlight.physics.spectra.sun import SPECTRA, solar_irradiance
 from airlight.physics.spectra.tables import Spectrum, read_spectrum, spectrum_names
 
 
 def test_every_table_names_its_quantity_unit_source_and_licence():
     # The header is the only place where a table's origin stands.
+    coarse = {"earth-albedo": 10.0, "methane-bands": 10.0}
     for name in spectrum_names():
         table = read_spectrum(name)
         assert table.unit
         assert len(table.source) > 20
         assert table.licence
-        steps = np.diff(table.wavelengths)
-        assert_array_equal(steps, 10.0 if name in ("earth-albedo", "methane-bands") else 1.0)
+        steps = np.diff(table.wavelengths[table.wavelengths <= 1700.0])
+        assert_array_equal(steps, {**coarse, "sao2010": 0.5}.get(name, 1.0))
         assert np.all(np.isfinite(table.values))
         assert np.all(table.values >= 0.0)
 
@@ -76,11 +77,33 @@ def test_sun_at_the_printed_wavelengths():
     )
 
 
+def test_sun_adds_up_to_the_solar_constant_of_its_standard():
+    # ASTM E-490 and G173 (Gueymard 2004): 1366.1 W/m² over all wavelengths, of which G173's own,
+    # 280 to 4000 nm, are 1348 (98.7 %)
+    table = read_spectrum("astm-g173")
+    assert_allclose(np.trapezoid(table.values, table.wavelengths), 1348.0, atol=0.5)
+
+
+def test_the_two_spectra_of_the_sun_agree_where_lines_are_averaged():
+    # Both are measured, to 2 or 3 %: Chance & Kurucz (2010), ASTM G173-03 (Gueymard 2004).
+    for low in range(300, 1000, 50):
+        nm = np.arange(low, low + 50.1, 0.25)
+        both = (np.trapezoid(solar_irradiance(nm, one), nm) for one in SPECTRA)
+        assert_allclose(next(both), next(both), rtol=0.03)
+
+
+def test_half_nanometres_resolve_the_lines_of_calcium():
+    # Fraunhofer's K and H, 393.48 and 396.96 nm in vacuum (NIST): narrower than G173's rows show
+    at = solar_irradiance([391.5, 393.5, 395.0, 397.0], "sao2010")
+    assert (at[1::2] < 0.5 * at[::2]).all()
+    assert (at[1::2] < solar_irradiance([393.5, 397.0])).all()
+
+
 def test_end_values_stand_for_ten_nanometres_and_no_further():
-    assert_array_equal(solar_irradiance(1010.0), solar_irradiance(1000.0))
+    assert_array_equal(solar_irradiance(4010.0), solar_irradiance(4000.0))
     assert_array_equal(cie_1931().at(350.0), cie_1931().values[0])
-    for beyond in (269.9, 1010.1, np.nan, np.inf, -550.0):
-        with pytest.raises(ParameterError, match="270 to 1010 nm"):
+    for beyond in (269.9, 4010.1, np.nan, np.inf, -550.0):
+        with pytest.raises(ParameterError, match="270 to 4010 nm"):
             solar_irradiance([550.0, beyond])
 
 
@@ -98,7 +121,7 @@ def test_shapes_follow_the_wavelengths():
 def test_an_unknown_table_is_refused_with_the_known_names():
     known = (
         "astm-g173, cie-1931, earth-albedo, methane-bands, oxygen-bands, oxygen-pairs, "
-        "ozone-293k, water-vapour-bands$"
+        "ozone-293k, sao2010, water-vapour-bands$"
     )
     with pytest.raises(ParameterError, match=known):
         read_spectrum("../../planets/earth")

@@ -369,6 +369,18 @@ class MomentsSolution(Solution):
             x, lambda tables, out: direct_normal_irradiance(x, mu_s, tables, work, out)
         )
 
+    def relative_beam(self, r: FloatArray, mu_s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """See ``Solution``."""
+        work, x = new_workspace(self.tables), self.geometry.optical_radius(r)
+
+        def received(loop: Callable[..., None]) -> FloatArray:
+            def fill(tables: MarchTables, out: Float32Array) -> None:
+                loop(x, mu_s, tables._replace(scaled_extinction=tables.extinction), work, out)
+
+            return self._received(x, fill)
+
+        return received(direct_irradiance), received(direct_normal_irradiance)
+
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """Solution under another light source; see ``Solution``."""
         x = self.geometry.optical_radius(r)

@@ -1,5 +1,7 @@
-"""Observables: disc-integrated spectra, transmission spectra and limb radiance of a planet."""
+"""Observables: irradiance at a place, and what is seen of a planet from afar."""
 
+from airlight.studies.observables.irradiance import irradiance
 from airlight.studies.observables.observe import KINDS, observe
+from airlight.studies.observables.plane_irradiance import Plane
 
-__all__ = ["KINDS", "observe"]
+__all__ = ["KINDS", "Plane", "irradiance", "observe"]

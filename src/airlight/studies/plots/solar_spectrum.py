@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from airlight.physics.spectra.sun import SPECTRA
 from airlight.planets.planet import Planet
 from airlight.studies.plots.figure import (
     GREY,
@@ -96,7 +97,7 @@ def _words(planet: Planet) -> str:
     star = planet.star
     size = f"angular radius {star.angular_radius_degrees:.4g}°"
     if star.spectrum is not None:
-        return f"sun by ASTM G-173, {size}"
+        return f"sun by {SPECTRA[star.spectrum]}, {size}"
     if star.temperature is not None:
         return f"black body of {star.temperature:g} K, {size}"
     return f"irradiance as given, {size}"

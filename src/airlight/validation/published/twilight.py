@@ -11,12 +11,8 @@ Both are fits to measurements, by the sun's true altitude:
 * Patat, Ugolnikov & Postylyakov (2006), UBVRI twilight sky brightness at ESO-Paranal, A&A 455, 385,
   Table 1: the zenith's V magnitude per square arcsecond, 2635 m above the sea, the night's own
   light included: 21.6 there (Patat 2003, A&A 400, 1183). The measurements scatter by 0.18 mag.
-* Bessell (1990), UBVRI passbands, PASP 102, 1181, Table 2: the passband of V. It weights energy;
-  what counts photons has it over the wavelength (Maíz Apellániz 2006, AJ 131, 1184, appendix A).
 * Hess, Koepke & Schult (1998), BAMS 79, 831, Table 4: the aerosol "continental average", since the
   Supplement's illuminance is that of an average clear day at sea level.
-* Willmer (2018), The absolute magnitude of the sun in several filters, ApJS 236, 47: 4.81 at 10 pc,
-  31.57 mag less at 1 au.
 """
 
 from __future__ import annotations
@@ -28,8 +24,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
 from airlight.physics.constants import LUMINOUS_EFFICACY
+from airlight.physics.spectra import v_band
 from airlight.physics.spectra.color_matching import cie_1931
 from airlight.physics.spectra.sun import solar_irradiance
+from airlight.physics.spectra.v_band import V_RANGE, v_passband
 from airlight.planets import Planet, replace
 from airlight.planets.matter.profiles import Exponential
 from airlight.solver import Solution
@@ -56,17 +54,6 @@ PATAT_RANGE: Final = (5.0, 15.0)
 _PATAT: Final = (11.84, 1.518, -0.057)
 #: V of the zenith of the dark, moonless sky on Paranal. [mag arcsec⁻²]
 NIGHT_SKY_V: Final = 21.6
-#: V of the sun at 1 au. [mag]
-SOLAR_V: Final = -26.76
-#: Square arcseconds of a steradian.
-_SQUARE_ARCSECONDS: Final = np.degrees(3600.0) ** 2
-#: Passband of V at uniform steps of wavelength, for energy. [nm], [1]
-_V_WAVELENGTHS: Final = np.arange(470.0, 701.0, 10.0)
-_V_PASSBAND: Final = np.fromstring(
-    "0.000 0.030 0.163 0.458 0.780 0.967 1.000 0.973 0.898 0.792 0.684 0.574 0.461 "
-    "0.359 0.270 0.197 0.135 0.081 0.045 0.025 0.017 0.013 0.009 0.000",
-    sep=" ",
-)
 
 
 def illuminance_seidelmann1992(altitude: float) -> float:
@@ -225,9 +212,6 @@ def v_magnitude(wavelengths: ArrayLike, relative_radiance: ArrayLike) -> float:
     relative_radiance : array, shape (nl,)
         Radiance over the sun's irradiance at 1 au; positive. [sr⁻¹]
     """
-    nm = np.arange(_V_WAVELENGTHS[0], _V_WAVELENGTHS[-1] + 0.5)
-    # Photons are counted, but the table weights energy and so includes the wavelength.
-    weight = np.interp(nm, _V_WAVELENGTHS, _V_PASSBAND) * solar_irradiance(nm)
-    ratio = between(wavelengths, relative_radiance, nm)
-    mean = np.trapezoid(ratio * weight, nm) / np.trapezoid(weight, nm)
-    return float(SOLAR_V - 2.5 * np.log10(mean / _SQUARE_ARCSECONDS))
+    nm = np.arange(V_RANGE[0], V_RANGE[1] + 0.5)
+    light = between(wavelengths, relative_radiance, nm) * v_passband(nm) * solar_irradiance(nm)
+    return float(v_band.v_magnitude(np.trapezoid(light, nm)))
