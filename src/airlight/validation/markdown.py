@@ -31,7 +31,7 @@ from airlight.validation.suite import Part, ReportTable, Suite, cells
 _THRESHOLDS: Final = "thresholds.csv"
 _THRESHOLD_FIELDS: Final = cells("suite | quantity | result | target | unit | met | source")
 #: Number of rows above which a table is a file.
-_MOST_ROWS: Final = 12
+_MOST_ROWS: Final = 11
 
 
 def markdown(report: ValidationReport, folder: str) -> str:
@@ -101,8 +101,10 @@ def _section(suite: Suite, folder: str) -> list[str]:
 
 
 def _long(part: Part) -> TypeGuard[ReportTable]:
-    """Whether a part is a table that is written as a file."""
-    return isinstance(part, ReportTable) and not part.folded and len(part.rows) > _MOST_ROWS
+    """Whether a part is a table that is written as a file; rankings stay on the page."""
+    if not isinstance(part, ReportTable) or part.folded or "ours" in part.marks:
+        return False
+    return len(part.rows) > _MOST_ROWS
 
 
 def _lines(part: Part, folder: str) -> list[str]:
