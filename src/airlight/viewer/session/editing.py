@@ -65,7 +65,7 @@ class Editing:
 
     @property
     def around(self) -> SceneAround | None:
-        """Scene of several bodies around the planet."""
+        """Scene of several bodies to which the planet belongs; None without one."""
         return self._side.around
 
     @around.setter

@@ -47,8 +47,6 @@ class Session(Editing):
         Whether they share the exposure of the brighter one; otherwise each has its own.
     adaptation : Adaptation
         Automatic exposure.
-    around : SceneAround or None
-        Scene of several bodies to which the planet belongs.
 
     Examples
     --------

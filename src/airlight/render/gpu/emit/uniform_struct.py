@@ -36,7 +36,7 @@ Place = tuple[int, ...]
 Fixed = tuple[tuple[str, int | bool], ...]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class UniformStruct:
     """Scalars and tables of a group of shaders.
 
@@ -72,6 +72,10 @@ class UniformStruct:
     textures: dict[str, int] = field(init=False, default_factory=dict)
     _places: dict[str, tuple[str, str]] = field(init=False, default_factory=dict)
     _layout: dict[str, Any] = field(init=False, default_factory=dict)
+
+    def __repr__(self) -> str:
+        """Its name, in signatures: the contents fill pages."""
+        return f"UniformStruct({self.name!r})"
 
     def __post_init__(self) -> None:
         choices = []
