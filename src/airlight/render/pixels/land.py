@@ -13,7 +13,7 @@ from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.relief import height_at
 from airlight.scene.ground_detail import moved_coast, sharper_share, unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
-from airlight.scene.hills import COARSEST, canopy, hills, woods
+from airlight.scene.hills import COARSEST, CROWNS, canopy, hills, woods
 from airlight.scene.land_texture import (
     ROW,
     face_of,
@@ -38,11 +38,13 @@ RUGGED: Final = 3.0
 REGION: Final = 8.0
 PLAIN: Final = 0.2
 #: Altitude over which hills hide nothing; distance of the nearest and of the farthest hills that
-#: do, and distance of the nearest per altitude. [m], [1]
+#: do, distance of the nearest per altitude, and largest width of trees' crowns, by eye: their sides
+#: have no detail of their own. [m], [1], [pixel]
 LOW: Final = 1000.0
 NEAR: Final = 250.0
 FAR: Final = 20e3
 AWAY: Final = 12.0
+WIDEST: Final = 24.0
 #: Steepest line of sight that is compared with hills. [1]
 STEEP: Final = 0.05
 #: Number of distances at which heights are compared, and of halvings of the last step.
@@ -84,26 +86,33 @@ def snowiness(red, blue):
 
 
 @kernel
-def near_hills(altitude):
-    """Distance at which hills begin. [m]"""
-    return max(NEAR, AWAY * altitude)
+def near_hills(altitude, cell, pixel_angle):
+    """Distance at which hills begin. [m]
+
+    Parameters
+    ----------
+    altitude : float
+        Altitude of the observer. [m]
+    cell, pixel_angle : float
+        ``detail_cell`` [m] and ``pixel_angle`` [rad] of the camera.
+    """
+    narrow = CROWNS * cell / (WIDEST * max(pixel_angle, 1e-7))
+    return max(NEAR, max(AWAY * altitude, narrow))
 
 
 @kernel
-def risen(distance, altitude):
+def risen(distance, altitude, near):
     """Share of the height of hills at a distance: a low observer stands on level ground. [1]"""
     if altitude > LOW:
         return 1.0
-    near = near_hills(altitude)
     return min(max((distance - near) / (2.0 * near), 0.0), 1.0)
 
 
 @kernel
-def grown(distance, altitude):
+def grown(distance, altitude, near):
     """Share of the height of trees at a distance: a low observer stands on open ground. [1]"""
     if altitude > LOW:
         return 1.0
-    near = near_hills(altitude)
     return min(max(2.0 * (distance / near - 2.0), 0.0), 1.0)
 
 
@@ -187,7 +196,7 @@ def seen_hill(ray, frame, color):
     if not view.detailed or observer.outside or altitude > LOW or abs(ray.z) > STEEP * sine:
         return ray, 1.0
     horizon = sqrt(2.0 * altitude * tables.bottom)
-    near, edge = near_hills(altitude), 0.95 * horizon
+    near, edge = near_hills(altitude, view.detail_cell, view.pixel_angle), 0.95 * horizon
     far = max(FAR, edge)
     if far < 2.0 * near or (tables.ground.wet and not view.mapped):
         return ray, 1.0
@@ -212,9 +221,9 @@ def seen_hill(ray, frame, color):
     over, under = 1.0, -1.0
     while distance < far and halvings <= HALVINGS:
         above = altitude + distance * (climb + 0.5 * distance / tables.bottom)
-        share = risen(distance, altitude)
+        share = risen(distance, altitude, near)
         height = 0.0
-        wooded = trees * grown(distance, altitude)
+        wooded = trees * grown(distance, altitude, near)
         if above > 0.0 and above < size * min(TOP, STEEPEST * distance / cell - GROUND) + wooded:
             finest = Vec3(
                 view.part.x + distance * aside.x / cell,
@@ -227,7 +236,7 @@ def seen_hill(ray, frame, color):
             )
             height = share * size * max(hill.height - GROUND, 0.0)
             if above >= height and above < height + wooded:
-                wood = leaf * grown(distance, altitude)
+                wood = leaf * grown(distance, altitude, near)
                 wood *= woods(finest, blur, view.whole, hill.tone)
                 if wood > 0.0:
                     height += cell * canopy(finest, view.whole, wood)
@@ -320,7 +329,8 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
         )
         up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
         middle = plus(up, scaled(place, 1.0 / frame.tables.bottom))
-        high = risen(reach, observer.optical_altitude)
+        near = near_hills(observer.optical_altitude, cell, view.pixel_angle)
+        high = risen(reach, observer.optical_altitude, near)
         ascent, tone, wood, height = 0.0, 0.0, 0.0, 0.0
         if high > 0.0:
             size = hill_size(middle, frame.tables.bottom, view) * (1.0 + (SNOWED - 1.0) * snow)
@@ -330,7 +340,7 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
             )
             ascent = high * size * hill.ascent
             tone = hill.tone
-            wood = leaf * grown(reach, observer.optical_altitude)
+            wood = leaf * grown(reach, observer.optical_altitude, near)
             wood *= woods(finest, blur, view.whole, hill.tone)
             height = high * size * max(hill.height - GROUND, 0.0)
             if wood > 0.0 and observer.optical_altitude < LOW:
