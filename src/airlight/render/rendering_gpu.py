@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from airlight.render.gpu.device.device import Device
     from airlight.scene import Scene
 
-#: Largest altitude of pictures with clouds: above it software GPUs end the march, whose turns they
-#: count. [m]
+#: Largest altitude of pictures with clouds, by eye: from 3 km a GPU in software agrees with the
+#: CPU, from 400 km it is 4 % too dark. [m]
 _HIGHEST: Final = 24e3
 #: Cells of a box with those of its levels of detail, over its own. [1]
 _WITH_LEVELS: Final = 4.0 / 3.0
@@ -86,7 +86,8 @@ def check_clouds(clouds: CloudsAround, scene: Scene) -> None:
         allowed = f"at most {_HIGHEST:g} m for clouds on the GPU"
         raise ParameterError("observer.altitude", scene.altitude, allowed)
     if scene.camera.polariser is not None:
-        raise ParameterError("camera.polariser", scene.camera.polariser, "none with clouds on it")
+        allowed = "none with clouds on the GPU"
+        raise ParameterError("camera.polariser", scene.camera.polariser, allowed)
     from airlight.render.clouds.cloud_light import coarse_field
     from airlight.render.gpu.device.flat import MAX_ROWS
     from airlight.render.gpu.emit.shader_types import PACKED_WIDTH
