@@ -155,22 +155,24 @@ def packed_rows(count: int) -> int:
     return rows if rows & (rows - 1) else rows + 1
 
 
-def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -> Any:
+def packed_texture(
+    device: Device, texels: NDArray[np.uint8] | NDArray[np.float16], label: str = ""
+) -> Any:
     """Packed texture from an array, zero-padded to full rows.
 
     Parameters
     ----------
     device : Device
         Device from ``open_device``.
-    texels : array of uint8, shape (4·n,)
-        Texels of ``airlight.image.texels``, one after another.
+    texels : array of uint8 or float16, 4·n numbers
+        Texels of ``airlight.image.texels``, or numbers of 16 bits, one after another.
     label : str
         Label in messages of the device.
 
     Returns
     -------
     wgpu.GPUTexture
-        ``rgba8unorm``, ``PACKED_WIDTH`` wide.
+        ``rgba8unorm`` or ``rgba16float``, ``PACKED_WIDTH`` wide.
 
     Raises
     ------
@@ -179,7 +181,7 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
     """
     import wgpu
 
-    count = texels.size // CHANNELS
+    texels, count = texels.ravel(), texels.size // CHANNELS
     rows = packed_rows(count)
     if rows > MAX_ROWS:
         raise ParameterError("count", count, f"at most {PACKED_WIDTH * MAX_ROWS} texels")
@@ -187,7 +189,7 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
     texture = device.device.create_texture(
         label=label,
         size=(PACKED_WIDTH, rows, 1),
-        format=PACKED_FORMAT,
+        format="rgba16float" if texels.dtype == np.float16 else PACKED_FORMAT,
         usage=use.TEXTURE_BINDING | use.COPY_DST,
     )
     whole = count // PACKED_WIDTH
@@ -199,57 +201,8 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
         device.device.queue.write_texture(
             {"texture": texture, "origin": (0, first, 0)},
             np.ascontiguousarray(texels[start : start + CHANNELS * height * width]),
-            {"bytes_per_row": CHANNELS * width, "rows_per_image": height},
+            {"bytes_per_row": texels.itemsize * CHANNELS * width, "rows_per_image": height},
             (width, height, 1),
-        )
-        device.device.queue.submit([])
-    return texture
-
-
-def half_texture(device: Device, texels: NDArray[np.float16], label: str = "") -> Any:
-    """Flat texture of numbers of 16 bits, with rows of ``PACKED_WIDTH``.
-
-    Parameters
-    ----------
-    device : Device
-        Device from ``open_device``.
-    texels : array of float16, shape (n, 4)
-        Values.
-    label : str
-        Label in messages of the device.
-
-    Returns
-    -------
-    wgpu.GPUTexture
-        ``rgba16float``, ``PACKED_WIDTH`` wide.
-
-    Raises
-    ------
-    ParameterError
-        If they exceed the capacity of a texture (33.5 million texels).
-    """
-    import wgpu
-
-    count, rows = len(texels), packed_rows(len(texels))
-    if rows > MAX_ROWS:
-        raise ParameterError("count", count, f"at most {PACKED_WIDTH * MAX_ROWS} texels")
-    use = wgpu.TextureUsage
-    texture = device.device.create_texture(
-        label=label,
-        size=(PACKED_WIDTH, rows, 1),
-        format="rgba16float",
-        usage=use.TEXTURE_BINDING | use.COPY_DST,
-    )
-    for first in range(0, count, _BAND * PACKED_WIDTH):
-        some = texels[first : first + _BAND * PACKED_WIDTH]
-        height = -(-len(some) // PACKED_WIDTH)
-        whole = np.zeros((height * PACKED_WIDTH, CHANNELS), np.float16)
-        whole[: len(some)] = some
-        device.device.queue.write_texture(
-            {"texture": texture, "origin": (0, first // PACKED_WIDTH, 0)},
-            whole,
-            {"bytes_per_row": 2 * CHANNELS * PACKED_WIDTH, "rows_per_image": height},
-            (PACKED_WIDTH, height, 1),
         )
         device.device.queue.submit([])
     return texture

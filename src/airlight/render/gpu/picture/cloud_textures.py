@@ -13,7 +13,7 @@ from airlight.render.clouds.cloud_light import CloudLight
 from airlight.render.clouds.cloud_tables import CloudTables
 from airlight.render.clouds.tables_of_frame import cloud_tables
 from airlight.render.gpu.device.device import Device
-from airlight.render.gpu.device.flat import flat_texture, half_texture
+from airlight.render.gpu.device.flat import flat_texture, packed_texture
 from airlight.render.gpu.emit.uniform_struct import Fixed, Place, UniformStruct
 from airlight.render.gpu.picture.cloudy_shaders import (
     air_arrays,
@@ -76,7 +76,7 @@ class CloudTextures:
         textures = {}
         for name, texels in contents.items():
             if texels.dtype == np.float16:
-                textures[name] = half_texture(device, texels, name)
+                textures[name] = packed_texture(device, texels, name)
             else:
                 textures[name] = flat_texture(device, uneven(texels), name)
         sources = [layer.source for layer in clouds.layers]
