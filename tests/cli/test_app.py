@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from importlib import import_module
@@ -12,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from airlight.cli import app, main
+from airlight.cli import version as version_file
 from airlight.errors import Cancelled
 
 COMMANDS = ["planets", "show", "render", "radiance", "plot", "bake", "validate"]
@@ -44,9 +46,20 @@ def test_help_of_every_command_has_examples(
     assert f"$ airlight {command}" in out
 
 
-def test_version_is_the_installed_one(capsys: pytest.CaptureFixture[str]) -> None:
+def test_version_is_the_installed_one_with_its_commit(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     assert main(["--version"]) == 0
-    assert capsys.readouterr().out == f"airlight {version('airlight')}\n"
+    assert re.fullmatch(
+        rf"airlight {re.escape(version('airlight'))}( \([0-9a-f]{{12,}}\))?\n",
+        capsys.readouterr().out,
+    )
+    # what a distribution carries; a copy of the folder that is neither has no commit
+    monkeypatch.setattr(version_file, "COMMIT_FILE", tmp_path / "src" / "airlight" / "commit.txt")
+    assert version_file.version_line() == f"airlight {version('airlight')}"
+    version_file.COMMIT_FILE.parent.mkdir(parents=True)
+    version_file.COMMIT_FILE.write_text("0123456789ab\n", encoding="utf-8")
+    assert version_file.version_line() == f"airlight {version('airlight')} (0123456789ab)"
 
 
 @pytest.mark.parametrize(
@@ -199,9 +212,10 @@ def test_debug_shows_the_traceback_wherever_it_stands(
 
 
 def test_the_installed_command_is_this_one() -> None:
-    command = Path(sys.executable).with_name("airlight")
-    done = subprocess.run([command, "--version"], capture_output=True, text=True, check=True)
-    assert done.stdout == f"airlight {version('airlight')}\n"
+    command = str(Path(sys.executable).with_name("airlight"))
+    for words in ([command], [sys.executable, "-m", "airlight"]):
+        done = subprocess.run([*words, "--version"], capture_output=True, text=True, check=True)
+        assert done.stdout == version_file.version_line() + "\n"
 
 
 def test_what_is_missing_is_said_in_words(capsys: pytest.CaptureFixture[str]) -> None:

@@ -17,9 +17,9 @@ def run_process() -> int:
     ``--version`` does not import the command parser.
     """
     if sys.argv[1:] == ["--version"]:
-        from airlight import __version__
+        from airlight.cli.version import version_line
 
-        print(f"airlight {__version__}")
+        print(version_line())
         return 0
     from airlight.cli.interrupt import end_at_once
 

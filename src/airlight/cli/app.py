@@ -134,9 +134,9 @@ app = typer.Typer(
 
 def _print_version(asked: bool) -> None:
     if asked:
-        from airlight import __version__
+        from airlight.cli.version import version_line
 
-        print(f"airlight {__version__}")
+        print(version_line())
         raise typer.Exit
 
 
