@@ -115,6 +115,16 @@ def test_wavelengths_in_between_need_fewer_sweeps_for_the_same_light(planet, swe
     assert off < quality.tolerance
 
 
+def test_the_dusk_of_thin_air_where_guesses_are_negative_is_not_corrected_by_their_ratio(sweeps):
+    # The second path: each eight wavelengths alone.
+    nm, pluto = np.linspace(390.0, 720.0, 16), load_planet("pluto")
+    helped = solve(pluto, nm, cache=False).radiance(**SEEN)
+    assert max(sweeps) <= 5
+    for first in (0, 8):
+        alone = solve(pluto, nm[first : first + 8], cache=False).radiance(**SEEN)
+        assert_allclose(helped[..., first : first + 8], alone, rtol=2e-3)
+
+
 def test_wavelengths_close_to_others_need_no_sweep(sweeps):
     # The second path: each eight wavelengths alone, which are batches without help.
     nm = np.linspace(540.0, 571.0, 64)

@@ -2,7 +2,8 @@
 
 Synthetic acceleration of the first order is the initial guess. Its correction by the sweeps,
 relative to the mean radiance, is a smooth function of wavelength: interpolated between two solved
-wavelengths, it reduces three or four sweeps to one or none. A group consists of batches of eight
+wavelengths, it reduces three or four sweeps to one or none. Where it exceeds the guess, as in the
+dusk of thin air, of which the guess may even be negative, the light itself is interpolated. A group consists of batches of eight
 wavelengths; each batch is a comb over the whole group. The first and the last comb are solved
 before those between. The change by the first sweep after an interpolated guess measures the
 curvature of the correction over wavelength; where the predicted change is below the tolerance, no
@@ -28,6 +29,8 @@ Float32Array = NDArray[np.float32]
 _LARGEST: Final = 8
 #: Smallest number of batches for which guesses are interpolated.
 _FEWEST: Final = 2
+#: Largest correction of a guess, relative to it, that is interpolated. [1]
+_CORRECTION: Final = 30.0
 #: Largest step between wavelengths of one batch, relative to the wavelength. [1]
 _WIDE: Final = 0.1
 
@@ -93,6 +96,7 @@ class SpectralGuess:
 
     def __init__(self) -> None:
         self._wavelengths: list[float] = []
+        self._corrections: list[Light] = []
         self._light: list[Light] = []
         self._logs: list[Float32Array] = []
         self._checks: list[tuple[float, float]] = []
@@ -114,7 +118,8 @@ class SpectralGuess:
             )
             at = bisect(self._wavelengths, nm)
             self._wavelengths.insert(at, nm)
-            self._light.insert(at, (parts[0], parts[1]))
+            self._corrections.insert(at, (parts[0], parts[1]))
+            self._light.insert(at, (light[0][..., lane].copy(), light[1][..., lane].copy()))
             self._logs.insert(at, np.log(_mean(guess[0][..., lane])[:, :, 0]))
 
     def check(self, wavelengths: FloatArray, change: FloatArray) -> None:
@@ -154,7 +159,7 @@ class SpectralGuess:
             logs = np.log(_mean(guess[0][..., lane])[:, :, 0])
             lit = logs > logs.max() + np.log(DARK)
             line = self._logs[low] + np.float32(part) * (self._logs[low + 1] - self._logs[low])
-            parts = [np.abs(self._light[at][0][:, :, 0]) for at in (low, low + 1)]
+            parts = [np.abs(self._corrections[at][0][:, :, 0]) for at in (low, low + 1)]
             own = float((np.abs(logs - line) * np.maximum(*parts))[lit].max())
             found[lane] = self._bow(low, part) * max(bend for _, bend in seen) + own
         return found
@@ -188,19 +193,33 @@ class SpectralGuess:
         if len(self._wavelengths) < 2:
             return None
         field, sky = guess[0].copy(), guess[1].copy()
-        lanes = field.shape[-1]
-        for lane in range(lanes):
+        for lane in range(field.shape[-1]):
             nm = float(wavelengths[min(lane, wavelengths.size - 1)])
             low, part = self._between(nm)
-            for out, given, one, other in zip(
-                (field, sky), guess, self._light[low], self._light[low + 1], strict=True
-            ):
-                step = np.float32(part) * (other - one)
-                out[..., lane] += _mean(given[..., lane]) * (one + step)
+            for out, given, *ends in zip(
+                (field, sky), guess, *self._corrections[low : low + 2], *self._light[low : low + 2],
+                strict=True,
+            ):  # fmt: skip
+                one, other, before, after = ends
+                small = np.maximum(np.abs(_first(one)), np.abs(_first(other))) <= _CORRECTION
+                out[..., lane] = np.where(
+                    small,
+                    given[..., lane] + _mean(given[..., lane]) * _mixed(one, other, part),
+                    _mixed(before, after, part),
+                )
         return field, sky
+
+
+def _first(light: Float32Array) -> Float32Array:
+    """Mean radiance of moments (r, s, k), or irradiance (r, s)."""
+    return light[:, :, :1] if light.ndim == 3 else light
 
 
 def _mean(light: Float32Array) -> Float32Array:
     """Positive mean radiance of moments (r, s, k), or positive irradiance (r, s)."""
-    whole = light[:, :, :1] if light.ndim == 3 else light
-    return np.asarray(np.maximum(whole, np.float32(1e-30)))
+    return np.asarray(np.maximum(_first(light), np.float32(1e-30)))
+
+
+def _mixed(one: Float32Array, other: Float32Array, part: float) -> Float32Array:
+    """Linear interpolation, ``part`` of the way from one to the other."""
+    return one + np.float32(part) * (other - one)
