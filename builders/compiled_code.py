@@ -33,7 +33,7 @@ COMMANDS = (
     "render titan --size 32x18 --quality preview -o a.png",
     "render venus --size 32x18 --quality preview -o a.png",
     "render earth-hazy --size 32x18 --quality preview --polariser 30 -o a.png",
-    "render earth --size 32x18 --clouds cumulus --altitude 2m -o a.png",
+    "render earth --size 320x180 --clouds cumulus --altitude 2m -o a.png",
     "plot earth sky-profile --quality preview -o a.png",
     "export-page earth --quality preview -o a.html",
     "radiance earth --quality preview --sun-zenith 60 --view-zenith 30 --stokes",

@@ -45,10 +45,13 @@ PLANETS = (
     "saturn",
     "uranus",
     "neptune",
+    "triton",
+    "pluto",
 )
 #: Presets that are shown from space alone, at these phase angles. [deg]
-DISCS = ("moon", "jupiter", "saturn", "uranus", "neptune")
+DISCS = ("moon", "jupiter", "saturn", "uranus", "neptune", "pluto", "triton")
 PHASES = {"full": 5.0, "half": 90.0, "crescent": 140.0}
+BACKLIT = {"full": 15.0, "crescent": 140.0, "backlit": 165.0}
 #: Rayleigh coefficients of Mars at 680, 550, 440 nm, of which the shortcut keeps the ratios.
 #: Collienne, Wolff, Gerz & Jacob (2013), VMV 2013, turn their order round. [m⁻¹]
 RAYLEIGH_OF_MARS = (0.1023e-6, 0.2429e-6, 0.6081e-6)
@@ -57,7 +60,8 @@ RAYLEIGH_OF_MARS = (0.1023e-6, 0.2429e-6, 0.6081e-6)
 def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
     """Name and scene of the three pictures of a planet."""
     if planet.name.lower() in DISCS:
-        for name, phase in PHASES.items():
+        phases = BACKLIT if planet.name.lower() in ("pluto", "triton") else PHASES
+        for name, phase in phases.items():
             yield name, from_space(planet, sun_zenith=phase)
         return
     high = Camera(width=WIDTH, height=HEIGHT, look_zenith=72.0, field_of_view=80.0)

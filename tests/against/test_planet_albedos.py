@@ -27,6 +27,8 @@ from airlight.validation.published.rayleigh_sphere import geometric_albedo
         ("mercury", (700.0, 550.0, 440.0), (0.172, 0.142, 0.105), 0.01),
         # optics.moon_phase: 0.1498 at 550 nm, 0.1168 at 440 nm, as the ground's
         ("moon", (550.0, 440.0), (0.1498, 0.1168), 0.01),
+        # NASA, Pluto Fact Sheet: 0.52 in the visible, from a Bond albedo of 0.72 that the ground has
+        ("pluto", (550.0,), (0.52,), 0.10),
         # NASA, Saturnian Satellite Fact Sheet: 0.2, one digit
         pytest.param("titan", (550.0,), (0.2,), 0.25, marks=pytest.mark.slow),
         # Mallama, Wang & Howard (2006), Icarus 182, 10: V 0.67; clouds vary by some per cent

@@ -43,8 +43,10 @@ def test_all_presets_of_the_plan_are_there():
         "mercury",
         "moon",
         "neptune",
+        "pluto",
         "saturn",
         "titan",
+        "triton",
         "uranus",
         "venus",
     }
@@ -77,7 +79,7 @@ def test_presets_are_physical_at_their_own_wavelengths(name):
 
 COLORED = ("early-earth", "earth", "earth-hazy", "earth-volcanic")
 COLORED += ("exoplanet", "mars", "titan", "venus")
-COLORED += ("jupiter", "mercury", "moon", "neptune", "saturn", "uranus")
+COLORED += ("jupiter", "mercury", "moon", "neptune", "pluto", "saturn", "triton", "uranus")
 
 
 @pytest.mark.parametrize("name", COLORED)

@@ -81,6 +81,7 @@ _SUNSET: Final = Look(2e-5, -8.0, 8.0, 86.0)
 _DAY: Final = Look(2e-5, -12.0, 60.0, 65.0)
 _DUSK: Final = Look(2e-5, -14.0, 0.0, 93.0)
 _WHOLE: Final = Look(-3.2, 180.0, 0.0, 62.0, 58.0, latitude=20.0, longitude=15.0, sun_azimuth=250.0)
+_BACKLIT: Final = Look(-3.2, 180.0, 0.0, 160.0, 58.0, sun_azimuth=250.0)
 
 
 @dataclass(frozen=True)
@@ -140,6 +141,8 @@ PRESETS: Final = (
     Preset("saturn", "Saturn", "Saturn", "reference", _WHOLE),
     Preset("uranus", "Uranus", "Uranus", "reference", _WHOLE),
     Preset("neptune", "Neptune", "Neptune", "reference", _WHOLE),
+    Preset("triton", "Triton", "Triton", "reference", _BACKLIT),
+    Preset("pluto", "Pluto", "Pluto", "reference", _BACKLIT),
     Preset("exoplanet", "TRAPPIST-1 e", "exoplanets", "reference", _SUNSET),
 )
 
