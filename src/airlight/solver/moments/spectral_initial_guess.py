@@ -3,11 +3,11 @@
 Synthetic acceleration of the first order is the initial guess. Its correction by the sweeps,
 relative to the mean radiance, is a smooth function of wavelength: interpolated between two solved
 wavelengths, it reduces three or four sweeps to one or none. Where it exceeds the guess, as in the
-dusk of thin air, of which the guess may even be negative, the light itself is interpolated. A group consists of batches of eight
-wavelengths; each batch is a comb over the whole group. The first and the last comb are solved
-before those between. The change by the first sweep after an interpolated guess measures the
-curvature of the correction over wavelength; where the predicted change is below the tolerance, no
-sweep is needed.
+dusk of thin air, of which the guess may even be negative, the light itself is interpolated. A group
+consists of batches of eight wavelengths; each batch is a comb over the whole group. The first and
+the last comb are solved before those between. The change by the first sweep after an interpolated
+guess measures the curvature of the correction over wavelength; where the predicted change is below
+the tolerance, no sweep is needed.
 """
 
 from __future__ import annotations

@@ -36,9 +36,7 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.image.spectral import default_wavelengths, rgb_weights
 from airlight.image.xyz import chromaticity, rgb_to_xyz
 from airlight.physics.spectra.sun import solar_irradiance
-from airlight.planets import Constituent, Planet, load_planet, replace
-from airlight.planets.matter.absorbers import CrossSectionAbsorption
-from airlight.planets.matter.profiles import Tabulated
+from airlight.planets import load_planet
 from airlight.solver import Solution
 from airlight.validation.published.rayleigh_sphere import geometric_albedo
 from airlight.validation.published.row import PublishedRow, PublishedSection
@@ -75,16 +73,6 @@ ALBEDOS: Final = dict(
 )
 #: Error of the calibration. [1]
 CALIBRATION: Final = 0.04
-#: Methane over Titan's ground: 3.5 % of the preset's gas. [m⁻²]
-METHANE: Final = 8.48e28
-#: Altitude [km] and the density of methane over that at the ground [1]: 5.65 % of the gas up to
-#: 6.5 km, 1.48 % from 32.5 km, by its logarithm in between (Niemann et al. 2010, JGR 115, E12006),
-#: times the densities of Waite et al. (2013).
-_METHANE: Final = """
-    0 1 5 0.8192 10 0.5492 15 0.3371 20 0.2041 25 0.1217 30 0.07142 35 0.04657 40 0.03379 45 0.0244
-    50 0.0175 55 0.01216 60 0.00816 65 0.004904 70 0.003814 80 0.002427 120 0.000599 150 0.00025
-    180 0.000114 250 2.2e-05 300 8e-06
-"""
 
 
 def daylight(run: SuiteRun) -> PublishedSection:
@@ -201,21 +189,9 @@ def venus(run: SuiteRun) -> PublishedSection:
     )
 
 
-def titan_with_methane() -> Planet:
-    """Preset ``titan`` with the methane bands that it omits."""
-    titan = load_planet("titan")
-    altitudes, densities = np.array(_METHANE.split(), dtype=float).reshape(-1, 2).T
-    methane = Constituent(
-        name="methane",
-        profile=Tabulated(altitudes=tuple(1e3 * altitudes), densities=tuple(densities)),
-        absorption=CrossSectionAbsorption(cross_section="methane-bands", column=METHANE),
-    )
-    return replace(titan, constituents=(*titan.constituents, methane))
-
-
 def full_disc(run: SuiteRun) -> PublishedSection:
     """Albedo of Titan's full disc against telescopic measurements."""
-    ours = geometric_albedo(run.solve(titan_with_methane(), tuple(ALBEDOS)))
+    ours = geometric_albedo(run.solve(load_planet("titan"), tuple(ALBEDOS)))
     rows = []
     for (nm, albedo), found in zip(ALBEDOS.items(), ours.tolist(), strict=True):
         what, error = f"Titan's full disc, {nm:g} nm, albedo", CALIBRATION * albedo
@@ -223,7 +199,7 @@ def full_disc(run: SuiteRun) -> PublishedSection:
     return PublishedSection(
         title="Titan's full disc",
         rows=rows,
-        note="Ours with the bands of methane, at full phase; seen at 5.7°, where it is some 2 % "
+        note="Ours at full phase; seen at 5.7°, where it is some 2 % "
         "less. The bands are about 720 and 800 nm; between them and in the blue it is the haze's "
         "albedo that differs. "
         "The stated error is that of the calibration.",
