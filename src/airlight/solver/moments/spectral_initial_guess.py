@@ -196,10 +196,9 @@ class SpectralGuess:
         for lane in range(field.shape[-1]):
             nm = float(wavelengths[min(lane, wavelengths.size - 1)])
             low, part = self._between(nm)
-            for out, given, *ends in zip(
-                (field, sky), guess, *self._corrections[low : low + 2], *self._light[low : low + 2],
-                strict=True,
-            ):  # fmt: skip
+            near = slice(low, low + 2)
+            solved = *self._corrections[near], *self._light[near]
+            for out, given, *ends in zip((field, sky), guess, *solved, strict=True):
                 one, other, before, after = ends
                 small = np.maximum(np.abs(_first(one)), np.abs(_first(other))) <= _CORRECTION
                 out[..., lane] = np.where(
