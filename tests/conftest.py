@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
+from _pytest.doctest import DoctestModule
 
 try:
     import fcntl
@@ -54,6 +55,13 @@ def pytest_configure(config: pytest.Config) -> None:
     if workers is not None:  # all workers together have as many threads as there are CPU cores
         threads = str(max(1, (os.cpu_count() or 1) // int(workers)))
         os.environ.setdefault("AIRLIGHT_THREADS", threads)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collect_file() -> Iterator[None]:
+    """Doctests are in ``src`` only: looking for them here takes as long as the tests."""
+    found: Any = yield
+    return [one for one in found if not isinstance(one, DoctestModule)]
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
