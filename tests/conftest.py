@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
+from _pytest.doctest import DoctestModule
 
 try:
     import fcntl
@@ -37,6 +38,9 @@ _LONGEST = (
     "tests/web/test_jupyterlab.py", "tests/docs/test_tutorials.py",
     "tests/reliability/test_processes.py",
 )  # fmt: skip
+#: Files that take most of the time on a CPU, left out with what is marked slow: each test of them
+#: takes more than 0.04 s in the mean.
+_SLOW_FILES = frozenset((Path(__file__).parent / "slow_files.txt").read_text("utf-8").split())
 #: Its tests share nothing, and take long.
 _APART = "tests/against/test_solvers_agree.py"
 
@@ -54,6 +58,20 @@ def pytest_configure(config: pytest.Config) -> None:
     if workers is not None:  # all workers together have as many threads as there are CPU cores
         threads = str(max(1, (os.cpu_count() or 1) // int(workers)))
         os.environ.setdefault("AIRLIGHT_THREADS", threads)
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Files of which no test is asked for take no time of the collection either."""
+    if "not slow" not in config.option.markexpr:
+        return None
+    return collection_path.relative_to(Path(__file__).parent).as_posix() in _SLOW_FILES or None
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collect_file() -> Iterator[None]:
+    """Doctests are in ``src`` only: looking for them here takes as long as the tests."""
+    found: Any = yield
+    return [one for one in found if not isinstance(one, DoctestModule)]
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

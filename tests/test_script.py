@@ -119,6 +119,17 @@ def test_the_fast_part_builds_no_site(environment: Path) -> None:
     assert "not slow and not browser and not gpu" in done.stdout
 
 
+def test_files_that_the_fast_part_leaves_out_exist_and_each_folder_keeps_others() -> None:
+    left_out = (ROOT / "tests" / "slow_files.txt").read_text("utf-8").split()
+    assert left_out == sorted(set(left_out))
+    files = {path.relative_to(ROOT / "tests") for path in (ROOT / "tests").rglob("test_*.py")}
+    assert {Path(name) for name in left_out} <= files
+    kept = files - {Path(name) for name in left_out}
+    assert {path.parts[0] for path in files if len(path.parts) > 1} == {
+        path.parts[0] for path in kept if len(path.parts) > 1
+    }
+
+
 def test_what_touches_a_module_is_its_doctests_and_the_tests_that_import_it(
     environment: Path,
 ) -> None:

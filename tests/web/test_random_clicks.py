@@ -25,7 +25,7 @@ PHONE = {"width": 390, "height": 844}
 SLIDER = "[data-path='view.look_zenith'] input[type=range]"
 #: Number of gestures of the check of minutes; AIRLIGHT_CLICKS asks for more.
 LONG = int(os.environ.get("AIRLIGHT_CLICKS", "200"))
-COUNTS = (12, pytest.param(LONG, marks=pytest.mark.validation))
+COUNTS = (6, pytest.param(LONG, marks=pytest.mark.validation))
 
 
 @pytest.fixture(scope="module")
