@@ -107,9 +107,7 @@ class AirLevels:
         return self.pressures / (BOLTZMANN * self.temperatures)
 
 
-def import_atmosphere(
-    planet: PlanetTables, table: DataTable, ground_altitude: float = 0.0
-) -> None:
+def import_atmosphere(planet: PlanetTables, table: DataTable, ground_altitude: float = 0.0) -> None:
     """Replace the air of a planet, and its ozone if the table has some.
 
     Parameters
@@ -221,9 +219,7 @@ def _check_air(table: DataTable, levels: AirLevels) -> None:
 # --- air --------------------------------------------------------------------------------------
 
 
-def _write_air(
-    planet: PlanetTables, table: DataTable, levels: AirLevels, base: Planet
-) -> None:
+def _write_air(planet: PlanetTables, table: DataTable, levels: AirLevels, base: Planet) -> None:
     kept, error = thinned(
         levels.altitudes, np.log(levels.densities), _TOLERANCE, interpolation=monotone
     )
@@ -248,7 +244,7 @@ def _write_air(
     planet.comment(f"{name}.profile", "; ".join(comments))
     planet.notes.append(
         f"air: {kept.size} of {levels.altitudes.size} rows kept; densities between them within"
-        f" {_percent(error)}, the column within {_percent(_column_error(levels, kept))}"
+        f" {percent_text(error)}, the column within {percent_text(_column_error(levels, kept))}"
     )
     if added is not None:
         share = 100.0 * levels.pressures[-1] / levels.pressures[0]
@@ -325,7 +321,7 @@ def _write_ozone(
     planet.matter(place, {"profile": profile, "absorption": {"ozone": f"{total:.6g} DU"}})
     planet.comment(f"{name}.profile", f"{planet.source}: {kept.size} of {h.size} rows")
     line = f"ozone: {within:.5g} DU in the table, {kept.size} of {h.size} rows kept within"
-    line += f" {_percent(error)} of the largest density"
+    line += f" {percent_text(error)} of the largest density"
     if above:
         line += f"; {above:.4g} DU above {h[-1] / 1e3:.4g} km follow {base.name}"
     planet.notes.append(line)
@@ -367,10 +363,9 @@ def _ozone(
     return h, values
 
 
-def _percent(share: float) -> str:
+def percent_text(share: float) -> str:
     """Error in per cent, rounded up to two digits."""
     if not share > 1e-6:
         return "1e-4 %"
     digits = 10.0 ** (math.floor(math.log10(share)) - 1)
     return f"{100.0 * math.ceil(share / digits) * digits:.2g} %"
-

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -36,7 +35,7 @@ class PlanetTables:
 
     def __init__(self, base: str | Path, source: str) -> None:
         text, file, folder = planet_text(base)
-        self.tables: Tables = copy.deepcopy(nested_tables(text, file))
+        self.tables: Tables = _with_whole_paths(nested_tables(text, file), folder)
         self.folder = folder
         self.base: Planet = declared_planet(self.tables, folder)
         self.base_file = file
@@ -76,6 +75,11 @@ class PlanetTables:
         place.clear()
         place.update(ordered)
 
+    def rename(self, part: str) -> None:
+        """Name and description that say what is replaced by what."""
+        self.tables["name"] = f"{self.base.name}, {part} of {self.source}"[:60]
+        self.tables["description"] = f"{self.base.name} with {part} of {self.source}."
+
     def comment(self, path: str, line: str) -> None:
         """Comment on a table, by the name of its constituent or its key."""
         self.comments[path] = line
@@ -83,11 +87,25 @@ class PlanetTables:
     def text(self) -> str:
         """Text of the planet file."""
         head = (
-            f"{self.tables['name']}, changed by {self.source}.",
-            f"Other parts are those of {self.base_file}, whose file has their sources.",
+            str(self.tables["description"]),
+            f"Other parts are those of {Path(self.base_file).name}, whose file has their sources.",
             *(f"{note[0].upper()}{note[1:]}." for note in self.notes),
         )
         return planet_file(self.tables, head, self.comments)
+
+
+def _with_whole_paths(value: Any, folder: Path | None) -> Any:
+    """Copy of nested tables with whole paths of the files that the planet file names."""
+    if isinstance(value, dict):
+        copy = {key: _with_whole_paths(one, folder) for key, one in value.items()}
+        if isinstance(copy.get("file"), str) and folder is not None:
+            copy["file"] = str((folder / copy["file"]).resolve())
+        return copy
+    if isinstance(value, list):
+        return [_with_whole_paths(one, folder) for one in value]
+    if isinstance(value, str) and value.endswith(".csv") and folder is not None:
+        return str((folder / value).resolve())
+    return value
 
 
 def _is_rayleigh(table: Mapping[str, Any]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from typing import Final
 
@@ -90,7 +91,7 @@ def thinned(
                 break
             worst = [
                 low + int(errors[low:high].argmax())
-                for low, high in zip(kept[:-1], kept[1:], strict=True)
+                for low, high in itertools.pairwise(kept.tolist())
             ]
             kept = np.union1d(kept, [k for k in worst if errors[k] > tolerance])
         tolerance *= 2.0

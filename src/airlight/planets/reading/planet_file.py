@@ -124,9 +124,12 @@ def _value(value: Any, indent: int) -> str:
     """Value, with a long list broken into lines."""
     line = _flat(value)
     if isinstance(value, str) and len(line) > _WIDTH and _NUMBERS.fullmatch(value):
-        return f'"""\n{textwrap.fill(value, _WIDTH, initial_indent="    ", subsequent_indent="    ")}"""'
+        return f'"""\n{textwrap.indent(textwrap.fill(value, _WIDTH - 4), "    ")}"""'
     if not isinstance(value, list) or indent + len(line) <= _WIDTH:
         return line
+    if value and all(isinstance(one, list) for one in value):
+        rows = [textwrap.indent(_value(one, _WIDTH), "    ") for one in value]
+        return "\n".join(["[", *(f"{row}," for row in rows), "]"])
     lines, row = [], "   "
     for one in value:
         item = f" {_flat(one)},"
