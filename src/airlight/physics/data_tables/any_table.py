@@ -28,6 +28,7 @@ def data_table(
     units: Mapping[str, str] | None = None,
     header: str | None = None,
     select: Mapping[str, float] | None = None,
+    largest: int = LARGEST_DATA,
 ) -> DataTable:
     """Table of a file or an object.
 
@@ -43,9 +44,11 @@ def data_table(
         Names and units of a text file without them.
     select : mapping, optional
         Coordinates of a dataset at which the nearest element is taken, by name.
+    largest : int
+        Largest size of a text file. [byte]
     """
     if isinstance(table, (str, Path)):
-        found = _of_file(Path(table), header, select or {})
+        found = _of_file(Path(table), header, select or {}, largest)
     elif isinstance(table, DataTable):
         found = table
     elif hasattr(table, "data_vars"):
@@ -58,8 +61,10 @@ def data_table(
     return found.with_units(units) if units else found
 
 
-def _of_file(path: Path, header: str | None, select: Mapping[str, float]) -> DataTable:
-    if path.suffix.lower() in _DATASETS or path.is_dir():
+def _of_file(
+    path: Path, header: str | None, select: Mapping[str, float], largest: int
+) -> DataTable:
+    if path.suffix.lower() in _DATASETS:
         with open_dataset(path, "a table") as data:
             try:
                 return _of_dataset(data.load(), str(path), select)
@@ -67,7 +72,7 @@ def _of_file(path: Path, header: str | None, select: Mapping[str, float]) -> Dat
                 if isinstance(error, ParameterError):
                     raise
                 raise damaged_dataset(path, "a table", error) from error
-    text = read_text(path, LARGEST_DATA)
+    text = read_text(path, largest)
     if text.lstrip().startswith(_USGS) and header is None:
         return _usgs(path, text)
     return read_text_table(text, str(path), header)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
@@ -11,7 +12,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import ConflictError, FileError, ParameterError
 from airlight.physics.data_tables.headings import Heading, conversion
 
 FloatArray = NDArray[np.float64]
@@ -135,7 +136,8 @@ class DataTable:
         """Column that holds a quantity; an error with the nearest name if there is none."""
         found = self.find(wanted)
         if found is None:
-            named = [one.heading.text or one.heading.name for one in self.columns]
+            texts = [one.heading.text or one.heading.name for one in self.columns]
+            named = [re.split(r"\s*[\[(]", text)[0] for text in texts]
             near = difflib.get_close_matches(wanted.name, named, n=1, cutoff=0.6)
             hint = f" (did you mean {near[0]!r}?)" if near else ""
             raise FileError(self.source, f"has no column {wanted.name}{suffix} in its header{hint}")
@@ -161,6 +163,11 @@ class DataTable:
             self._reject(wanted, column, bad, values)
         return np.asarray(values, np.float64)
 
+    def own_numbers(self, wanted: Quantity, column: DataColumn) -> FloatArray:
+        """Checked numbers of a column in its own unit, whatever that is."""
+        bare = replace(column, heading=replace(column.heading, unit=""))
+        return self.numbers(replace(wanted, bare=True), bare)
+
     def conversion(self, wanted: Quantity, column: DataColumn) -> tuple[float, float]:
         """Factor and offset from the column's unit to that of the quantity."""
         unit = column.heading.unit
@@ -170,12 +177,8 @@ class DataTable:
         units = wanted.units or wanted.unit
         if not unit:
             example = f"{column.heading.name} [{units.partition(',')[0]}]"
-            raise ParameterError(
-                self._at_head(name),
-                "missing",
-                f"{units}, in the header as in {example!r}, or given by units",
-                self.source,
-            )
+            allowed = f"{units}, in the header as in {example!r}, or given by units"
+            raise ConflictError(self._at_head(name), f"is missing; allowed: {allowed}", self.source)
         try:
             return conversion(unit, wanted.unit, name)
         except ParameterError:
@@ -229,12 +232,14 @@ class DataTable:
             name = f"{name} ({column.heading.name})"
         shown: object = column.cells[at[0]].strip() if column.cells else float(column.values[at])
         least = f"more than {wanted.low:g}" if wanted.above else f"{wanted.low:g}"
-        unit = "" if wanted.unit == "1" else f" {wanted.unit}"
+        unit = "" if wanted.unit == "1" else f" {wanted.unit.removeprefix('1')}"
         if not math.isinf(wanted.high):
             allowed = f"{least} to {wanted.high:g}{unit}"
         else:
             allowed = "a finite number" if math.isinf(wanted.low) else f"{least}{unit} or more"
-        if column.heading.unit and conversion(column.heading.unit, wanted.unit)[0] != 1.0:
+        if shown == "":
+            shown = "an empty cell"
+        elif self.conversion(wanted, column) != (1.0, 0.0):
             shown = f"{shown} {column.heading.unit}"
         where = self.place(at[0]) if len(at) == 1 else f"index {list(at)}"
         raise ParameterError(f"{where}, {name}", shown, allowed, self.source)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -112,6 +112,8 @@ def import_aerosol(
     """
     found = _merged([_optics(one, planet.notes, optical_depth) for one in tables], tables)
     place, name = planet.constituent_of(name)
+    old = any(one.name == name for one in planet.base.constituents)
+    planet.notes.append(f"{name}: {'replaces that of' if old else 'added to'} {planet.base.name}")
     profile = place.get("profile")
     if profile is None:
         profile = {"kind": "exponential", "scale_height": _SCALE_HEIGHT}
@@ -151,10 +153,9 @@ def _optics(table: DataTable, notes: list[str], depth: float | None) -> OpticalS
         nm, first = np.unique(nm, return_index=True)  # a row for each angle
         spectra = {key: one[first] for key, one in spectra.items()}
     if spectra and nm is not None and np.unique(nm).size < nm.size:
-        values, counts = np.unique(nm, return_counts=True)
-        raise ParameterError(
-            "wavelength", f"{values[counts.argmax()]:g} nm", "each wavelength once", table.source
-        )
+        k = next(k for k in range(nm.size) if nm[k] in nm[:k])
+        where = f"{table.place(k)}, wavelength"
+        raise ParameterError(where, f"{nm[k]:g} nm", "each wavelength once", table.source)
     if not spectra and phase is None:
         table.required(EXTINCTION)
     return OpticalSpectra(nm if spectra else None, spectra, phase)
@@ -163,12 +164,10 @@ def _optics(table: DataTable, notes: list[str], depth: float | None) -> OpticalS
 def _spectrum(
     table: DataTable, wanted: Quantity, column: DataColumn, nm: FloatArray, depth: float | None
 ) -> FloatArray:
-    if wanted is EXTINCTION and depth is not None:  # of any unit: it is scaled
-        wanted = Quantity(name="extinction", unit="1", low=0.0)
-        column = DataColumn(
-            type(column.heading)(column.heading.name), column.values, column.cells, column.dims
-        )
-    values = table.numbers(wanted, column)
+    if wanted is EXTINCTION and depth is not None:  # it is scaled
+        values = table.own_numbers(replace(EXTINCTION, high=math.inf), column)
+    else:
+        values = table.numbers(wanted, column)
     if values.shape != nm.shape:
         allowed = f"one number for each of {nm.size} wavelengths (select a coordinate)"
         raise ParameterError(column.heading.name, values.shape, allowed, table.source)

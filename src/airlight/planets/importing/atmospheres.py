@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ConflictError, FileError, ParameterError, warn
+from airlight.errors import FileError, ParameterError, warn
 from airlight.physics.constants import BOLTZMANN, DOBSON_UNIT
 from airlight.physics.data_tables.data_table import DataColumn, DataTable, Quantity
 from airlight.physics.data_tables.headings import conversion
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.optics.hydrostatic import mass_per_length, thickness_between
+from airlight.planets.constituent import Constituent
 from airlight.planets.importing.planet_tables import PlanetTables, numbers_text
 from airlight.planets.importing.thinning import monotone, tabulated_between, thinned
+from airlight.planets.matter.absorbers import OzoneAbsorption
 from airlight.planets.matter.profiles import Sounding
 from airlight.planets.matter.profiles.layers import Layers
 from airlight.planets.planet import Planet
@@ -299,19 +301,14 @@ def _write_ozone(
         raise FileError(table.source, "has fewer than two rows with ozone")
     within = float(np.trapezoid(n, h)) / DOBSON_UNIT
     place, name = planet.constituent_of("ozone")
-    own = next((one for one in base.constituents if one.name == name), None)
-    above = 0.0
     kept, error = thinned(h, n / n.max(), _OZONE_TOLERANCE, interpolation=tabulated_between)
-    altitudes, densities = h[kept], n[kept]
+    altitudes, densities, above = h[kept], n[kept], 0.0
+    own = next((one for one in base.constituents if one.name == name), None)
     if own is not None and n[-1] > 0.01 * n.max() and h[-1] + _STEP < base.thickness:
         more = np.append(np.arange(h[-1] + _STEP, base.thickness, _STEP), base.thickness)
-        row = DensitySegments.from_rows([own.profile.row(base.thickness)])
-        shape = row.at(np.append(h[-1], more))[0]
-        if shape[0] > 0.0:
-            rest = n[-1] * shape[1:] / shape[0]
-            above = float(np.trapezoid(np.append(n[-1], rest), np.append(h[-1], more)))
-            above /= DOBSON_UNIT
-            altitudes, densities = np.append(altitudes, more), np.append(densities, rest)
+        rest = _ozone_above(own, float(h[-1]), float(n[-1]), more, base.thickness)
+        above = float(np.trapezoid(np.append(n[-1], rest), np.append(h[-1], more))) / DOBSON_UNIT
+        altitudes, densities = np.append(altitudes, more), np.append(densities, rest)
     total = within + above
     profile = {
         "kind": "tabulated",
@@ -327,28 +324,30 @@ def _write_ozone(
     planet.notes.append(line)
 
 
+def _ozone_above(
+    own: Constituent, top: float, density: float, altitudes: FloatArray, thickness: float
+) -> FloatArray:
+    """Number densities of the base planet's ozone at altitudes above a table's top [m]. [m⁻³]
+
+    Scaled to the density at the top if that lies above the layer's maximum.
+    """
+    row = own.profile.row(thickness)
+    fine = np.linspace(0.0, thickness, 400)
+    segments = DensitySegments.from_rows([row])
+    shape = segments.at(altitudes)[0]
+    at_top = float(segments.at(np.array([top]))[0, 0])
+    if top > fine[segments.at(fine)[0].argmax()] and at_top > 0.0:
+        return np.asarray(shape * density / at_top)
+    column = own.absorption.column if isinstance(own.absorption, OzoneAbsorption) else 0.0
+    return np.asarray(shape * column / own.profile.column(thickness))
+
+
 def _ozone(
     table: DataTable, column: DataColumn, levels: AirLevels
 ) -> tuple[FloatArray, FloatArray]:
     """Altitudes [m] and number densities [m⁻³] of the rows with ozone."""
-    unit = column.heading.unit
-    if not unit:
-        raise ConflictError(
-            f"line {table.head}, unit of {column.heading.name}",
-            f"is missing; allowed: {OZONE.units}, in the header or given by units",
-            table.source,
-        )
-    target = ""
-    for one in _OZONE_UNITS:
-        try:
-            conversion(unit, one)
-            target = one
-            break
-        except ParameterError:
-            continue
-    wanted = Quantity(
-        name="ozone", unit=target or "1/m^3", names=OZONE.names, low=0.0, units=OZONE.units
-    )
+    target = next((one for one in _OZONE_UNITS if _converts(column.heading.unit, one)), "1/m^3")
+    wanted = replace(OZONE, unit=target)
     part = table.where(levels.rows)
     there = ~column.missing(_ABSENT)[levels.rows]
     part = part.where(there)
@@ -361,6 +360,14 @@ def _ozone(
     elif target == "1":
         values = values * air
     return h, values
+
+
+def _converts(unit: str, target: str) -> bool:
+    """Whether a unit is one of the kind."""
+    try:
+        return bool(unit) and conversion(unit, target)[0] > 0.0
+    except ParameterError:
+        return False
 
 
 def percent_text(share: float) -> str:

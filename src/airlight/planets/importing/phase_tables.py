@@ -62,10 +62,8 @@ _BEYOND: Final = 2.0
 _TOLERANCE: Final = 0.002
 _MOST_ANGLES: Final = 400
 #: Angles at which moments are summed: finer at both ends. [deg]
-_GRID: Final = np.unique(
-    np.concatenate(
-        [np.arange(0.0, 5.0, 0.1), np.arange(5.0, 175.0, 0.5), np.arange(175, 180.1, 0.1)]
-    )
+_GRID: Final = np.array(
+    [*np.arange(50) / 10.0, *np.arange(10, 350) / 2.0, *np.linspace(175.0, 180.0, 51)]
 )
 #: Share of the negative values of a sum of moments that is clipped. [1]
 _CLIPPED: Final = 1e-3

@@ -46,9 +46,7 @@ def import_profile(
     if not ({"optical_depth", "absorption", "particles"} & set(place)):
         raise ConflictError(name, "requires an optical depth, which the profile spreads")
     h = table.numbers(ALTITUDE) - ground_altitude
-    column = table.required(DENSITY)
-    unitless = type(column.heading)(column.heading.name)
-    values = table.numbers(DENSITY, type(column)(unitless, column.values, column.cells))
+    values = table.own_numbers(DENSITY, table.required(DENSITY))
     if h.size < 2 or not values.max() > 0.0:
         raise FileError(table.source, "has no density above 0")
     sign = 1 if h[-1] > h[0] else -1
