@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 import typer
 
@@ -42,7 +42,7 @@ class TableOptions(OptionGroup):
         "NAME=NUMBER",
     )
 
-    def keywords(self) -> dict[str, object]:
+    def keywords(self) -> dict[str, Any]:
         """Arguments of ``import_table``."""
         select = {}
         for name, text in _pairs(self.select, "--select").items():
@@ -80,8 +80,8 @@ def import_(
         list[Path],
         typer.Argument(
             metavar="FILE...",
-            help="Text file (CSV, blanks between columns, AFGL, Wyoming, WOUDC, AERONET, ECOSTRESS, "
-            "USGS) or NetCDF. Of an aerosol, several complete each other.",
+            help="Text file (CSV, blanks between columns, AFGL, Wyoming, WOUDC, AERONET, "
+            "ECOSTRESS, USGS) or NetCDF. Of an aerosol, several complete each other.",
         ),
     ],
     output: Annotated[

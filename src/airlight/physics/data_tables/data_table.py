@@ -188,11 +188,12 @@ class DataTable:
     def where(self, kept: NDArray[Any]) -> DataTable:
         """Table of some rows, by a mask or indices."""
         at = np.flatnonzero(kept) if kept.dtype == bool else kept
+        listed = [int(k) for k in at]
         columns = tuple(
             replace(
                 one,
                 values=one.values[at],
-                cells=[one.cells[k] for k in at] if one.cells else (),
+                cells=[one.cells[k] for k in listed] if one.cells else (),
             )
             for one in self.columns
         )

@@ -173,7 +173,8 @@ def _wyoming(lines: Sequence[Line], at: int, source: str) -> DataTable:
         allowed = f"a unit for each of the {len(names)} columns"
         raise ParameterError(f"line {lines[at + 1][0]}", len(units), allowed, source)
     edges = [0, *(one.end() for one in names)]
-    rows, numbers = [], []
+    rows: list[list[str]] = []
+    numbers: list[int] = []
     for n, line in lines[at + 2 :]:
         if not line.strip() or not line.strip("- "):
             if rows:

@@ -24,7 +24,7 @@ EXTINCTION: Final = Quantity(
     names=("ext", "extinctioncoefficient", "bext", "sigmaext", "kext"),
     low=0.0,
     high=1.0,
-    units="1/km, 1/m",
+    units="1/km, 1/m (any beside optical_depth)",
 )
 SCATTERING: Final = Quantity(
     name="scattering",
@@ -183,8 +183,8 @@ def _wide(
     spectra = {name: np.full(nm.size, math.nan) for name in wide}
     columns = [one for several in wide.values() for one in several]
     missing = np.stack([one.missing(_ABSENT) for one in columns])
-    empty = missing.all(axis=1)  # a wavelength that was not measured
-    there = ~missing[~empty].any(axis=0)
+    empty = np.asarray(missing.all(axis=1), np.bool_)  # a wavelength that was not measured
+    there = np.asarray(~missing[~empty].any(axis=0), np.bool_)
     if not there.any():
         raise FileError(table.source, f"has no row with {', '.join(wide)}")
     part = table.where(there)
@@ -286,7 +286,8 @@ def _coefficients(found: OpticalSpectra, source: str, depth: float | None) -> di
 
 def _phase_table(found: OpticalSpectra, source: str, keys: dict[str, Any]) -> dict[str, Any]:
     """Table of the phase function at the wavelengths of the spectra."""
-    assert found.wavelengths is not None
+    wavelengths = found.wavelengths
+    assert wavelengths is not None
     if found.phase is None:
         if ASYMMETRY.name not in found.spectra:
             raise FileError(source, "has no column asymmetry, phase_function or moments")
@@ -302,9 +303,7 @@ def _phase_table(found: OpticalSpectra, source: str, keys: dict[str, Any]) -> di
             return [float(f"{one:.{digits}g}") for one in values[0]]
         assert nm is not None
         order = np.argsort(nm)
-        weights = np.stack(
-            [np.interp(found.wavelengths, nm[order], unit) for unit in np.eye(len(nm))]
-        )
+        weights = np.stack([np.interp(wavelengths, nm[order], unit) for unit in np.eye(len(nm))])
         at = weights.T @ values[order]
         return [[float(f"{one:.{digits}g}") for one in row] for row in at]
 

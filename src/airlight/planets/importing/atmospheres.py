@@ -151,15 +151,13 @@ def _levels(table: DataTable, ground: float, planet: PlanetTables) -> AirLevels:
     rows = np.flatnonzero(kept)
     if pressure.size < 2:
         raise FileError(table.source, "has fewer than two rows with pressure and temperature")
-    upwards = pressure[0] >= pressure[-1]
     if height is None:
-        order = np.arange(pressure.size) if upwards else np.arange(pressure.size)[::-1]
+        order = np.arange(pressure.size)[:: 1 if pressure[0] >= pressure[-1] else -1]
         altitude = _hypsometric(pressure[order], temperature[order])
         planet.notes.append("altitudes follow from pressures and temperatures of dry air at rest")
     else:
         altitude = part.numbers(ALTITUDE)
-        order = np.arange(altitude.size) if altitude[0] <= altitude[-1] else None
-        order = np.arange(altitude.size)[::-1] if order is None else order
+        order = np.arange(altitude.size)[:: 1 if altitude[0] <= altitude[-1] else -1]
         altitude = altitude[order] - ground
     pressure, temperature, rows = pressure[order], temperature[order], rows[order]
     again = np.append(False, (np.diff(altitude) == 0.0) | (np.diff(pressure) == 0.0))

@@ -47,6 +47,8 @@ ELEMENTS: Final = {
     key: Quantity(name=f"p{key[1:]}", unit="1/sr", names=(key,), bare=True)
     for key in ("f12", "f33", "f34")
 }
+#: Elements of a Mie phase matrix by index, as libRadtran orders them.
+_MATRIX: Final = {1: "12", 2: "33", 3: "34"}
 MOMENTS: Final = Quantity(
     name="moments", unit="1", names=("pmom", "legendre", "legendremoments", "phasemoments", "chi")
 )
@@ -124,17 +126,26 @@ def phase_rows(
     found = {key: one for key, one in others.items() if one is not None}
     if column.values.ndim == 1 and column.values.size == angle.values.size:
         return _long(table, column, found, notes)
-    at = _angles_of(table, angle)
-    rows = _by_wavelength(table, PHASE, column, at)
-    ratios = {key: _by_wavelength(table, ELEMENTS[key], one, at) for key, one in found.items()}
+    angles, rows = _shaped(table, angle, column)
+    ratios = {}
+    for key, one in found.items():
+        at, values = _shaped(table, angle, one, ELEMENTS[key])
+        ratios[key] = values
+        if at.shape != angles.shape:
+            raise ParameterError(one.heading.name, values.shape, f"{rows.shape}", table.source)
     if rows.ndim == 3:  # elements of the matrix on an axis of their own: P11, P12, P33, P34
-        names = ("f12", "f33", "f34")
-        ratios = {key: rows[:, k + 1] for k, key in enumerate(names) if k + 1 < rows.shape[1]}
-        rows = rows[:, 0]
-    nm = None if wavelengths is None or rows.shape[0] == 1 else wavelengths
-    if nm is not None and len(nm) != len(rows):
-        raise FileError(table.source, f"has {len(rows)} phase functions for {len(nm)} wavelengths")
-    return _checked(table, nm, at, rows, ratios, notes)
+        angles, matrix = _on_common_angles(angles, rows)
+        rows = matrix[:, 0]
+        ratios = {f"f{name}": matrix[:, k] for k, name in _MATRIX.items() if k < matrix.shape[1]}
+    elif angles.ndim > 1:
+        angles, matrix = _on_common_angles(angles[:, None], rows[:, None])
+        rows = matrix[:, 0]
+    of_rows = None if wavelengths is None or rows.shape[0] == 1 else wavelengths
+    if of_rows is not None and len(of_rows) != len(rows):
+        raise FileError(
+            table.source, f"has {len(rows)} phase functions for {len(of_rows)} wavelengths"
+        )
+    return _checked(table, of_rows, angles, rows, ratios, notes)
 
 
 def _is_angle(column: DataColumn) -> bool:
@@ -182,32 +193,41 @@ def _long(
     return _checked(table, wavelengths, angles, value[order].reshape(shape), ratios, notes)
 
 
-def _angles_of(table: DataTable, column: DataColumn) -> FloatArray:
-    """Angles of a dataset; of several lists, as libRadtran's Mie tool writes, the longest. [deg]"""
-    values = column.values
-    if values.ndim == 1:
-        return table.numbers(ANGLE, column)
-    rows = values.reshape(-1, values.shape[-1])
-    rows = rows[np.isfinite(rows).any(axis=1)]
-    if np.ptp(rows, axis=0).any():
-        raise FileError(table.source, "has other angles at each wavelength; allowed: the same ones")
-    return rows[0]
-
-
-def _by_wavelength(
-    table: DataTable, wanted: Quantity, column: DataColumn, angles: FloatArray
-) -> FloatArray:
-    """Array with the wavelengths first and the angles last."""
-    values = table.numbers(wanted, column)
+def _shaped(
+    table: DataTable, angle: DataColumn, column: DataColumn, wanted: Quantity = PHASE
+) -> tuple[FloatArray, FloatArray]:
+    """Angles [deg], and an array with the wavelengths first and the angles last."""
+    if angle.values.ndim > 1:  # angles of their own for each wavelength, as libRadtran's Mie tool
+        if angle.values.shape != column.values.shape:
+            shape = angle.values.shape
+            raise ParameterError(column.heading.name, column.values.shape, f"{shape}", table.source)
+        factor = table.conversion(ANGLE, angle)[0]
+        return angle.values * factor, column.values
+    angles, values = table.numbers(ANGLE, angle), table.numbers(wanted, column)
     if values.ndim == 1:
         values = values[None]
-    last = [k for k, size in enumerate(values.shape) if size == angles.size]
     named = [k for k, name in enumerate(column.dims) if "ang" in name or "theta" in name]
-    axis = (named or last or [None])[-1]
-    if axis is None or values.shape[axis] != angles.size:
+    fitting = [k for k, size in enumerate(values.shape) if size == angles.size]
+    axis = next((k for k in (*named, *reversed(fitting)) if k in fitting), None)
+    if axis is None:
         allowed = f"an axis of the {angles.size} angles"
         raise ParameterError(column.heading.name, values.shape, allowed, table.source)
-    return np.moveaxis(values, axis, -1)
+    return angles, np.asarray(np.moveaxis(values, axis, -1))
+
+
+def _on_common_angles(angles: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Arrays over wavelength, element and angle on one list of angles, linear between their own.
+
+    A list ends where its angles ascend no more.
+    """
+    if angles.ndim == 1:
+        return angles, values
+    each = angles.reshape(-1, angles.shape[-1])
+    lists = [one[: 1 + int(np.cumprod(np.diff(one) > 0.0).sum())] for one in each]
+    common = np.unique(np.concatenate(lists))
+    flat = values.reshape(-1, values.shape[-1])
+    shared = [np.interp(common, one, row[: one.size]) for one, row in zip(lists, flat, strict=True)]
+    return common, np.stack(shared).reshape(*values.shape[:-1], common.size)
 
 
 # --- moments ----------------------------------------------------------------------------------
@@ -335,8 +355,8 @@ def _thinned(phase: PhaseRows, notes: list[str]) -> PhaseRows:
 
     if phase.angles.size <= _MOST_ANGLES:
         return phase
-    kept: NDArray[np.intp] = np.array([0, phase.angles.size - 1])
-    errors = []
+    kept = np.array([], np.intp)
+    errors: list[float] = []
     for row in np.log(np.maximum(phase.values, 1e-30)):
         rows, error = thinned(phase.angles, row, _TOLERANCE, most=_MOST_ANGLES)
         kept, errors = np.union1d(kept, rows), [*errors, error]

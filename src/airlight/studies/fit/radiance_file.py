@@ -99,7 +99,8 @@ def _measurements(table: DataTable, spectra: list[_Spectrum]) -> Measurements:
     """Measurements, row by row and within a row by wavelength."""
 
     def woven(k: int) -> np.ndarray:
-        return np.stack([one[k] for one in spectra], axis=1).ravel()  # type: ignore[arg-type]
+        parts = [part for one in spectra if (part := one[k]) is not None]
+        return np.stack(parts, axis=1).ravel()
 
     count = len(spectra)
     angles = {name: table.numbers(one).repeat(count) for name, one in _ANGLES.items()}
