@@ -78,6 +78,17 @@ def with_words(text: str, between: str = ", ") -> str:
     return _REGISTRY.sub(words, text)
 
 
+def word_of(command: str) -> str:
+    """Name of the module and the function of a command.
+
+    Examples
+    --------
+    >>> word_of("export-page"), word_of("import")
+    ('export_page', 'import_')
+    """
+    return command.replace("-", "_") + "_" * keyword.iskeyword(command)
+
+
 class Command(TyperCommand):
     """Command whose help lists the names from registries."""
 
@@ -102,7 +113,7 @@ class Commands(TyperGroup):
         """Command by name, or None."""
         if cmd_name not in COMMANDS:
             return None
-        name = cmd_name.replace("-", "_") + "_" * keyword.iskeyword(cmd_name)
+        name = word_of(cmd_name)
         module = import_module(f"airlight.cli.{name}")
         alone = typer.Typer(**_TYPER)
         command = expand_groups(getattr(module, name))

@@ -26,7 +26,7 @@ _FIELDS: Final = {"planet": "--planet", "units": "--unit", "select": "--select"}
 
 
 @dataclass(frozen=True, kw_only=True)
-class TableOptions(OptionGroup):
+class ColumnOptions(OptionGroup):
     """Options of the table."""
 
     unit: list[str] | None = option(
@@ -87,12 +87,14 @@ def import_(
     output: Annotated[
         Path | None, options.output_option("FILE", "Planet file to write. Default: print it.")
     ] = None,
-    planet: Annotated[
+    base: Annotated[
         str,
-        typer.Option(metavar="PLANET", help="Preset or planet file that has the other parts."),
+        typer.Option(
+            "--planet", metavar="PLANET", help="Preset or planet file that has the other parts."
+        ),
     ] = "earth",
     *,
-    table: TableOptions,
+    table: ColumnOptions,
     part: PartOptions,
 ) -> None:
     """Write a planet file from a table: atmosphere, aerosol, profile, albedo or star.
@@ -107,7 +109,7 @@ def import_(
     details = given_values(part, "ground_altitude", "optical_depth", "angular_radius")
     with named_errors("optical_depth", "ground_altitude", "name", **_FIELDS):
         made = import_table(
-            kind, *files, planet=planet, name=part.name, **table.keywords(), **details
+            kind, *files, planet=base, name=part.name, **table.keywords(), **details
         )
     if output is None:
         for line in made.text.splitlines():
