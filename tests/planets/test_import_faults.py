@@ -34,6 +34,7 @@ aerosol|0.15||line 3, extinction is 'an empty cell'
 aerosol|1/km|m|line 1, unit of extinction is 'm'
 aerosol|0.68|1.2|line 3, asymmetry (g) is '1.2'; allowed: -0.999 to 0.999
 aerosol|550|440|line 3, wavelength is '440 nm'; allowed: each wavelength once
+aerosol|wavelength|wavelenth|has no column wavelength in its header (did you mean 'wavelenth'?)
 aerosol|,g|,q|has no column asymmetry, phase_function or moments
 albedo|30|130|line 3, reflectance is '130 %'; allowed: 0 to 1
 albedo|0.5|0.7|line 4, wavelength is '600 nm'

@@ -143,6 +143,14 @@ class DataTable:
             raise FileError(self.source, f"has no column {wanted.name}{suffix} in its header{hint}")
         return found
 
+    def check_lists(self, *wanted: Quantity) -> None:
+        """Raise an error unless the columns of quantities are lists of one length."""
+        columns = [one for one in map(self.find, wanted) if one is not None]
+        for one in columns:
+            if one.values.ndim != 1 or one.values.shape != columns[0].values.shape:
+                allowed = f"a list as long as {columns[0].heading.name} (select a coordinate)"
+                raise ParameterError(one.heading.name, one.values.shape, allowed, self.source)
+
     def numbers(self, wanted: Quantity, column: DataColumn | None = None) -> FloatArray:
         """Checked numbers of a column in the unit of the quantity. [unit]
 
@@ -186,17 +194,18 @@ class DataTable:
             raise ParameterError(self._at_head(name), unit, allowed, self.source) from None
 
     def where(self, kept: NDArray[Any]) -> DataTable:
-        """Table of some rows, by a mask or indices."""
+        """Table of some rows, by a mask or indices; arrays of other lengths stay."""
         at = np.flatnonzero(kept) if kept.dtype == bool else kept
         listed = [int(k) for k in at]
-        columns = tuple(
-            replace(
-                one,
-                values=one.values[at],
-                cells=[one.cells[k] for k in listed] if one.cells else (),
-            )
-            for one in self.columns
-        )
+        rows = kept.size if kept.dtype == bool else 1 + max(listed, default=-1)
+
+        def part(one: DataColumn) -> DataColumn:
+            if not one.values.ndim or len(one.values) < rows:
+                return one
+            cells = [one.cells[k] for k in listed] if one.cells else ()
+            return replace(one, values=one.values[at], cells=cells)
+
+        columns = tuple(part(one) for one in self.columns)
         return replace(self, columns=columns, lines=self.lines[at] if self.lines.size else at)
 
     def with_units(self, units: Mapping[str, str]) -> DataTable:

@@ -139,13 +139,13 @@ def _optics(table: DataTable, notes: list[str], depth: float | None) -> OpticalS
     spectra: dict[str, FloatArray] = {}
     if wide:
         nm, spectra = _wide(table, wide, notes)
-    elif table.find(WAVELENGTH) is not None:
+    elif table.find(WAVELENGTH) is not None or any(map(table.find, _SPECTRA)):
         column = table.required(WAVELENGTH)
         nm = table.numbers(WAVELENGTH, column)
         if column.values.ndim != 1:
             raise FileError(table.source, "has wavelengths in more than one axis")
-        there = {one: table.find(one) for one in _SPECTRA}
-        for one, of in there.items():
+        for one in _SPECTRA:
+            of = table.find(one)
             if of is not None:
                 spectra[one.name] = _spectrum(table, one, of, nm, depth)
     phase = phase_rows(table, nm, notes)

@@ -143,6 +143,7 @@ def import_atmosphere(planet: PlanetTables, table: DataTable, ground_altitude: f
 def _levels(table: DataTable, ground: float, planet: PlanetTables) -> AirLevels:
     """Checked rows that have pressure and temperature, upwards."""
     needed = [table.required(one) for one in (PRESSURE, TEMPERATURE)]
+    table.check_lists(PRESSURE, TEMPERATURE, ALTITUDE, AIR, OZONE)
     height = table.find(ALTITUDE)
     needed += [] if height is None else [height]
     kept = ~np.any([one.missing(_ABSENT) for one in needed], axis=0)

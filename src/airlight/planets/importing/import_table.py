@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import FileError, ParameterError
 from airlight.files.atomic_file import atomic_file, check_target
 from airlight.physics.data_tables.any_table import data_table
 from airlight.physics.data_tables.data_table import DataTable
@@ -164,6 +164,9 @@ def import_table(
         allowed = "one or more" if kind == "aerosol" else "one"
         raise ParameterError("tables", len(tables), allowed)
     read = [data_table(one, units=units, header=header, select=select) for one in tables]
+    for one in read:
+        if not all(column.values.size for column in one.columns):
+            raise FileError(one.source, "has no rows")
     changed = PlanetTables(planet, ", ".join(Path(one.source).name for one in read))
     _change(kind, changed, read, name, details)
     changed.rename(name if kind in ("aerosol", "profile") else _PARTS.get(kind, kind))

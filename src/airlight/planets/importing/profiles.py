@@ -43,8 +43,10 @@ def import_profile(
     if len(place) == 1:
         known = ", ".join(one.name for one in planet.base.constituents)
         raise ParameterError("name", name, f"a constituent of {planet.base.name}: {known}")
-    if not ({"optical_depth", "absorption", "particles"} & set(place)):
+    nested = [one for one in place.values() if isinstance(one, dict)]
+    if not any({"optical_depth", "ozone", "column"} & set(one) for one in (place, *nested)):
         raise ConflictError(name, "requires an optical depth, which the profile spreads")
+    table.check_lists(ALTITUDE, DENSITY)
     h = table.numbers(ALTITUDE) - ground_altitude
     values = table.own_numbers(DENSITY, table.required(DENSITY))
     if h.size < 2 or not values.max() > 0.0:
@@ -57,6 +59,8 @@ def import_profile(
         raise ParameterError(f"{table.place(k)}, altitude", shown, "monotonic rows", table.source)
     h, values = h[::sign], values[::sign] / values.max()
     h, values = h[h >= 0.0], values[h >= 0.0]
+    if h.size < 2 or not values.max() > 0.0:
+        raise FileError(table.source, "has no density above the ground")
     kept, error = thinned(h, values, _TOLERANCE, tabulated_between)
     place["profile"] = {
         "kind": "tabulated",

@@ -84,8 +84,9 @@ def import_star(planet: PlanetTables, table: DataTable, angular_radius: str | No
 
 def _spectrum(table: DataTable, wanted: Quantity) -> tuple[FloatArray, FloatArray]:
     """Wavelengths, ascending, and values. [nm], [unit]"""
+    table.check_lists(WAVELENGTH, wanted)
     nm, values = table.numbers(WAVELENGTH), table.numbers(wanted)
-    if nm.size < 2 or nm.ndim != 1 or values.shape != nm.shape:
+    if nm.size < 2:
         raise FileError(table.source, "requires two rows or more of a wavelength and a value")
     steps = np.diff(nm)
     sign = 1.0 if nm[-1] > nm[0] else -1.0
