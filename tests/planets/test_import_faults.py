@@ -64,7 +64,8 @@ def test_faults_are_said_in_one_line(fault: str, tmp_path: Path) -> None:
         ("atmosphere t.csv --unit p=hPa", "--unit is 'p'; allowed: columns of"),
         ("atmosphere t.csv --optical-depth 1", "details of atmosphere is 'optical_depth'"),
         ("atmosphere t.csv -o x.png", "the name of a planet file ends in .toml"),
-        ("atmosphere t.csv --planet erth", "planet is 'erth'"),
+        ("atmosphere t.csv --planet erth", "--planet is 'erth'"),
+        ("atmosphere t.csv --planet p.toml -o ./p.toml", "--output requires another file"),
     ],
 )
 def test_the_command_says_what_is_wrong(
@@ -76,6 +77,7 @@ def test_the_command_says_what_is_wrong(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("t.csv").write_text(AIR, encoding="utf-8")
+    Path("p.toml").touch()
     assert main(["import", *words.split()]) == 2
     line = capsys.readouterr().err
     assert said in line

@@ -59,7 +59,7 @@ class ColumnOptions(OptionGroup):
 class PartOptions(OptionGroup):
     """Options of the part that is replaced."""
 
-    name: str = option("Constituent of aerosol and profile (aerosol).", "NAME", "aerosol")
+    name: str = option("Constituent of aerosol and profile.", "NAME", "aerosol")
     ground_altitude: float | None = option(
         "Altitude in the table of the planet's ground, of atmosphere and profile (0m).", "LENGTH"
     )
@@ -106,6 +106,8 @@ def import_(
 
     if output is not None and output.suffix.lower() != ".toml":
         raise FileError(output, "the name of a planet file ends in .toml")
+    if output is not None and output.exists() and output.resolve() == Path(base).resolve():
+        raise ConflictError("--output", "requires another file than --planet, whose comments go")
     details = given_values(part, "ground_altitude", "optical_depth", "angular_radius")
     with named_errors("optical_depth", "ground_altitude", "name", **_FIELDS):
         made = import_table(

@@ -246,6 +246,7 @@ def _write_air(planet: PlanetTables, table: DataTable, levels: AirLevels, base: 
     planet.notes.append(
         f"air: {kept.size} of {levels.altitudes.size} rows kept; densities between them within"
         f" {percent_text(error)}, the column within {percent_text(_column_error(levels, kept))}"
+        " of the rows' trapezoid"
     )
     if added is not None:
         share = 100.0 * levels.pressures[-1] / levels.pressures[0]
