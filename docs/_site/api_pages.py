@@ -13,8 +13,8 @@ from page_files import write_pages
 
 #: What the names of ``airlight`` are for, in the order in which they are used.
 STATIONS = (
-    ("Planets", ("load_planet", "planet_names", "Planet", "Constituent", "Ground", "Star",
-                 "Medium", "replace")),
+    ("Planets", ("load_planet", "planet_names", "import_table", "ImportedPlanet", "Planet",
+                 "Constituent", "Ground", "Star", "Medium", "replace")),
     ("Light", ("solve", "Solution", "degree_of_polarisation", "angle_of_polarisation")),
     ("Pictures", ("Scene", "MoonLight", "StarLight", "Camera", "look_at", "local_ground",
                   "lowered_ground", "render", "Frame", "write_picture")),

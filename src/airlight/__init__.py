@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         planet_names,
         replace,
     )
+    from airlight.planets.importing.import_table import ImportedPlanet, import_table
     from airlight.planets.lowered_ground import lowered_ground
     from airlight.render import Frame, render
     from airlight.render.picture import write_picture
@@ -46,6 +47,8 @@ if TYPE_CHECKING:
 _HOMES = {
     "load_planet": "airlight.planets",
     "planet_names": "airlight.planets",
+    "import_table": "airlight.planets.importing.import_table",
+    "ImportedPlanet": "airlight.planets.importing.import_table",
     "Planet": "airlight.planets",
     "Constituent": "airlight.planets",
     "Ground": "airlight.planets",
@@ -85,6 +88,8 @@ _HOMES = {
 __all__ = [
     "load_planet",
     "planet_names",
+    "import_table",
+    "ImportedPlanet",
     "Planet",
     "Constituent",
     "Ground",

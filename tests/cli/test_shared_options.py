@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight.cli import main
-from airlight.cli.app import app
+from airlight.cli.app import app, word_of
 from airlight.cli.option_groups import expand_groups, given_options
 from airlight.cli.place_options import PlaceOptions
 from airlight.errors import ParameterError
@@ -66,7 +66,7 @@ def test_no_command_has_many_parameters() -> None:
     from importlib import import_module
 
     for name in typer.main.get_command(app).list_commands(None):  # type: ignore[attr-defined]
-        word = name.replace("-", "_")
+        word = word_of(name)
         command = getattr(import_module(f"airlight.cli.{word}"), word)
         assert command.__code__.co_argcount + command.__code__.co_kwonlyargcount < 10
         assert len(expand_groups(command).__annotations__) >= command.__code__.co_argcount

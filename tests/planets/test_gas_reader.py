@@ -86,17 +86,17 @@ def test_a_table_beside_the_planet_file_is_read(composed, tmp_path):
 @pytest.mark.parametrize(
     ("content", "reason"),
     [
-        (None, "is not a file"),
-        ("", "not a table"),
+        (None, "cannot be read: No such file"),
+        ("", "has no header"),
         (TABLE.replace("# unit: cm^2\n", ""), "no line '# unit"),
         (TABLE.replace("# source: made up for this test\n", ""), "no line '# source"),
-        (TABLE.replace("2e-25", "much"), "not a table"),
-        (TABLE.replace("2e-25", "nan"), "not finite"),
+        (TABLE.replace("2e-25", "much"), "is 'much'; allowed: a finite number"),
+        (TABLE.replace("2e-25", "nan"), "is 'nan'; allowed: a finite number"),
         (TABLE.replace("600,", "800,"), "do not ascend"),
         (TABLE.replace("cm^2", "m"), "unit of"),
-        (TABLE.replace("e-25", "e-25,1"), "one column"),
-        ("\xff", "not a table"),
-        ("x" * 4_000_001, "larger than"),
+        (TABLE.replace("e-25", "e-25,1"), "3 cells"),
+        ("\xff", "is not UTF-8 text"),
+        ("x" * 4_000_001, "is too large"),
     ],
 )
 def test_tables_that_are_none_give_one_line(composed, tmp_path, content, reason):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import contextlib
 import gc
+import keyword
 import os
 import re
 import sys
@@ -37,6 +38,7 @@ ERROR = 2
 COMMANDS: Final = {
     "planets": "List the planets that ship with airlight.",
     "show": "Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.",
+    "import": "Write a planet file from a table: atmosphere, aerosol, profile, albedo or star.",
     "render": "Render a planet's atmosphere, or a scene of several bodies and lights.",
     "animate": "Render the missing or changed frames of a film.",
     "sky": "Write an observer's sky as an environment map, with a JSON file of its lights.",
@@ -76,6 +78,17 @@ def with_words(text: str, between: str = ", ") -> str:
     return _REGISTRY.sub(words, text)
 
 
+def word_of(command: str) -> str:
+    """Name of the module and the function of a command.
+
+    Examples
+    --------
+    >>> word_of("export-page"), word_of("import")
+    ('export_page', 'import_')
+    """
+    return command.replace("-", "_") + "_" * keyword.iskeyword(command)
+
+
 class Command(TyperCommand):
     """Command whose help lists the names from registries."""
 
@@ -100,7 +113,7 @@ class Commands(TyperGroup):
         """Command by name, or None."""
         if cmd_name not in COMMANDS:
             return None
-        name = cmd_name.replace("-", "_")
+        name = word_of(cmd_name)
         module = import_module(f"airlight.cli.{name}")
         alone = typer.Typer(**_TYPER)
         command = expand_groups(getattr(module, name))

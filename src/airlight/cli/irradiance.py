@@ -3,26 +3,20 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, replace
-from datetime import timedelta
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Final
+from typing import TYPE_CHECKING, Annotated
 
 from airlight.cli import options
 from airlight.cli.console import examples, note, say, shown_progress
 from airlight.cli.dataset_table import say_table
-from airlight.cli.option_groups import OptionGroup, given_options, named_errors, option
-from airlight.cli.place_options import PlaceOptions, check_coordinates, on_floor
+from airlight.cli.option_groups import OptionGroup, named_errors, option
 from airlight.cli.planet_options import GroundOptions
+from airlight.cli.series_options import SeriesOptions, at_place
 from airlight.cli.solve_options import SolveOptions, wavelengths_option
-from airlight.errors import ConflictError, FileError, ParameterError
-from airlight.physics.units import MOST_VALUES, quantity
+from airlight.errors import ConflictError, FileError
 
 if TYPE_CHECKING:
-    from datetime import datetime
-
-    from airlight.planets.planet import Planet
-    from airlight.scene import Scene
     from airlight.studies.observables.plane_irradiance import Plane
 
 EPILOG = examples(
@@ -34,65 +28,6 @@ EPILOG = examples(
     "airlight irradiance mars --at 4.59S,137.44E --ls 250 --time noon",
     "airlight irradiance earth --clouds cumulus --sun-zenith 40 -o cloudy.json",
 )
-
-#: Step of a series without ``--step``.
-_STEP: Final = "10min"
-
-
-@dataclass(frozen=True, kw_only=True)
-class SeriesOptions(PlaceOptions):
-    """Options of the observer and the sun, once or at a series of times."""
-
-    start: str | None = option("First time of a series, with --at; forms of --time.", "TIME")
-    end: str | None = option("Last time of a series.", "TIME")
-    step: str | None = option("Step of a series, e.g. 1h (10min).", "DURATION")
-
-    def _time_options(self) -> dict[str, Any]:
-        return super()._time_options() | given_options(self, "start", "end", "step")
-
-    def scenes(self, planet: Planet) -> list[Scene]:
-        """Observers: one, or one for each time of the series."""
-        if self.start is None and self.end is None and self.step is None:
-            return [self.scene(planet)]
-        for given in given_options(self, "time_", "season"):
-            raise ConflictError(given, "cannot be combined with --start, --end and --step")
-        if self.at is None or self.start is None or self.end is None:
-            raise ConflictError("--start", "requires --at and --end")
-        first = replace(self, time_=self.start, start=None, end=None, step=None)
-        with named_errors(**{"--time": "--start"}):
-            scene = first.scene(planet)
-        with named_errors(**{"--time": "--end"}):
-            last = replace(first, time_=self.end).scene(planet)
-        assert scene.time is not None
-        assert last.time is not None
-        times = _times(scene.time, last.time, self.step or _STEP)
-        return [scene, *(_at(planet, scene, one) for one in times[1:])]
-
-
-def _at(planet: Planet, scene: Scene, moment: datetime) -> Scene:
-    """Scene of the same place at another time."""
-    from airlight.scene import Scene
-
-    return Scene.at(
-        planet,
-        latitude=scene.latitude,
-        longitude=scene.longitude,
-        time=moment,
-        altitude=scene.altitude,
-    )
-
-
-def _times(first: datetime, last: datetime, step: str) -> list[datetime]:
-    """Times from the first to the last."""
-    seconds = quantity(step, "s", "--step", bare=True)
-    if not seconds > 0.0:
-        raise ParameterError("--step", step, "a duration above 0, such as 10min")
-    if last < first:
-        raise ParameterError("--end", last.isoformat(), f"{first.isoformat()} or later")
-    count = int((last - first).total_seconds() / seconds + 1e-9)
-    if count >= MOST_VALUES:
-        raise ParameterError("--step", step, f"a step with at most {MOST_VALUES} times")
-    return [first + timedelta(seconds=k * seconds) for k in range(count + 1)]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -153,18 +88,7 @@ def irradiance(
 
     files = _checked(output or [])
     plane = product.plane()
-    world = planet.load()
-    scenes = place.scenes(world)
-    check_coordinates(place)
-    on_floor(world, scenes[0].altitude)
-    world = place.lit(world, scenes[0])
-    world, floor = scenes[0].on_basin_floor(world)
-    scenes = [replace(one, altitude=floor.altitude) for one in scenes]
-    if planet.ground_albedo is None and (place.timed or place.latitude is not None):
-        from airlight.scene.local_ground import local_ground
-
-        where = {"latitude": floor.latitude, "longitude": floor.longitude}
-        world = local_ground(world, altitude=floor.altitude, **where)
+    world, scenes = at_place(planet, place)
     nm = solve.nm(world) or irradiance_wavelengths(world)
 
     from airlight.solver import solve as solved

@@ -71,8 +71,8 @@ class AngleOptions(OptionGroup):
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlaceOptions(AngleOptions):
-    """Options of the observer and the sun, by angles or by place and time."""
+class MomentOptions(OptionGroup):
+    """Options of place and time."""
 
     at: str | None = option(
         "Observer position, with --time: 59.33N,18.07E or 59.33,18.07, or the name of a city, "
@@ -103,6 +103,14 @@ class PlaceOptions(AngleOptions):
         """Whether observer and sun are given by place and time."""
         return bool(self._time_options())
 
+    def _time_options(self) -> dict[str, Any]:
+        return given_options(self, "at", "time_", "zone", "season")
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlaceOptions(MomentOptions, AngleOptions):
+    """Options of the observer and the sun, by angles or by place and time."""
+
     @property
     def altitude_in_at(self) -> bool:
         """Whether ``--at`` has an altitude."""
@@ -111,9 +119,6 @@ class PlaceOptions(AngleOptions):
         if self.at is None:
             return False
         return self.at.count(",") > (0 if is_named(self.at) else 1)
-
-    def _time_options(self) -> dict[str, Any]:
-        return given_options(self, "at", "time_", "zone", "season")
 
     def scene(self, planet: Planet) -> Scene:
         """Observer and lights by place and time, or by angles with the rest as in ``Scene()``.

@@ -6,20 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-import typer
-
-from airlight.cli import options
 from airlight.cli.console import examples, note, say, shown_progress
 from airlight.cli.option_groups import (
-    OptionGroup,
     given_options,
     given_values,
     named_errors,
     option,
-    option_name,
 )
 from airlight.cli.place_options import on_floor
 from airlight.cli.planet_options import LocalGroundOptions
+from airlight.cli.radiance_observers import ObserverOptions, timed_cases
+from airlight.cli.series_options import TimesOptions
 from airlight.cli.solve_options import DistributionOptions, SolveOptions, wavelengths_option
 from airlight.errors import ConflictError, ParameterError
 
@@ -35,6 +32,8 @@ EPILOG = examples(
     "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
     "airlight radiance mars --altitude 2m --sun-zenith 45 --view-zenith 0 --wavelengths 600,450",
     "airlight radiance earth --sun-zenith 60 --view-zenith 0 --latitude 72 --longitude -40",
+    "airlight radiance earth --at 40N,3.7W --time 2026-06-21T08:00Z --view-zenith 0:80:10 "
+    "--view-azimuth 0",
     "airlight radiance earth --input cases.csv --output out.csv",
     "airlight radiance earth --input - --output - < cases.csv > out.csv",
     "airlight radiance earth --sun-zenith 92 --view-zenith 60 --solver montecarlo "
@@ -45,68 +44,6 @@ EPILOG = examples(
 
 #: Rows of a file per call of the solution.
 BLOCK = 4096
-
-
-@dataclass(frozen=True, kw_only=True)
-class ObserverOptions(OptionGroup):
-    """Options of the observers: one, lists and ranges, or a file."""
-
-    altitude: tuple[float, ...] | None = option(
-        "Observer altitude above ground (0m). Lists (0m,2km) and ranges (0:10:2km), here and "
-        "below, print a table.",
-        "LENGTH",
-        read=options.lengths,
-    )
-    sun_zenith: tuple[float, ...] | None = option(
-        "Sun zenith angle at the observer.", "ANGLE", read=options.angles
-    )
-    view_zenith: tuple[float, ...] | None = option(
-        "View zenith angle at the observer.", "ANGLE", read=options.angles
-    )
-    azimuth: tuple[float, ...] | None = option(
-        "Azimuth between view and sun (0deg).", "ANGLE", read=options.angles
-    )
-    input_: str | None = option(
-        "Input CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is standard "
-        "input.",
-        "FILE",
-    )
-    output: str = option(
-        "Output, with --input: .csv (the input with radiance_<nm>nm appended) or .nc (netCDF); - "
-        "is standard output. An interrupted .csv is continued.",
-        "FILE",
-        "-",
-        flags=("--output", "-o"),
-    )
-
-    @property
-    def labelled(self) -> bool:
-        """Whether the output is a netCDF file."""
-        return self.output.lower().endswith(".nc")
-
-    @property
-    def from_file(self) -> bool:
-        """Whether the observers are read from a file on disk."""
-        return self.input_ not in (None, "-")
-
-    def check_file(self, planet: LocalGroundOptions) -> None:
-        """Raise an error for observer options with a file of observers, or an unwritable target."""
-        from airlight.studies.sweep.cases import check_table
-        from airlight.studies.sweep.grid import AXES
-
-        where = given_options(planet, "latitude", "longitude")
-        for given in {**given_options(self, *AXES), **where}:
-            raise ConflictError(given, "cannot be combined with --input")
-        check_table(self.output)
-
-    def cases(self, planet: LocalGroundOptions) -> Cases:
-        """Observers of the file, or of the options."""
-        if self.input_ is None:
-            return _observers(self)
-        from airlight.studies.sweep.cases import read_cases
-
-        self.check_file(planet)
-        return read_cases(self.input_)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -173,6 +110,7 @@ class SolverOptions(SolveOptions):
 def radiance(
     planet: LocalGroundOptions,
     observers: ObserverOptions,
+    when: TimesOptions,
     solve: SolverOptions,
     distribution: DistributionOptions,
 ) -> None:
@@ -182,7 +120,7 @@ def radiance(
     """
     settings = solve.settings()
     long = observers.from_file and solve.solver == "moments" and not observers.labelled
-    long = long and not solve.photometric
+    long = long and not solve.photometric and not when.timed
     for given in () if long else given_options(distribution):
         raise ConflictError(given, "requires --input FILE, a .csv output and --solver moments")
     if long:
@@ -190,10 +128,15 @@ def radiance(
         world = planet.load()
         _long_table(world, observers, solve.chosen(world), solve, distribution)
         return
-    cases = observers.cases(planet)
-    world = planet.load()
-    if observers.input_ is None:
-        world = _ground_of(world, planet, observers, cases)
+    if when.timed:
+        world, cases = timed_cases(planet, observers, when)
+    else:
+        if observers.view_azimuth is not None:
+            raise ConflictError("--view-azimuth", "requires --at")
+        cases = observers.cases(planet)
+        world = planet.load()
+        if observers.input_ is None:
+            world = _ground_of(world, planet, observers, cases)
     nm = solve.chosen(world)
     sampled, stokes = solve.solver == "montecarlo", solve.stokes
     from airlight.solver import solve as solved
@@ -334,35 +277,6 @@ def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
         note(
             f"the input already has {', '.join(repeated)}; computed values are in the last columns"
         )
-
-
-def _observers(observers: ObserverOptions) -> Cases:
-    """Observers of the options: one, or all combinations of lists and ranges."""
-    import numpy as np
-
-    from airlight.physics.units import MOST_VALUES
-    from airlight.scene.limits import DEEPEST_ALTITUDE, within
-    from airlight.studies.sweep.cases import COLUMNS, Cases
-    from airlight.studies.sweep.grid import AXES
-
-    if observers.output != "-":
-        raise ParameterError("--output", observers.output, "only together with --input")
-    filled = {"altitude": [0.0], "azimuth": [0.0]} | given_values(observers, *AXES)
-    axes = []
-    for name, (low, high, unit) in AXES.items():
-        given = option_name(name)
-        if name not in filled:
-            raise typer.BadParameter(f"{given} is missing: an angle such as 60deg, or --input FILE")
-        low = DEEPEST_ALTITUDE if name == "altitude" else low
-        axes.append([within(given, number, low, high, unit) for number in filled[name]])
-    values = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))
-    if len(values) > MOST_VALUES:
-        allowed = f"at most {MOST_VALUES}; longer tables by --input or airlight sweep"
-        raise ParameterError("number of observers", len(values), allowed)
-    if len(values) == 1:
-        return Cases(comments=[], header=[], rows=[[]], values=values)
-    rows = [[f"{number:.10g}" for number in row] for row in values]
-    return Cases(comments=[], header=list(COLUMNS), rows=rows, values=values)
 
 
 def _answers(

@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
-import os
-import re
-import stat
-from importlib import metadata, util
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
@@ -16,8 +11,8 @@ from numpy.typing import NDArray
 from airlight.clouds.cloud_axes import Axes, axes_of, regular
 from airlight.clouds.cloud_field import MOST_CELLS, CloudField
 from airlight.clouds.cloud_optics import REFERENCE, droplets
-from airlight.errors import AirlightError, ConflictError, FileError, ParameterError
-from airlight.files.input_files import LARGEST_PICTURE, check_input
+from airlight.errors import AirlightError, ParameterError
+from airlight.files.datasets import damaged_dataset, open_dataset
 from airlight.kernel.memory import check_memory
 from airlight.physics.units import quantity, with_powers
 from airlight.planets.clouds import ICE, CloudFile
@@ -55,8 +50,6 @@ _CRYSTALS: Final = 2.0
 _RADII: Final = (1e-7, 1e-3)
 #: Number of radii between which the efficiency is linear.
 _NODES: Final = 64
-#: Largest number of files of a Zarr folder.
-_MOST_FILES: Final = 1_000_000
 #: Memory of a cell while a file is read, measured with 512 × 512 × 128 cells. [byte]
 _CELL: Final = 40.0
 #: Largest ratio of effective radii whose efficiency is taken as one.
@@ -97,7 +90,7 @@ def read_cloud_file(
     FileError
         If the file cannot be read, or its clouds are invalid: one line with the reason.
     """
-    with _opened(Path(clouds.file)) as data:
+    with open_dataset(Path(clouds.file), "clouds") as data:
         try:
             return cloud_data(data, clouds, radius=radius, latitude=latitude, longitude=longitude)
         except ParameterError as error:
@@ -105,7 +98,7 @@ def read_cloud_file(
         except AirlightError:
             raise
         except Exception as error:  # a damaged file: whatever its library raises
-            raise _damaged(clouds.file, error) from error
+            raise damaged_dataset(clouds.file, "clouds", error) from error
 
 
 def cloud_data(
@@ -294,70 +287,3 @@ def extinction_efficiency(effective_radius: float, effective_variance: float) ->
     particles = droplets(effective_radius, effective_variance)
     extinction, _ = particles.cross_sections([REFERENCE])
     return float(extinction[0] / (np.pi * particles.sizes.moment(2)))
-
-
-# --- files ------------------------------------------------------------------------------------
-
-
-def _opened(path: Path) -> xr.Dataset:
-    """Dataset of a NetCDF file or a Zarr folder; values are not read yet."""
-    import xarray as xr
-
-    engine = _engine(path)
-    options: dict[str, Any] = {"mask_and_scale": True, "decode_times": False}
-    if "create_default_indexes" in inspect.signature(xr.open_dataset).parameters:
-        options["create_default_indexes"] = False  # coordinates of any length are not read here
-    try:
-        if engine == "zarr":
-            options["consolidated"] = False  # arrays have metadata of their own as well
-        return xr.open_dataset(path, engine=engine, decode_coords=False, cache=False, **options)
-    except Exception as error:  # whatever the library of the format raises
-        raise _damaged(path, error) from error
-
-
-def _engine(path: Path) -> str:
-    """Engine of xarray for a file, by its first bytes."""
-    if path.is_dir():
-        if util.find_spec("zarr") is None or not _safe_numcodecs():
-            raise ConflictError(str(path), "requires zarr: pip install airlight[clouds]")
-        _check_folder(path)
-        return "zarr"
-    check_input(path, LARGEST_PICTURE)
-    with path.open("rb") as stream:
-        start = stream.read(8)
-    if start[:4] in (b"CDF\x01", b"CDF\x02"):
-        return "scipy"
-    if start[:4] == b"CDF\x05" or start == b"\x89HDF\r\n\x1a\n":
-        for module, engine in (("netCDF4", "netcdf4"), ("h5netcdf", "h5netcdf")):
-            if util.find_spec(module) is not None:
-                return engine
-        raise ConflictError(str(path), "requires netCDF4: pip install airlight[clouds]")
-    raise FileError(path, "is neither a NetCDF file nor a Zarr folder")
-
-
-def _safe_numcodecs() -> bool:
-    """Whether numcodecs executes no code of a store: GHSA-jqc8-qjfv-5m6r."""
-    try:
-        version = metadata.version("numcodecs")
-    except metadata.PackageNotFoundError:
-        return False
-    numbers = tuple(int(part) for part in re.findall(r"\d+", version)[:3])
-    return numbers >= (0, 16, 6) and numbers != (0, 17, 0)
-
-
-def _check_folder(path: Path) -> None:
-    """Raise an error for links, devices, and more files than a field has."""
-    count = 0
-    for folder, folders, files in os.walk(path):
-        for name in (*folders, *files):
-            count += 1
-            mode = (Path(folder) / name).lstat().st_mode
-            if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-                raise FileError(Path(folder) / name, "is neither a file nor a folder")
-        if count > _MOST_FILES:
-            raise FileError(path, f"has too many files; allowed: at most {_MOST_FILES}")
-
-
-def _damaged(path: str | Path, error: Exception) -> FileError:
-    lines = str(error).strip().splitlines() or [type(error).__name__]
-    return FileError(path, f"cannot be read as clouds: {lines[0][:120]}")

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import AirlightError, FileError, ParameterError
 from airlight.physics.optics.effective_medium import maxwell_garnett
 from airlight.physics.optics.index_table import index_names, read_index
 
@@ -46,19 +46,19 @@ def test_imaginary_part_is_interpolated_in_the_logarithm(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("400,1.4,0\n", "the first line is wavelength_nm,real,imaginary"),
-        ("wavelength_nm,real,imaginary\n400,1.4\n", "rows of three numbers"),
-        ("wavelength_nm,real,imaginary\n400,1.4,x\n", "is not a table"),
+        ("400,1.4,0\n", "has no header"),
+        ("wavelength_nm,real,imaginary\n400,1.4\n", "line 2 is '2 cells'; allowed: 3"),
+        ("wavelength_nm,real,imaginary\n400,1.4,x\n", "line 2, imaginary is 'x'"),
         ("wavelength_nm,real,imaginary\n500,1.4,0\n400,1.4,0\n", "wavelengths must ascend"),
-        ("wavelength_nm,real,imaginary\n500,1.4,-0.1\n", "imaginary is -0.1 at 500 nm; allowed: 0"),
-        ("wavelength_nm,real,imaginary\n", "rows of three numbers"),
+        ("wavelength_nm,real,imaginary\n500,1.4,-0.1\n", "line 2, imaginary is '-0.1'; allowed: 0"),
+        ("wavelength_nm,real,imaginary\n", "wavelengths must ascend"),
     ],
 )
 def test_a_file_of_another_form_is_refused(tmp_path, text, message):
     # One clear line each.
     file = tmp_path / "bad.csv"
     file.write_text(text)
-    with pytest.raises(FileError, match=message):
+    with pytest.raises(AirlightError, match=message):
         read_index(str(file))
 
 

@@ -13,6 +13,8 @@ import numpy.typing as npt
 
 from airlight.errors import FileError, ParameterError
 from airlight.files.input_files import read_text
+from airlight.physics.data_tables.data_table import Quantity
+from airlight.physics.data_tables.text_tables import read_text_table
 from airlight.physics.spectra.power_law import power_law
 from airlight.physics.units import values_in
 
@@ -23,8 +25,12 @@ ComplexArray = npt.NDArray[np.complex128]
 ALLOWANCE: Final = 10.0
 #: Prefix of the file names of the tables that ship with the package.
 _PREFIX: Final = "index-"
-#: First line after the header.
-_COLUMNS: Final = "wavelength_nm,real,imaginary"
+#: Columns of a table.
+_COLUMNS: Final = (
+    Quantity(name="wavelength", unit="nm", low=0.0, above=True, units="nm, um"),
+    Quantity(name="real", unit="1", names=("n",)),
+    Quantity(name="imaginary", unit="1", names=("k",), low=0.0),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,8 +96,8 @@ def read_index(name: str) -> IndexTable:
     Parameters
     ----------
     name : str
-        One of ``index_names()``, or the path to a file: lines that begin with ``#``, the line
-        ``wavelength_nm,real,imaginary``, then rows with ascending wavelengths [nm], n and k.
+        One of ``index_names()``, or the path to a CSV file with the columns ``wavelength_nm`` (or
+        ``wavelength [um]``), ``real`` and ``imaginary``, wavelengths ascending.
 
     Returns
     -------
@@ -116,27 +122,10 @@ def read_index(name: str) -> IndexTable:
 
 
 def _parsed(text: str, name: str) -> IndexTable:
-    lines = [line for line in text.splitlines() if line.strip()]
-    source = " ".join(
-        line.partition(":")[2].strip() for line in lines if line.startswith("# source:")
-    )
-    body = [line for line in lines if not line.startswith("#")]
-    if not body or body[0].replace(" ", "") != _COLUMNS:
-        raise FileError(name, f"is not a table of refractive indices: the first line is {_COLUMNS}")
-    try:
-        rows = np.array([line.split(",") for line in body[1:]], dtype=np.float64)
-    except ValueError as error:
-        raise FileError(name, f"is not a table of refractive indices: {error}") from None
-    if rows.ndim != 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
-        raise FileError(
-            name, "is not a table of refractive indices: it requires rows of three numbers"
-        )
-    nm, _, imaginary = rows.T
-    if not (np.diff(nm) > 0.0).all() or not nm[0] > 0.0:
+    table = read_text_table(text, name)
+    nm, real, imaginary = (table.numbers(one) for one in _COLUMNS)
+    if not nm.size or not (np.diff(nm) > 0.0).all():
         raise FileError(name, "is not a table of refractive indices: wavelengths must ascend")
-    if not (imaginary >= 0.0).all():
-        row = int(np.argmax(imaginary < 0.0))
-        bad = f"{imaginary[row]:g} at {nm[row]:g} nm"
-        raise FileError(name, f"imaginary is {bad}; allowed: 0 or more")
-    rows.flags.writeable = False
-    return IndexTable(name, rows[:, 0], rows[:, 1], rows[:, 2], source)
+    for array in (nm, real, imaginary):
+        array.flags.writeable = False
+    return IndexTable(name, nm, real, imaginary, table.notes.get("source", ""))

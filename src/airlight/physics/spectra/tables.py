@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -12,12 +13,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import FileError, ParameterError
+from airlight.physics.data_tables.any_table import data_table
+from airlight.physics.data_tables.data_table import Quantity
+from airlight.physics.data_tables.text_tables import read_text_table
 from airlight.physics.units import values_in
 
 #: Range beyond a table's ends over which its end value is used. [nm]
 ALLOWANCE: Final = 10.0
 #: Largest file size of a table. [byte]
 LARGEST_FILE: Final = 4_000_000
+_WAVELENGTH: Final = Quantity(
+    name="wavelength", unit="nm", names=("wavelengths",), low=0.0, above=True, bare=True
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,15 +141,16 @@ def read_spectrum(name: str) -> Spectrum:
 
 
 def read_spectrum_file(path: Path) -> Spectrum:
-    """Spectral table from a file in the format of the package's.
+    """Spectral table from a file, in the format of the package's or as ``data_table`` reads it.
 
-    Lines ``# unit: …`` and ``# source: …`` first, for a star also ``# distance: …``, then the names
-    of the columns, then rows of a wavelength in nm and its values, ascending.
+    Lines ``# unit: …`` and ``# source: …``, for a star also ``# distance: …``, stand above the
+    names of the columns; the unit of a single column of values may stand in its heading.
+    Wavelengths without a unit are in nm.
 
     Parameters
     ----------
     path : Path
-        Path of a CSV file of at most 4 MB.
+        Path of the file.
 
     Returns
     -------
@@ -151,54 +159,52 @@ def read_spectrum_file(path: Path) -> Spectrum:
 
     Raises
     ------
-    FileError
-        If the file does not exist or has another format.
+    FileError, ParameterError
+        If the file does not exist or has another format, with the line of what is wrong.
     """
-    try:
-        if not path.is_file():
-            raise FileError(path, "is not a file; allowed: a table in CSV")
-        with path.open("rb") as stream:
-            content = stream.read(LARGEST_FILE + 1)
-    except OSError as error:
-        raise FileError(path, (error.strerror or type(error).__name__).lower()) from None
-    except ValueError:  # a null character in the name
-        raise FileError(repr(str(path)), "is not a file name") from None
-    if len(content) > LARGEST_FILE:
-        raise FileError(path, f"is larger than {LARGEST_FILE} bytes; allowed: a table in CSV")
-    try:
-        spectrum = _spectrum(content.decode("utf-8-sig"), path.stem)
-    except KeyError as error:
-        raise FileError(path, f"has no line '# {error.args[0]}: …' before the table") from None
-    except (ValueError, IndexError):
-        raise FileError(path, "is not a table of wavelengths and values in CSV") from None
-    nm = spectrum.wavelengths
-    if not (np.all(np.isfinite(spectrum.values)) and np.all(np.isfinite(nm))):
-        raise FileError(path, "has a value that is not finite")
+    table = data_table(path, largest=LARGEST_FILE)
+    nm = table.numbers(_WAVELENGTH)
+    columns = [one for one in table.columns if not _WAVELENGTH.names_column(one.heading)]
+    if not nm.size or not columns:
+        raise FileError(path, "is not a table of wavelengths and values in CSV")
     if not np.all(np.diff(nm) > 0.0):
         raise FileError(path, "has wavelengths that do not ascend")
-    return spectrum
+    values = [table.own_numbers(Quantity(name=c.heading.name, unit="1"), c) for c in columns]
+    header = dict(table.notes)
+    if len(columns) == 1 and columns[0].heading.unit:
+        header.setdefault("unit", columns[0].heading.unit)
+    for key in ("unit", "source"):
+        if key not in header:
+            raise FileError(path, f"has no line '# {key}: …' before the table")
+    return _made(path.stem, nm, np.stack(values, axis=1), [c.heading.text for c in columns], header)
 
 
 def _spectrum(text: str, name: str) -> Spectrum:
-    lines = text.splitlines()
-    header: dict[str, str] = {}
-    for line in lines:
-        if not line.startswith("#"):
-            break
-        key, _, value = line.removeprefix("#").partition(":")
-        header[key.strip()] = f"{header.get(key.strip(), '')} {value.strip()}".strip()
-    body = lines[sum(line.startswith("#") for line in lines) :]
-    rows = np.array([line.split(",") for line in body[1:]], dtype=np.float64)
-    values = rows[:, 1] if rows.shape[1] == 2 else rows[:, 1:]
-    rows.flags.writeable = False
-    values.flags.writeable = False
+    """Spectral table of the package."""
+    table = read_text_table(text, name)
+    first, *columns = table.columns
+    values = np.stack([one.values for one in columns], axis=1)
+    names = [one.heading.text for one in columns]
+    return _made(name, first.values, values, names, table.notes)
+
+
+def _made(
+    name: str,
+    wavelengths: NDArray[np.float64],
+    values: NDArray[np.float64],
+    columns: Sequence[str],
+    header: Mapping[str, str],
+) -> Spectrum:
+    values = values[:, 0] if values.shape[1] == 1 else values
+    for array in (wavelengths, values):
+        array.flags.writeable = False
     return Spectrum(
         name=name,
-        wavelengths=rows[:, 0],
+        wavelengths=wavelengths,
         values=values,
         unit=header["unit"],
         source=header["source"],
-        columns=tuple(body[0].split(",")[1:]),
+        columns=tuple(columns),
         licence=header.get("licence", ""),
         distance=header.get("distance", ""),
     )

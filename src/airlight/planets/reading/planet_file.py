@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+import textwrap
+from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from airlight.plain_text import plain
@@ -15,9 +16,13 @@ _WIDTH: Final = 96
 _BARE: Final = re.compile(r"[A-Za-z0-9_-]+")
 #: Length above which a table within a constituent gets its own header. [character]
 _INLINE: Final = 160
+#: Numbers with commas between them and a unit at the end.
+_NUMBERS: Final = re.compile(r"[\d.,eE+\- ]+, [\d.eE+-]+ [^,]+")
 
 
-def planet_file(tables: Tables, comments: tuple[str, ...] = ()) -> str:
+def planet_file(
+    tables: Tables, comments: tuple[str, ...] = (), within: Mapping[str, str] | None = None
+) -> str:
     """Text of a planet file with these tables.
 
     Parameters
@@ -26,6 +31,9 @@ def planet_file(tables: Tables, comments: tuple[str, ...] = ()) -> str:
         Strings, numbers, booleans, and lists and tables of them.
     comments : tuple of str
         Comment lines at the top.
+    within : mapping, optional
+        Comment lines above keys and tables by path, where constituents go by name:
+        ``air.profile``, ``ground``.
 
     Returns
     -------
@@ -48,23 +56,33 @@ def planet_file(tables: Tables, comments: tuple[str, ...] = ()) -> str:
     """
     lines = [f"# {' '.join(plain(comment).split())}".rstrip() for comment in comments]
     lines += [""] if lines else []
-    lines += list(_table(tables, ""))
+    lines += list(_table(tables, "", "", within or {}))
     return "\n".join(lines) + "\n"
 
 
-def _table(table: Tables, path: str) -> Iterator[str]:
+def _table(table: Tables, path: str, label: str, notes: Mapping[str, str]) -> Iterator[str]:
     later = []
     for key, value in table.items():
         if _own_header(value, path):
             later.append((key, value))
         else:
+            yield from _comment(notes, f"{label}.{key}" if label else key)
             yield f"{_key(key)} = {_value(value, len(_key(key)) + 3)}"
     for key, value in later:
         name = f"{path}.{_key(key)}" if path else _key(key)
         for one in value if isinstance(value, list) else [value]:
+            own = f"{label}.{key}" if label else key
+            if isinstance(value, list):
+                own = str(one.get("name", own))
             yield ""
+            yield from _comment(notes, own)
             yield f"[[{name}]]" if isinstance(value, list) else f"[{name}]"
-            yield from _table(one, name)
+            yield from _table(one, name, own, notes)
+
+
+def _comment(notes: Mapping[str, str], path: str) -> Iterator[str]:
+    if path in notes:
+        yield f"# {' '.join(plain(notes[path]).split())}"
 
 
 def _own_header(value: Any, path: str) -> bool:
@@ -105,8 +123,13 @@ def _flat(value: Any) -> str:
 def _value(value: Any, indent: int) -> str:
     """Value, with a long list broken into lines."""
     line = _flat(value)
+    if isinstance(value, str) and len(line) > _WIDTH and _NUMBERS.fullmatch(value):
+        return f'"""\n{textwrap.indent(textwrap.fill(value, _WIDTH - 4), "    ")}"""'
     if not isinstance(value, list) or indent + len(line) <= _WIDTH:
         return line
+    if value and all(isinstance(one, list) for one in value):
+        rows = [textwrap.indent(_value(one, _WIDTH), "    ") for one in value]
+        return "\n".join(["[", *(f"{row}," for row in rows), "]"])
     lines, row = [], "   "
     for one in value:
         item = f" {_flat(one)},"

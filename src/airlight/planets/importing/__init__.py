@@ -1,0 +1,1 @@
+"""Planets from users' own tables: profiles, optical properties, surfaces and stars."""
