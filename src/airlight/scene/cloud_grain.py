@@ -1,8 +1,8 @@
 """Procedural texture of the cloud layer below the resolution of its map; it is not data.
 
-Octaves of folded gradient noise, each half of the previous scale, from two texels downwards: puffs
-between narrow gaps. The places of an octave are displaced by the coarser ones, which draws puffs
-out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis et al. 1997, JAS 54, 241).
+Octaves of gradient noise, each half of the previous scale, from two texels downwards; a part of
+it is folded: puffs between narrow gaps. The places of an octave are displaced by the coarser ones,
+which draws puffs out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis et al. 1997, JAS 54, 241).
 Noise of one scale above a threshold would be a labyrinth. Edges are soft in some regions, as those
 of veils, and hard in others.
 """
@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import exp, floor
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import PERIOD, gradient_noise
+from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, PERIOD, gradient_noise
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import OCTAVES as GROUND_OCTAVES
 from airlight.scene.ground_detail import STEP, WHOLE_PERIOD, along_lattice
@@ -30,15 +30,19 @@ FALL: Final = 0.7937
 #: Mean and standard deviation of the magnitude of ``gradient_noise``, of a million places. [1]
 FOLDED: Final = 0.1100
 FOLDED_DEVIATION: Final = 0.0772
+#: Shares of folded noise, which has narrow gaps, and of plain noise, which has large ones: the sum
+#: of their squares is 1, as both are uncorrelated. By eye. [1]
+PUFFED: Final = 0.6
+OPEN: Final = 0.8
 #: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
 WARPED: Final = 0.14
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
 #: and change of its logarithm with noise of its own. [1]
-EDGE: Final = 0.9
+EDGE: Final = 0.7
 VARIED: Final = 3.5
 #: Share of the coarsest octave without clouds, and its growth with their cover; twice that of the
 #: next one, up to 1. By eye. [1]
-SMALL: Final = 0.4
+SMALL: Final = 0.2
 GROWING: Final = 1.5
 
 
@@ -117,7 +121,8 @@ def cloud_grain(place, footprint, cover, cell, whole, part):
                 turning_place(whole.y, beyond_y, scale) - moved,
                 turning_place(whole.z, beyond_z, scale) + moved,
             )
-            total += shown * (abs(noise) - FOLDED) / FOLDED_DEVIATION
+            puffs = (abs(noise) - FOLDED) / FOLDED_DEVIATION
+            total += shown * (PUFFED * puffs + OPEN * noise / GRADIENT_DEVIATION)
             variance += shown * shown
         share *= FALL
         coarse *= 2.0

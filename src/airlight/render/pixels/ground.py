@@ -186,9 +186,8 @@ def ground_color(ray, sine, angle, frame, color):
         if shown > 0.0:
             cloud_cover(end, ray, cosine, level, north, east, frame, color)
             if view.detailed and color[9] > STEP_OF_COVER and color[9] < 1.0 - STEP_OF_COVER:
-                grain = cloud_grain(
-                    place, footprint, color[9], view.detail_cell, view.whole, view.part
-                )
+                blur = texture_footprint(footprint, cosine)
+                grain = cloud_grain(place, blur, color[9], view.detail_cell, view.whole, view.part)
                 color[9] = grained_cover(color[9], width, grain.noise, grain.variance, grain.edge)
             color[9] *= shown
             color[10] *= shown

@@ -24,13 +24,17 @@ EDGE: Final = 3
 _PANORAMA: Final = [one.periodic for one in PROJECTIONS.values()].index(True)
 #: Distance of a pixel's corner from its centre, with a margin for its shape. [pixel]
 _CORNER: Final = 0.75
+#: Width of a pixel at the limb over the thickness of the air from which on the pixel above the limb
+#: is supersampled too: its air is not smooth. [1]
+_COARSE: Final = 0.1
 
 
 @inlined
 def samples_per_side(ray, frame, color):
     """Samples per side of a pixel: at least ``EDGE`` on the horizon and on the skyline of hills.
 
-    Of the lines of sight of its lower and upper corner one meets land, the other none.
+    Of the lines of sight of its lower and upper corner one meets land, the other none; in pixels
+    wider than the scale height of air the lower one is that of the pixel below.
 
     Parameters
     ----------
@@ -43,9 +47,13 @@ def samples_per_side(ray, frame, color):
     side, count = view.samples, 0
     sine = sqrt(ray.x * ray.x + ray.y * ray.y)
     if view.edges and ray.z * observer.horizon_mu + sine * observer.horizon_sine > 0.0:
+        lower, thickness = -_CORNER, frame.tables.top - frame.tables.bottom
+        if -view.pixel_angle * observer.r * observer.horizon_mu > _COARSE * thickness:
+            lower -= 1.0
         for corner in range(2):
-            moved = (2.0 * corner - 1.0) * _CORNER * view.pixel_angle
-            end, _ = seen_hill(Vec3(ray.x, ray.y, ray.z + moved), frame, color)
+            moved = (_CORNER if corner == 1 else lower) * view.pixel_angle
+            keep = 1.0 - moved * ray.z / max(sine, view.pixel_angle)
+            end, _ = seen_hill(Vec3(ray.x * keep, ray.y * keep, ray.z + moved * sine), frame, color)
             level = sqrt(end.x * end.x + end.y * end.y)
             above = end.z * observer.horizon_sine - level * observer.horizon_mu
             if above < 0.0:

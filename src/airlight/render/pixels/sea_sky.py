@@ -94,6 +94,8 @@ class MirrorPlace(NamedTuple):
 def sun_slices(observer, window):
     """``SunSlices`` of the star's zenith cosines that an observer sees, up to the horizon.
 
+    They end at the horizon, or at the points under the star and opposite to it.
+
     Parameters
     ----------
     observer, window : Observer, SkyViewWindow
@@ -103,6 +105,8 @@ def sun_slices(observer, window):
     high = observer.sun_z * observer.horizon_sine - observer.sun_x * observer.horizon_mu
     if observer.sun_z > observer.horizon_sine:
         high = 1.0
+    if -observer.sun_z > observer.horizon_sine:
+        low = DARKEST
     low = min(max(low, DARKEST), 1.0 - 1e-3)
     high = max(high, low + 1e-3)
     most = window.columns * window.rows // SLICE
