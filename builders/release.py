@@ -152,7 +152,7 @@ def tried(source: Path, wheel: Path, *, lowest: bool) -> None:
         bin = place / "venv" / ("Scripts" if os.name == "nt" else "bin")
         install = [*uv, "pip", "install", "--python", bin / "python", wheel]
         if lowest:
-            bounds: list[str | Path] = [source / "pyproject.toml", "--output-file", place / "lowest.txt"]
+            bounds = [str(source / "pyproject.toml"), "--output-file", str(place / "lowest.txt")]
             resolve = [*uv, "pip", "compile", *bounds, "--resolution", "lowest-direct"]
             run(*resolve, stdout=subprocess.DEVNULL)
             install += ["-r", place / "lowest.txt"]
@@ -205,7 +205,7 @@ def main() -> None:
             shutil.make_archive(str(place / "site"), "zip", source / "build" / "docs" / "html")
         with step("contact sheets"):
             sheets = Path(folder) / "sheets"
-            sheet: list[str | Path] = [sys.executable, "builders/review_sheets.py", sheets, "--size", "640x360"]
+            sheet = [sys.executable, "builders/review_sheets.py", str(sheets), "--size", "640x360"]
             run(*sheet, cwd=source, env={"PYTHONPATH": "src"})
             shutil.make_archive(str(place / "sheets"), "zip", sheets)
     (place / "notes.md").write_text(notes + "\n", encoding="utf-8")

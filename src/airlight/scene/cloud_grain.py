@@ -2,9 +2,9 @@
 
 Octaves of gradient noise, each half of the previous scale, from two texels downwards; a part of
 it is folded: puffs between narrow gaps. The places of an octave are displaced by the coarser ones,
-which draws puffs out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis et al. 1997, JAS 54, 241).
-Noise of one scale above a threshold would be a labyrinth. Edges are soft in some regions, as those
-of veils, and hard in others.
+which draws puffs out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis et al. 1997,
+JAS 54, 241). Noise of one scale above a threshold would be a labyrinth. Edges are soft in some
+regions, as those of veils, and hard in others.
 """
 
 from __future__ import annotations
