@@ -100,7 +100,7 @@ class CpuRenderer:
         self._polarised = self.stokes or uniforms["filter"] != NONE
         self._observer = observer_from(uniforms)
         self.window: SkyViewWindow | None = None
-        if not self.exact and self.air:
+        if not self.exact and self.air and not solution.medium.rings:
             self.window = sky_view_window(camera, self._observer, tables.bottom, tables.top)
         self.filled, self._is_filled = self.window, False
         if self.window is None and self.air and tables.ground.wet:

@@ -17,6 +17,7 @@ from airlight.render.pixels.ground import ground_factor, ground_reflectances, la
 from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.polarising_filter import filter_shares
+from airlight.render.pixels.ring_light import ring_crossing, through_rings
 from airlight.render.pixels.sky_lookup import classify_ray, sky_lookup
 from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
 from airlight.render.pixels.sky_view_window import SkyViewWindow
@@ -317,6 +318,36 @@ def disc_light(powers, place, whole, tables, columns, at):
 
 
 @inlined
+def ring_light(ray, found, seen, frame, columns, result):
+    """Add the light of the rings, behind the filter, to that of air and ground.
+
+    Parameters
+    ----------
+    ray, frame, result :
+        Arguments of ``pixel_light``.
+    found, seen : ClassifiedRay, SeenLine
+        Class of the line, and what is seen along it.
+    columns : array, shape (nc,)
+        Columns of the air along the line. [m]
+
+    Returns
+    -------
+    float
+        Weight of the star's disc, ``seen.whole`` times the transmittance of the rings. [1]
+    """
+    tables = frame.tables
+    crossing = ring_crossing(ray, found.sine, found.to_ground, frame.observer, tables)
+    left = 1.0
+    if crossing.row >= 0:
+        left = crossing.transmittance
+        if not found.through_air:
+            for c in range(tables.constituents):
+                columns[c] = 0.0
+        through_rings(crossing, seen.whole, frame, columns, result)
+    return seen.whole * left
+
+
+@inlined
 def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
     """Spectral radiance of a pixel, per irradiance of the star. [sr⁻¹]
 
@@ -344,9 +375,12 @@ def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
         radiance = lane_view(work.radiance, at)
         total = line_radiance(radiance[0], seen, color, frame, work, at)
         store(result, at, filtered(total, seen, view, work, at))
+    whole = seen.whole
+    if tables.rings.ringed:
+        whole = ring_light(ray, found, seen, frame, work.columns_total, result)
     if view.draws_disc and not seen.to_ground:
         powers, place = seen_disc(px, py, ray, frame, work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
-                disc = disc_light(powers, place, seen.whole, tables, work.columns_total, at)
+                disc = disc_light(powers, place, whole, tables, work.columns_total, at)
                 store(result, at, load(result, at) + disc)

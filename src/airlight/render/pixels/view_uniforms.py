@@ -100,6 +100,7 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         uniforms["disc"] *= disc_factor(source.occulter.left)
     uniforms |= shading_uniforms(source.phase, source.limb, sun_level, float(sun[2]))
     uniforms["faced"] = float(source.face is not None)
+    uniforms |= _vector("ring_pole", scene.ground_frame[2])
     for name, axis in zip(("right", "up", "forward"), camera.axes, strict=True):
         uniforms |= _vector(name, axis)
     ground = solution.medium.surface.map

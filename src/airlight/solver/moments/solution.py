@@ -40,6 +40,7 @@ from airlight.solver.moments.march_tables import (
     quadratures,
 )
 from airlight.solver.moments.packing import filled, pack, pack_light
+from airlight.solver.moments.ring_shadow import ring_tables
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.moments.setup import Setup
 from airlight.solver.refracted_geometry import RefractedGeometry
@@ -204,6 +205,7 @@ class MomentsSolution(Solution):
             field=field,
             sky=sky,
             ground=air.ground,
+            rings=ring_tables(medium.rings, self.wavelengths),
         )
 
     def _phase_f12(self, medium: Medium) -> FloatArray:
@@ -402,7 +404,7 @@ def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work
     bottom, ground = tables.bottom, np.empty(tables.lanes, np.float32)
     terms = MarchTerms(True, False, stokes)
     for k in range(r.size):
-        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k])
+        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], 0.0, 0.0, 0.0)
         work.phase[:] = phase[k]
         work.phase_f12[:] = phase_f12[k]
         march(segment, orders, terms, tables, work, work.radiance)

@@ -1,0 +1,152 @@
+"""Rings in a pixel: their light, what they let through, and the planet's shadow on them.
+
+Sunlight is scattered once (``ring_layer``). Of the planet's shadow its ground is the edge: light that
+its air refracts, scatters or lets through behind it is left out, as is the planet's own light on the
+rings.
+"""
+
+from __future__ import annotations
+
+from math import exp, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from airlight.geometry.sun_disc import visible_fraction
+from airlight.geometry.vectors import Vec3, dot
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, lane_view, load, store
+from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
+from airlight.solver.moments.ring_shadow import ring_row
+from airlight.solver.moments.source import transmittance_columns
+
+
+class RingCrossing(NamedTuple):
+    """Crossing of a line of sight with the rings.
+
+    Attributes
+    ----------
+    row : int
+        Row of the tables of ``Rings``; -1 for none.
+    fraction : float
+        Fraction of the step to the next row. [1]
+    before_air : bool
+        Whether the line meets the rings before the air.
+    transmittance : float
+        Transmittance of the rings along the line. [1]
+    light : float
+        Radiance over irradiance and single-scattering albedo. [sr⁻¹]
+    """
+
+    row: int
+    fraction: float
+    before_air: bool
+    transmittance: float
+    light: float
+
+
+@inlined
+def ring_crossing(ray, sine, to_ground, observer, tables):
+    """``RingCrossing`` of a line of sight, which is straight.
+
+    Parameters
+    ----------
+    ray, sine : Vec3, float
+        Direction in the observer's frame, and sine of its zenith angle. [1]
+    to_ground : bool
+        Whether it ends on the ground.
+    observer, tables : Observer, MarchTables
+        Observer, and tables of the solution.
+    """
+    rings, pole = tables.rings, observer.ring_pole
+    row, fraction, before = -1, 0.0, False
+    transmittance, light = 1.0, 0.0
+    height, slope = observer.r * pole.z, dot(ray, pole)
+    if height * slope < 0.0:
+        way = -height / slope
+        middle = -observer.r * ray.z
+        impact = observer.r * sine
+        before = observer.outside and (way < middle or impact > tables.top)
+        x, y, z = way * ray.x, way * ray.y, observer.r + way * ray.z
+        radius = sqrt(x * x + y * y + z * z)
+        if before or not to_ground:
+            row, fraction = ring_row(
+                radius, rings.ring_inner, rings.ring_outer, rings.ring_rows,
+                rings.ring_layers.shape[0],
+            )  # fmt: skip
+        if row >= 0:
+            depth = ring_layer(row, fraction, 0, rings)
+            transmittance = exp(-depth / max(abs(slope), 1e-6))
+            sun = Vec3(observer.sun_x, 0.0, observer.sun_z)
+            mu_s = dot(sun, pole)
+            light = single_scattering_layer(depth, -slope, mu_s)
+            light *= ring_phase(
+                dot(ray, sun),
+                ring_layer(row, fraction, 1, rings),
+                ring_layer(row, fraction, 2, rings),
+                ring_layer(row, fraction, 3, rings),
+                ring_layer(row, fraction, 4, rings),
+            )
+            light *= outside_shadow(Vec3(x, y, z), sun, tables)
+    return RingCrossing(row, fraction, before, transmittance, light)
+
+
+@inlined
+def ring_layer(row, fraction, column, rings):
+    """Value of a column of ``ring_layers`` at a place of ``ring_row``."""
+    low = rings.ring_layers[row, column]
+    return low + (rings.ring_layers[row + 1, column] - low) * fraction
+
+
+@inlined
+def outside_shadow(point, sun, tables):
+    """Visible fraction of the star at a point of the rings, behind the edge of the ground. [1]
+
+    Parameters
+    ----------
+    point, sun : Vec3
+        Point from the centre of the planet [m], and direction of the star [1].
+    tables : MarchTables
+        Tables of the solution.
+    """
+    along, seen = dot(point, sun), 1.0
+    if along < 0.0:
+        across = sqrt(max(dot(point, point) - along * along, 0.0))
+        seen = visible_fraction((tables.bottom - across) / along, tables.star_radius)
+    return seen
+
+
+@inlined
+def through_rings(crossing, whole, frame, columns, result):
+    """Light of a line of sight with the rings before or behind the air, in its place.
+
+    Parameters
+    ----------
+    crossing : RingCrossing
+        Result of ``ring_crossing``.
+    whole : float
+        Weight of unpolarised light behind the filter. [1]
+    frame : FrameTables
+        What the pixels read.
+    columns : array, shape (nc,)
+        Columns of the air along the line. [m]
+    result : array, shape (w,)
+        Light of air and ground, to which that of the rings is added. [sr⁻¹]
+    """
+    tables, light_seen = frame.tables, 0.0
+    rings = tables.rings
+    if frame.camera.draws_air and frame.observer.orders != 0:
+        light_seen = crossing.light * whole
+    for at in range(0, tables.lanes, LANES):
+        albedo = lane_view(rings.ring_albedo, at)
+        low = albedo[crossing.row]
+        light = low + (albedo[crossing.row + 1] - low) * np.float32(crossing.fraction)
+        light = light * np.float32(light_seen)
+        total = load(result, at)
+        if crossing.before_air:
+            total = total * np.float32(crossing.transmittance)
+        else:
+            light = light * transmittance_columns(
+                columns, lane_view(tables.extinction, at), tables.constituents
+            )
+        store(result, at, total + light)
