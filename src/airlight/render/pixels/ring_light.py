@@ -14,10 +14,10 @@ import numpy as np
 
 from airlight.geometry.sun_disc import visible_fraction
 from airlight.geometry.vectors import Vec3, dot
-from airlight.kernel import inlined
+from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, load, store
 from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
-from airlight.solver.moments.ring_shadow import ring_row
+from airlight.solver.moments.ring_shadow import ring_depth, ring_row
 from airlight.solver.moments.source import transmittance_columns
 
 
@@ -61,34 +61,114 @@ def ring_crossing(ray, sine, to_ground, observer, tables):
     rings, pole = tables.rings, observer.ring_pole
     row, fraction, before = -1, 0.0, False
     transmittance, light = 1.0, 0.0
-    height, slope = observer.r * pole.z, dot(ray, pole)
-    if height * slope < 0.0:
-        way = -height / slope
-        middle = -observer.r * ray.z
-        impact = observer.r * sine
-        before = observer.outside and (way < middle or impact > tables.top)
-        x, y, z = way * ray.x, way * ray.y, observer.r + way * ray.z
-        radius = sqrt(x * x + y * y + z * z)
+    way = way_to_rings(ray, observer.r, pole)
+    if way > 0.0:
+        before = observer.outside
+        before = before and (way < -observer.r * ray.z or observer.r * sine > tables.top)
         if before or not to_ground:
             row, fraction = ring_row(
-                radius, rings.ring_inner, rings.ring_outer, rings.ring_rows,
+                ring_radius(ray, observer.r, way),
+                rings.ring_inner,
+                rings.ring_outer,
+                rings.ring_rows,
                 rings.ring_layers.shape[0],
-            )  # fmt: skip
-        if row >= 0:
-            depth = ring_layer(row, fraction, 0, rings)
-            transmittance = exp(-depth / max(abs(slope), 1e-6))
-            sun = Vec3(observer.sun_x, 0.0, observer.sun_z)
-            mu_s = dot(sun, pole)
-            light = single_scattering_layer(depth, -slope, mu_s)
-            light *= ring_phase(
-                dot(ray, sun),
-                ring_layer(row, fraction, 1, rings),
-                ring_layer(row, fraction, 2, rings),
-                ring_layer(row, fraction, 3, rings),
-                ring_layer(row, fraction, 4, rings),
             )
-            light *= outside_shadow(Vec3(x, y, z), sun, tables)
+    if row >= 0:
+        slope = dot(ray, pole)
+        depth = ring_layer(row, fraction, 0, rings)
+        transmittance = exp(-depth / max(abs(slope), 1e-6))
+        sun = Vec3(observer.sun_x, 0.0, observer.sun_z)
+        light = single_scattering_layer(depth, -slope, dot(sun, pole))
+        light *= ring_phase(
+            dot(ray, sun),
+            ring_layer(row, fraction, 1, rings),
+            ring_layer(row, fraction, 2, rings),
+            ring_layer(row, fraction, 3, rings),
+            ring_layer(row, fraction, 4, rings),
+        )
+        point = Vec3(way * ray.x, way * ray.y, observer.r + way * ray.z)
+        light *= outside_shadow(point, sun, tables)
     return RingCrossing(row, fraction, before, transmittance, light)
+
+
+@kernel
+def way_to_rings(ray, r, pole):
+    """Distance to the plane of the rings along a line of sight; -1 if it does not meet it. [m]
+
+    Parameters
+    ----------
+    ray, r : Vec3, float
+        Direction in the observer's frame [1], and distance of the observer from the centre [m].
+    pole : Vec3
+        Normal of the plane. [1]
+
+    Examples
+    --------
+    >>> way_to_rings(Vec3(0.0, -0.6, -0.8), 5.0, Vec3(0.0, 0.0, 1.0))
+    6.25
+    """
+    height, slope = r * pole.z, dot(ray, pole)
+    way = -1.0
+    if height * slope < 0.0:
+        way = -height / slope
+    return way
+
+
+@kernel
+def ring_radius(ray, r, way):
+    """Distance from the centre of the planet of a point on a line of sight. [m]
+
+    Parameters
+    ----------
+    ray, r :
+        Arguments of ``way_to_rings``.
+    way : float
+        Distance of the point. [m]
+    """
+    x, y, z = way * ray.x, way * ray.y, r + way * ray.z
+    return sqrt(x * x + y * y + z * z)
+
+
+@compiled_loop
+def ring_transmittances(rays, r, pole, rings, out):
+    """Transmittance of the rings along lines of sight.
+
+    Parameters
+    ----------
+    rays : array, shape (n, 3)
+        Directions in the observer's frame. [1]
+    r, pole : float, Vec3
+        Arguments of ``way_to_rings``.
+    rings : Rings
+        Rings.
+    out : array, shape (n,)
+        Receives the transmittance. [1]
+    """
+    for k in range(rays.shape[0]):
+        ray = Vec3(rays[k, 0], rays[k, 1], rays[k, 2])
+        way = way_to_rings(ray, r, pole)
+        out[k] = 1.0
+        if way > 0.0:
+            steep = max(abs(dot(ray, pole)), 1e-6)
+            out[k] = exp(-ring_depth(ring_radius(ray, r, way), rings) / steep)
+
+
+@inlined
+def near_rings(ray, frame):
+    """Whether a line of sight, or another in the same pixel, meets the rings.
+
+    Parameters
+    ----------
+    ray, frame : Vec3, FrameTables
+        Direction in the observer's frame, and what the pixels read. [1]
+    """
+    observer, rings = frame.observer, frame.tables.rings
+    way, met = way_to_rings(ray, observer.r, observer.ring_pole), False
+    if way > 0.0:
+        radius = ring_radius(ray, observer.r, way)
+        wide = frame.camera.pixel_angle * way / max(abs(dot(ray, observer.ring_pole)), 1e-3)
+        met = radius > rings.ring_inner - wide and radius < rings.ring_outer + wide
+    return met
 
 
 @inlined
