@@ -17,7 +17,7 @@ from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, load, store
 from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
-from airlight.solver.moments.ring_shadow import ring_depth, ring_row
+from airlight.solver.tables.ring_shadow import ring_depth, ring_row
 from airlight.solver.moments.source import transmittance_columns
 
 

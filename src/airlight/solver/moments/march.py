@@ -36,7 +36,7 @@ from airlight.solver.moments.march_panels import (
     star_place,
 )
 from airlight.solver.moments.ray_optics import sun_index
-from airlight.solver.moments.ring_shadow import ring_shade
+from airlight.solver.tables.ring_shadow import ring_shade
 from airlight.solver.moments.source import (
     direct_beam,
     field_node,

@@ -24,7 +24,7 @@ from airlight.kernel.shader_fields import (
     spectra,
 )
 from airlight.physics.optics.reflection import Reflection
-from airlight.solver.moments.ring_shadow import Rings
+from airlight.solver.tables.ring_shadow import Rings
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -40,7 +40,7 @@ from airlight.solver.moments.march_tables import (
     quadratures,
 )
 from airlight.solver.moments.packing import filled, pack, pack_light
-from airlight.solver.moments.ring_shadow import ring_tables
+from airlight.solver.tables.ring_shadow import Rings, ring_tables
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.moments.setup import Setup
 from airlight.solver.refracted_geometry import RefractedGeometry
@@ -205,7 +205,7 @@ class MomentsSolution(Solution):
             field=field,
             sky=sky,
             ground=air.ground,
-            rings=ring_tables(medium.rings, self.wavelengths),
+            rings=_rings(medium),
         )
 
     def _phase_f12(self, medium: Medium) -> FloatArray:
@@ -429,3 +429,9 @@ def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work
                 found = lane_view(work.radiance, at)
                 found[0] += found[1] * load(ground, at)
         out[k] = work.radiance[: out.shape[1]]
+
+
+def _rings(medium: Medium) -> Rings:
+    """Rings of a planet, their albedos in lanes."""
+    rings = ring_tables(medium.rings, medium.wavelengths)
+    return rings._replace(ring_albedo=pack(rings.ring_albedo))

@@ -1,4 +1,4 @@
-"""Rings of a planet in the form that the march reads, and their shadow at a point.
+"""Rings of a planet in the form that kernels read, and their shadow at a point.
 
 Restricted Python, as in ``march``. The shadow multiplies all light of the star at a point, also what
 is scattered many times: light is carried sideways by no more than some scale heights, which is far
@@ -8,19 +8,18 @@ less than the width of the shadow. A shadow's edge is sharp where it is blurred 
 from __future__ import annotations
 
 from math import exp, sqrt
-from typing import Annotated, Final, NamedTuple
+from typing import Annotated, Any, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined, kernel
 from airlight.kernel.shader_fields import scalars, spectra
 from airlight.physics.optics.ring_layer import power_law_norm
 from airlight.planets.rings import Ring
-from airlight.solver.moments.packing import pack
 
 FloatArray = npt.NDArray[np.float64]
-Float32Array = npt.NDArray[np.float32]
 
 #: Radii of the table, and samples of the profile per radius, over which optical depth is averaged.
 NODES: Final = 4096
@@ -47,11 +46,11 @@ class Rings(NamedTuple):
     ring_outer: float
     ring_rows: float
     ring_layers: Annotated[FloatArray, scalars(2)]
-    ring_albedo: Annotated[Float32Array, spectra(1)]
+    ring_albedo: Annotated[npt.NDArray[Any], spectra(1)]
 
 
 def ring_tables(rings: tuple[Ring, ...], wavelengths: FloatArray) -> Rings:
-    """Tables of rings.
+    """Tables of rings, without lanes: shape (n, nl) of albedos.
 
     Parameters
     ----------
@@ -61,8 +60,7 @@ def ring_tables(rings: tuple[Ring, ...], wavelengths: FloatArray) -> Rings:
         Wavelengths. [nm]
     """
     if not rings:
-        nothing = pack(np.zeros((1, len(wavelengths))))
-        return Rings(False, 0.0, 0.0, 0.0, np.zeros((1, 5)), nothing)
+        return Rings(False, 0.0, 0.0, 0.0, np.zeros((1, 5)), np.zeros((1, len(wavelengths))))
     step = 1.0 / (NODES - 3)
     low = min(ring.inner_radius for ring in rings)
     high = max(ring.outer_radius for ring in rings)
@@ -81,7 +79,7 @@ def ring_tables(rings: tuple[Ring, ...], wavelengths: FloatArray) -> Rings:
         layers[own, 1:] = ring.exponent, norm, ring.dust, ring.asymmetry
         layers[:, 0] += ring.depths(fine).mean(axis=1)
         albedo[own] = ring.albedos(wavelengths)
-    return Rings(True, inner, outer, 1.0 / spacing, layers, pack(albedo))
+    return Rings(True, inner, outer, 1.0 / spacing, layers, albedo)
 
 
 @kernel
@@ -116,6 +114,21 @@ def ring_depth(radius, rings):
         depth = rings.ring_layers[row, 0]
         depth += (rings.ring_layers[row + 1, 0] - depth) * fraction
     return depth
+
+
+class RingShadow(NamedTuple):
+    """Rings as what stands before the star, for Monte Carlo.
+
+    Attributes
+    ----------
+    pole : Vec3
+        Direction of the north pole. [1]
+    rings : Rings
+        Rings.
+    """
+
+    pole: Vec3
+    rings: Rings
 
 
 @inlined
