@@ -11,7 +11,8 @@ on the lit side, and on the other side
 .. math:: \frac{L}{E} = \varpi p(\nu) \frac{\mu_0}{\mu - \mu_0}
           \left[e^{-\tau/\mu} - e^{-\tau/\mu_0}\right]
 
-with the irradiance E on a plane that faces the star. In the ring literature I/F = π L/E, and P = 4π p.
+with the irradiance E on a plane that faces the star. In the ring literature I/F = π L/E, and
+P = 4π p.
 Light that is scattered twice or more is left out: 10 to 20 % of that of the B ring at albedo 0.6,
 because its particles scatter backward.
 """

@@ -1,24 +1,28 @@
 """Rings in a pixel: their light, what they let through, and the planet's shadow on them.
 
-Sunlight is scattered once (``ring_layer``). Of the planet's shadow its ground is the edge: light that
-its air refracts, scatters or lets through behind it is left out, as is the planet's own light on the
-rings.
+Sunlight is scattered once (``ring_layer``). Of the planet's shadow its ground is the edge: light
+that its air refracts, scatters or lets through behind it is left out, as is the planet's own light
+on the rings. Lines of sight are straight.
 """
 
 from __future__ import annotations
 
 from math import exp, sqrt
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from airlight.geometry.sun_disc import visible_fraction
 from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import compiled_loop, inlined, kernel
-from airlight.kernel.lanes import LANES, lane_view, load, store
+from airlight.kernel.lanes import LANES, lane_view, splat
 from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
-from airlight.solver.tables.ring_shadow import ring_depth, ring_row
+from airlight.render.pixels.star_disc import camera_direction
 from airlight.solver.moments.source import transmittance_columns
+from airlight.solver.tables.ring_shadow import ring_depth, ring_row
+
+#: Samples per side of a pixel.
+SAMPLES: Final = 3
 
 
 class RingCrossing(NamedTuple):
@@ -197,36 +201,46 @@ def outside_shadow(point, sun, tables):
 
 
 @inlined
-def through_rings(crossing, whole, frame, columns, result):
-    """Light of a line of sight with the rings before or behind the air, in its place.
+def sum_rings(px, py, to_ground, frame, work):
+    """Light of the rings in a pixel, into ``work.radiance[2]``, a mean over samples. [sr⁻¹]
+
+    Air and ground have one sample there, as rings have the finer details.
 
     Parameters
     ----------
-    crossing : RingCrossing
-        Result of ``ring_crossing``.
-    whole : float
-        Weight of unpolarised light behind the filter. [1]
-    frame : FrameTables
-        What the pixels read.
-    columns : array, shape (nc,)
-        Columns of the air along the line. [m]
-    result : array, shape (w,)
-        Light of air and ground, to which that of the rings is added. [sr⁻¹]
+    px, py, frame :
+        Arguments of ``pixel_light``.
+    to_ground : bool
+        Whether the line ends on the ground.
+    work : MarchWorkspace
+        Workspace, with the columns of the air along the line. [m]
+
+    Returns
+    -------
+    whole, before : float
+        Transmittance of the rings, and of those before the air. [1]
     """
-    tables, light_seen = frame.tables, 0.0
-    rings = tables.rings
-    if frame.camera.draws_air and frame.observer.orders != 0:
-        light_seen = crossing.light * whole
+    observer, view, tables = frame.observer, frame.camera, frame.tables
+    whole, before, share = 0.0, 0.0, 1.0 / (SAMPLES * SAMPLES)
     for at in range(0, tables.lanes, LANES):
-        albedo = lane_view(rings.ring_albedo, at)
-        low = albedo[crossing.row]
-        light = low + (albedo[crossing.row + 1] - low) * np.float32(crossing.fraction)
-        light = light * np.float32(light_seen)
-        total = load(result, at)
-        if crossing.before_air:
-            total = total * np.float32(crossing.transmittance)
-        else:
-            light = light * transmittance_columns(
-                columns, lane_view(tables.extinction, at), tables.constituents
-            )
-        store(result, at, total + light)
+        lane_view(work.radiance, at)[2] = splat(0.0)
+    for sample in range(SAMPLES * SAMPLES):
+        x = px + (sample % SAMPLES + 0.5) / SAMPLES - 0.5
+        y = py + (sample // SAMPLES + 0.5) / SAMPLES - 0.5
+        ray = camera_direction(x, y, view)
+        sine = sqrt(ray.x * ray.x + ray.y * ray.y)
+        crossing = ring_crossing(ray, sine, to_ground, observer, tables)
+        whole += share * crossing.transmittance
+        before += share * (crossing.transmittance if crossing.before_air else 1.0)
+        if crossing.row >= 0:
+            for at in range(0, tables.lanes, LANES):
+                albedo = lane_view(tables.rings.ring_albedo, at)
+                low = albedo[crossing.row]
+                light = low + (albedo[crossing.row + 1] - low) * np.float32(crossing.fraction)
+                light = light * np.float32(crossing.light * share)
+                if not crossing.before_air:
+                    light = light * transmittance_columns(
+                        work.columns_total, lane_view(tables.extinction, at), tables.constituents
+                    )
+                lane_view(work.radiance, at)[2] += light
+    return whole, before

@@ -15,7 +15,6 @@ from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, store
 from airlight.render.pixels.land import seen_hill
-from airlight.render.pixels.ring_light import near_rings
 from airlight.render.pixels.star_disc import camera_direction
 from airlight.scene.projections import PROJECTIONS
 
@@ -29,7 +28,7 @@ _CORNER: Final = 0.75
 
 @inlined
 def samples_per_side(ray, frame, color):
-    """Samples per side of a pixel: at least ``EDGE`` on the horizon, on the skyline and on rings.
+    """Samples per side of a pixel: at least ``EDGE`` on the horizon and on the skyline of hills.
 
     Of the lines of sight of its lower and upper corner one meets land, the other none.
 
@@ -53,8 +52,6 @@ def samples_per_side(ray, frame, color):
                 count += 1
         if count == 1:
             side = max(view.samples, EDGE)
-    if view.edges and frame.tables.rings.ringed and near_rings(ray, frame):
-        side = max(view.samples, EDGE)
     return side
 
 

@@ -228,9 +228,7 @@ def look(line, air, peaks, polarised, observer, tables, work):
     height, slope = 0.0, 0.0
     if tables.rings.ringed:
         height, slope = ring_place(line, observer, tables)
-    segment = Segment(
-        r, start_mu, start_mu_s, nu, half_sine, length, height, slope, line.ring_sun
-    )
+    segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length, height, slope, line.ring_sun)
     terms = MarchTerms(air, peaks, polarised)
     march(segment, observer.orders, terms, tables, work, work.radiance)
     if air and to_ground:

@@ -36,7 +36,6 @@ from airlight.solver.moments.march_panels import (
     star_place,
 )
 from airlight.solver.moments.ray_optics import sun_index
-from airlight.solver.tables.ring_shadow import ring_shade
 from airlight.solver.moments.source import (
     direct_beam,
     field_node,
@@ -47,6 +46,7 @@ from airlight.solver.moments.source import (
     transmittance_columns,
 )
 from airlight.solver.stokes_frame import VERTICAL, star_plane
+from airlight.solver.tables.ring_shadow import ring_shade
 
 
 class StarPlane(NamedTuple):

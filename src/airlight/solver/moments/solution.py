@@ -40,7 +40,6 @@ from airlight.solver.moments.march_tables import (
     quadratures,
 )
 from airlight.solver.moments.packing import filled, pack, pack_light
-from airlight.solver.tables.ring_shadow import Rings, ring_tables
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.moments.setup import Setup
 from airlight.solver.refracted_geometry import RefractedGeometry
@@ -48,6 +47,7 @@ from airlight.solver.report import Report
 from airlight.solver.solution import Solution
 from airlight.solver.tables.column_ratios import column_rows, rational_mean_density
 from airlight.solver.tables.columns import ColumnTable, density_table
+from airlight.solver.tables.ring_shadow import Rings, ring_tables
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -1,7 +1,7 @@
 """Monte Carlo radiance in the shadow of a moon or of rings: reference for pictures of these.
 
-Direct irradiance at each event is multiplied by what the moon and the rings leave of the star there. Lines of
-sight have positions in space, not only angles.
+Direct irradiance at each event is multiplied by what the moon and the rings leave of the star
+there. Lines of sight have positions in space, not only angles.
 """
 
 from __future__ import annotations

@@ -1,14 +1,14 @@
 """Rings of a planet in the form that kernels read, and their shadow at a point.
 
-Restricted Python, as in ``march``. The shadow multiplies all light of the star at a point, also what
-is scattered many times: light is carried sideways by no more than some scale heights, which is far
-less than the width of the shadow. A shadow's edge is sharp where it is blurred by these, some 100 km.
+Restricted Python, as in ``march``. The shadow multiplies all light of the star at a point, also
+what is scattered many times: light is carried sideways by no more than some scale heights, far less
+than the width of the shadow. Where it is really blurred by these, some 100 km, its edge is sharp.
 """
 
 from __future__ import annotations
 
 from math import exp, sqrt
-from typing import Annotated, Any, Final, NamedTuple
+from typing import Annotated, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -46,7 +46,7 @@ class Rings(NamedTuple):
     ring_outer: float
     ring_rows: float
     ring_layers: Annotated[FloatArray, scalars(2)]
-    ring_albedo: Annotated[npt.NDArray[Any], spectra(1)]
+    ring_albedo: Annotated[np.ndarray, spectra(1)]
 
 
 def ring_tables(rings: tuple[Ring, ...], wavelengths: FloatArray) -> Rings:
