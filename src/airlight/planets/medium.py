@@ -84,7 +84,7 @@ class Medium:
     reflection : Reflection
         Reflectance law of the ground, for an albedo of 1.
     rings : tuple of Ring
-        Rings, which pictures show, without effect on a solution or the fingerprint.
+        Rings, without effect on a solution or the fingerprint.
 
     Examples
     --------
@@ -137,9 +137,8 @@ class Medium:
 
     def with_light(self, source: LightSource) -> Medium:
         """Medium under another light source at the same wavelengths."""
-        return dataclasses.replace(
-            self, solar_irradiance=source.irradiance, star_angular_radius=source.angular_radius
-        )
+        lit = {"solar_irradiance": source.irradiance, "star_angular_radius": source.angular_radius}
+        return dataclasses.replace(self, **lit)
 
     @property
     def ground(self) -> Reflection:
