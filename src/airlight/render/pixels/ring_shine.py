@@ -31,6 +31,8 @@ HOURS: Final = 25
 #: Points of the integral over the rings: radii, and longitudes.
 _RADII: Final = 96
 _AROUND: Final = 120
+#: Mean square of sin(θ/2) over an arch of rings, by which phase functions are blurred: by eye. [1]
+SPREAD: Final = 0.06
 
 
 class RingShine(NamedTuple):
@@ -231,7 +233,7 @@ def look_by_shine(ray, found, light, observer, tables, work):
         cosine = (ray.x * light.x + ray.y * light.y) / (level * found.sine)
         cosine = min(max(cosine, -1.0), 1.0)
     apart = minus(ray, light)
-    half_sine = min(0.5 * sqrt(dot(apart, apart)), 1.0)
+    half_sine = min(sqrt(0.25 * dot(apart, apart) + SPREAD), 1.0)
     line = SightLine(ray.z, found.sine, cosine, half_sine, found.to_ground, 0.0, 0.0)
     lit = Observer(
         observer.r,

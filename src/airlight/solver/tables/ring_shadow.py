@@ -7,7 +7,7 @@ than the width of the shadow. Where it is really blurred by these, some 100 km, 
 
 from __future__ import annotations
 
-from math import exp, sqrt
+from math import cos, exp, pi, sin, sqrt
 from typing import Annotated, Final, NamedTuple
 
 import numpy as np
@@ -135,8 +135,8 @@ class RingShadow(NamedTuple):
 def ring_shade(q, mu_s, height, sun, star_radius, rings):
     """Transmittance of the rings between a point and the star. [1]
 
-    The star's disc is represented by two points at half its radius, on the line of its disc along
-    which the radius of the crossing varies most: their variance is that of the disc.
+    The star's disc is five points on the line along which the radius of the crossing varies most:
+    the Gauss-Chebyshev quadrature over the chords of a uniform disc.
 
     Parameters
     ----------
@@ -158,8 +158,11 @@ def ring_shade(q, mu_s, height, sun, star_radius, rings):
         radius = sqrt(max(q * q + way * (q * mu_s + across), 0.0))
         if radius > rings.ring_inner - 0.05 * q and radius < rings.ring_outer + 0.05 * q:
             slope = across / (radius * sun)
-            half = 0.5 * star_radius * way * sqrt(1.0 + slope * slope)
+            wide = star_radius * way * sqrt(1.0 + slope * slope)
             steep = 1.0 / abs(sun)
-            left = 0.5 * exp(-ring_depth(radius - half, rings) * steep)
-            left += 0.5 * exp(-ring_depth(radius + half, rings) * steep)
+            left = 0.0
+            for k in range(1, 6):
+                angle = pi * k / 6.0
+                depth = ring_depth(radius + wide * cos(angle), rings)
+                left += sin(angle) * sin(angle) / 3.0 * exp(-depth * steep)
     return left
