@@ -23,7 +23,6 @@ from math import acos, exp, pi
 
 import numpy as np
 
-from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import kernel
 from airlight.physics.optics.phase_functions import henyey_greenstein
 
@@ -41,9 +40,9 @@ def power_law_norm(exponent: float) -> float:
     >>> f"{4 * pi * power_law_norm(3.301):.3f}"  # 0.153 recalled from Dones et al. (1993)
     '0.153'
     """
-    rule = gauss_legendre(64)
-    angle = pi * rule.nodes
-    return 1.0 / float(2.0 * pi * pi * np.sum(rule.weights * angle**exponent * np.sin(angle)))
+    nodes, weights = np.polynomial.legendre.leggauss(64)
+    angle = 0.5 * pi * (1.0 + nodes)
+    return 1.0 / float(pi * pi * np.sum(weights * angle**exponent * np.sin(angle)))
 
 
 @kernel
