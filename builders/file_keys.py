@@ -23,6 +23,7 @@ from airlight.planets.matter.particle_sizes import SIZES
 from airlight.planets.matter.phases import PHASES
 from airlight.planets.matter.profiles import PROFILES, BulkGas, Layer
 from airlight.planets.planet import Planet, Shell
+from airlight.planets.rings import Ring
 from airlight.planets.schema.field import Field, KindOfTable
 from airlight.planets.schema.measures import converted
 from airlight.planets.schema.tagged_union import Alternatives, TaggedUnion
@@ -54,6 +55,7 @@ PAGES: Final[dict[str, dict[str, KindOfTable]]] = {
         "index": INDICES,
         "sizes": SIZES,
         "clouds": CLOUDS,
+        "rings": Ring,
     },
     "clouds.md": {"kinds": CLOUDS},
     "scenes.md": {"bodies": Body, "lights": Light, "observer": SceneObserver, "camera": View},

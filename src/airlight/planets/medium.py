@@ -25,6 +25,7 @@ from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Planet
+from airlight.planets.rings import Ring
 from airlight.planets.spectral import check_wavelength_list
 from airlight.planets.surface import PLAIN, Surface
 from airlight.planets.without_clouds import check_clear
@@ -82,6 +83,8 @@ class Medium:
         Whether grids resolve layers aloft of any width, not only thin ones.
     reflection : Reflection
         Reflectance law of the ground, for an albedo of 1.
+    rings : tuple of Ring
+        Rings, without effect on a solution or the fingerprint.
 
     Examples
     --------
@@ -107,6 +110,7 @@ class Medium:
     surface: Surface = PLAIN
     resolve_layers: bool = False
     reflection: Reflection = WHITE
+    rings: tuple[Ring, ...] = ()
 
     def __post_init__(self) -> None:
         self._freeze()
@@ -133,9 +137,8 @@ class Medium:
 
     def with_light(self, source: LightSource) -> Medium:
         """Medium under another light source at the same wavelengths."""
-        return dataclasses.replace(
-            self, solar_irradiance=source.irradiance, star_angular_radius=source.angular_radius
-        )
+        lit = {"solar_irradiance": source.irradiance, "star_angular_radius": source.angular_radius}
+        return dataclasses.replace(self, **lit)
 
     @property
     def ground(self) -> Reflection:
@@ -220,6 +223,7 @@ class Medium:
             constituents=constituents,
             surface=Surface.of(planet.ground, planet.airglow),
             reflection=planet.ground.reflection,
+            rings=planet.rings,
         )
         medium._check()
         _ = medium.refracting_shell  # raises an error if rays would be ducted

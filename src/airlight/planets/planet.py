@@ -21,6 +21,7 @@ from airlight.planets.clouds import CLOUDS, MAX_CLOUDS, Clouds
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.parameters import MISSING, between, instance_of, parameters
+from airlight.planets.rings import Ring, check_rings
 from airlight.planets.schema.field import (
     WAVELENGTHS,
     Field,
@@ -131,6 +132,8 @@ class Planet(TomlModel):
         Constituents, 1 to 64.
     clouds : tuple of Clouds
         Three-dimensional clouds, at most 8.
+    rings : tuple of Ring
+        Rings in the plane of the equator, at most 16, without overlap.
     default_wavelengths : tuple of float, optional
         Default wavelengths of the planet. [nm]
     description : str, optional
@@ -227,6 +230,14 @@ class Planet(TomlModel):
         example="a list of tables [[clouds]]",
         default=(),
     )
+    rings: tuple[Annotated[Ring, instance_of(Ring)], ...] = key(
+        help="Rings in the plane of the equator.",
+        note="Up to 16 tables; seen in pictures, with their shadow and their light.",
+        table=Ring,
+        example="a list of tables [[rings]]",
+        synonyms=("ring system",),
+        default=(),
+    )
 
     @classmethod
     def declared(cls, table: FileTable | None = None) -> tuple[Field, ...]:
@@ -288,6 +299,7 @@ class Planet(TomlModel):
                 )
             names.add(constituent.name)
         self._check_clouds()
+        check_rings(self.rings, self.top_radius)
         if self.wavelength_limits[0] > self.wavelength_limits[1]:
             raise ParameterError(
                 "wavelengths",
@@ -340,6 +352,7 @@ class Planet(TomlModel):
 
     def _limits_by_part(self) -> dict[str, Limits]:
         parts = {"ground": self.ground.limits, "star": self.star.limits}
+        parts |= {one.name or "rings": one.limits for one in self.rings}
         return parts | {one.name: one.limits for one in self.constituents}
 
     @property

@@ -19,6 +19,7 @@ from airlight.kernel.shader_fields import InTexture, shader_fields
 from airlight.render.pixels.night_tables import no_night
 from airlight.render.pixels.pixel import FrameTables
 from airlight.render.pixels.render_cpu import march_pixels, render_pixels
+from airlight.render.pixels.ring_shine import no_shine
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_mirrored, fill_texels
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.view_uniforms import cpu_view_uniforms, observer_from
@@ -155,7 +156,9 @@ def _arguments() -> list[tuple[Any, ...]]:
     numbers: Any = defaultdict(float)
     observer = observer_from(numbers)
     layers, window = SkyViewLayers.none(), SkyViewWindow.whole(2, 2)
-    view = cpu_view_uniforms(numbers, Camera(width=1, height=1), None, None, layers, no_night(1))
+    view = cpu_view_uniforms(
+        numbers, Camera(width=1, height=1), None, None, layers, no_night(1), no_shine(tables)
+    )
     weights, rgb = np.zeros((3, LANES), np.float32), np.zeros((1, 3), np.float32)
     none = np.zeros(0)
     pixels = (none, none, FrameTables(1.0, window, observer, view, tables), work, weights, rgb)

@@ -16,6 +16,7 @@ from airlight.render.pixels.pixel import FrameTables, ViewUniforms
 from airlight.render.pixels.polarising_filter import NONE
 from airlight.render.pixels.render_cpu import march_pixels, render_pixels
 from airlight.render.pixels.render_tables import render_tables
+from airlight.render.pixels.ring_shine import no_shine, ring_shine
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
 from airlight.render.pixels.sky_view_window import COARSEST, SkyViewWindow, sky_view_window
 from airlight.render.pixels.view_uniforms import (
@@ -100,7 +101,7 @@ class CpuRenderer:
         self._polarised = self.stokes or uniforms["filter"] != NONE
         self._observer = observer_from(uniforms)
         self.window: SkyViewWindow | None = None
-        if not self.exact and self.air:
+        if not self.exact and self.air and not solution.medium.rings:
             self.window = sky_view_window(camera, self._observer, tables.bottom, tables.top)
         self.filled, self._is_filled = self.window, False
         if self.window is None and self.air and tables.ground.wet:
@@ -118,8 +119,18 @@ class CpuRenderer:
         self._overlay = ground_overlay(*medium.surface.overlay)
         night = self._observer.sun_z < -self._observer.horizon_mu
         self._night = night_tables(solution) if night else no_night(tables.constituents)
+        self._shine = no_shine(self._tables)
+        if solution.medium.rings and self.air:
+            sun = float(self.scene.ground_frame[2] @ self.scene.sun_direction)
+            self._shine = ring_shine(self._tables, sun)
         self._view = cpu_view_uniforms(
-            uniforms, camera, self._ground, self._overlay, SkyViewLayers.none(), self._night
+            uniforms,
+            camera,
+            self._ground,
+            self._overlay,
+            SkyViewLayers.none(),
+            self._night,
+            self._shine,
         )
         self._weights = _lane_weights(solution)
         self._clouds: CloudTables | None = None
@@ -154,7 +165,13 @@ class CpuRenderer:
             progress=progress,
         )
         self._view = cpu_view_uniforms(
-            self._uniforms, self._camera, self._ground, self._overlay, layers, self._night
+            self._uniforms,
+            self._camera,
+            self._ground,
+            self._overlay,
+            layers,
+            self._night,
+            self._shine,
         )
         self._is_filled = True
 

@@ -332,6 +332,7 @@ class GpuSystemRenderer:
                 solution=self._solutions[body.name],
                 altitude=system.place_above(body)[2],
                 axes=level_axes(zenith_above(system, body)),
+                pole=system.axes(body)[2],
             )
             if body.planet is not None
             else body

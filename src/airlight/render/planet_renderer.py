@@ -116,6 +116,7 @@ def atmosphere_layer(
         axes=level_axes(zenith_above(system, body)),
         layer=layers[0],
         clouds=before,
+        pole=system.axes(body)[2],
     )
 
 

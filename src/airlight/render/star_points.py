@@ -84,6 +84,7 @@ def add_catalogue(
         solution=solution,
         altitude=scene.altitude,
         clouds=None if clouds is None else clouds.before_space(solution, scene),
+        pole=scene.ground_frame[2],
     )
     add_shown(rgb, camera, camera.axes, air, solution.lights[0], true, free & near)
     # North and east in the scene's frame, whose x axis is at the sun's azimuth.

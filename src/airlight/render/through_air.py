@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.refraction import apparent_sun_cosine
+from airlight.geometry.vectors import Vec3
 from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.tables.columns import columns
@@ -144,12 +145,15 @@ class AirAround:
         [1]
     clouds : callable, optional
         Transmittance of clouds on lines of sight in the frame of directions. [1]
+    pole : array, shape (3,), optional
+        Direction of the north pole in the frame of directions, of a planet with rings. [1]
     """
 
     solution: MomentsSolution
     altitude: float
     axes: FloatArray = field(default_factory=lambda: np.eye(3))
     clouds: Callable[[FloatArray], FloatArray] | None = None
+    pole: FloatArray | None = None
 
     def raised(self, true: FloatArray) -> FloatArray:
         """See ``SeenThrough``; unchanged from outside the air."""
@@ -187,7 +191,21 @@ class AirAround:
             )
             transmittance[crossing] = np.exp(-(depth @ drawn.extinction))
         transmittance[lines.to_ground] = 0.0
+        if self.pole is not None and solution.medium.rings:
+            transmittance *= self._through_rings(directions)[:, None]
         if self.clouds is not None:
             open_ = np.flatnonzero(transmittance.max(axis=1) > 0.0)
             transmittance[open_] *= self.clouds(rays[open_])
         return transmittance, leaving_direction(directions, solution, self.altitude) @ self.axes
+
+    def _through_rings(self, directions: FloatArray) -> FloatArray:
+        """Transmittance of the rings along directions in the local frame, shape (n,). [1]"""
+        from airlight.render.pixels.ring_light import ring_transmittances
+
+        assert self.pole is not None
+        out = np.empty(len(directions))
+        pole = Vec3(*(self.axes @ self.pole).tolist())
+        r = self.solution.medium.bottom_radius + self.altitude
+        rings = self.solution.tables.rings
+        ring_transmittances(np.ascontiguousarray(directions), r, pole, rings, out)
+        return out

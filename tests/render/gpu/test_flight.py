@@ -106,7 +106,7 @@ def test_the_top_of_the_air_is_crossed_without_a_jump(
 def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
     """Light of the air between an observer and an object, as the shaders march it."""
     read_phase(half_sine, light.phase, work.phase)
-    segment = Segment(r, mu, mu_s, nu, half_sine, length)
+    segment = Segment(r, mu, mu_s, nu, half_sine, length, 0.0, 0.0, 0.0)
     march(segment, 2, MarchTerms(True, False, False), light, work, result)
 
 

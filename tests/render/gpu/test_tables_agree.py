@@ -424,6 +424,12 @@ WHOLE = {
         "star_disc", "seen_disc", "disc_light", "leaving_air", "_point_like", "_step", "darkened",
         "whole_powers",
     ),
+    "test_rings.py::test_rings_and_their_shadow_are_those_of_the_cpu": (
+        "ring_row", "ring_depth", "ring_shade", "ring_shade_on", "ring_place", "ring_directions",
+        "way_to_rings", "ring_radius", "near_rings", "ring_layer", "outside_shadow",
+        "ring_crossing", "sum_rings", "ring_light", "mean_attenuation", "power_law",
+        "single_scattering_layer", "ring_phase",
+    ),
     "test_lights.py::test_several_lights_are_shown_as_by_the_cpu": ("added_texel",),
     "test_system_renderer.py::test_planets_before_each_other_are_drawn_as_by_the_cpu": (
         "layered_texel", "light_of_centre", "pixel_transmittance",

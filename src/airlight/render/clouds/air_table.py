@@ -170,7 +170,7 @@ def _fill(lines, length, observer, tables, work, out):
             if length[k, node] <= _NOTHING:
                 out[k, node, THROUGH] = 1.0
                 continue
-            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node])
+            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node], 0.0, 0.0, 0.0)
             if observer.orders != 0:
                 terms = MarchTerms(True, True, polarised)
                 march(segment, 1, terms, tables, work, work.radiance)
@@ -199,7 +199,7 @@ def _fill_higher(lines, length, tables, work, out):
         for node in range(length.shape[1]):
             if length[k, node] <= _NOTHING:
                 continue
-            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node])
+            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node], 0.0, 0.0, 0.0)
             terms = MarchTerms(True, False, polarised)
             march(segment, 0, terms, tables, work, work.radiance)
             for at in range(0, tables.lanes, LANES):

@@ -6,10 +6,10 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from airlight.geometry.vectors import Vec3, plus, scaled
+from airlight.geometry.vectors import Vec3, dot, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
-from airlight.kernel.shader_fields import CHOICE, InTexture, scalars
+from airlight.kernel.shader_fields import CHOICE, SPECTRA, Always, InTexture, scalars
 from airlight.physics.optics.clouds import GroundFactors
 from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_night, night_light
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
@@ -17,6 +17,13 @@ from airlight.render.pixels.ground import ground_factor, ground_reflectances, la
 from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.polarising_filter import filter_shares
+from airlight.render.pixels.ring_light import near_rings, sum_rings
+from airlight.render.pixels.ring_shine import (
+    look_by_shine,
+    shine_between,
+    shine_place,
+    vertical_seen,
+)
 from airlight.render.pixels.sky_lookup import classify_ray, sky_lookup
 from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
 from airlight.render.pixels.sky_view_window import SkyViewWindow
@@ -86,6 +93,7 @@ class ViewUniforms(NamedTuple):
     lamp: LampColor
     airglow: float
     skyglow: float
+    shines: Annotated[int, Always(0)]
     filter: Annotated[int, CHOICE]
     filter_axis: Vec3
     texels: Annotated[np.ndarray, InTexture("ground", packed=True)]
@@ -100,6 +108,8 @@ class ViewUniforms(NamedTuple):
     airglow_layers: Annotated[np.ndarray, scalars(2)]
     airglow_extinction: Annotated[np.ndarray, scalars(2)]
     skyglow_layers: Annotated[np.ndarray, scalars(2)]
+    shine: Annotated[np.ndarray, SPECTRA]
+    shine_directions: Annotated[np.ndarray, scalars(2)]
 
 
 class FrameTables(NamedTuple):
@@ -317,6 +327,61 @@ def disc_light(powers, place, whole, tables, columns, at):
 
 
 @inlined
+def add_ring_shine(ray, found, seen, frame, work, color, result):
+    """Add the light of air and ground that the rings illuminate.
+
+    Parameters
+    ----------
+    ray, found, seen, frame, work, result :
+        Arguments of ``ring_light``.
+    color : array
+        Argument of ``pixel_light``.
+    """
+    observer, tables, view = frame.observer, frame.tables, frame.camera
+    up = vertical_seen(ray, found, observer, tables)
+    place = shine_place(up, observer, view.shine_directions)
+    if dot(place.light, place.light) > 0.0:
+        look_by_shine(ray, found, place.light, observer, tables, work)
+        for at in range(0, tables.lanes, LANES):
+            radiance = lane_view(work.radiance, at)
+            total = radiance[0]
+            if seen.to_ground:
+                factor = ground_factor(color, view, seen.factors, tables, work, at)
+                total = total + radiance[1] * factor
+            total = total * shine_between(lane_view(view.shine, at), place)
+            store(result, at, load(result, at) + total * np.float32(seen.whole))
+
+
+@inlined
+def ring_light(px, py, ray, found, seen, frame, work, result):
+    """Add the light of the rings, behind the filter, to that of air and ground.
+
+    Parameters
+    ----------
+    px, py, ray, frame, work, result :
+        Arguments of ``pixel_light``.
+    found, seen : ClassifiedRay, SeenLine
+        Class of the line, and what is seen along it.
+
+    Returns
+    -------
+    float
+        Weight of the star's disc, ``seen.whole`` times the transmittance of the rings. [1]
+    """
+    tables, left = frame.tables, 1.0
+    if near_rings(ray, frame):
+        if not found.through_air:
+            for c in range(tables.constituents):
+                work.columns_total[c] = 0.0
+        left, before = sum_rings(px, py, found.to_ground, frame, work)
+        light = seen.whole if frame.camera.draws_air and frame.observer.orders != 0 else 0.0
+        for at in range(0, tables.lanes, LANES):
+            rings = lane_view(work.radiance, at)[2] * np.float32(light)
+            store(result, at, load(result, at) * np.float32(before) + rings)
+    return seen.whole * left
+
+
+@inlined
 def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
     """Spectral radiance of a pixel, per irradiance of the star. [sr⁻¹]
 
@@ -344,9 +409,14 @@ def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
         radiance = lane_view(work.radiance, at)
         total = line_radiance(radiance[0], seen, color, frame, work, at)
         store(result, at, filtered(total, seen, view, work, at))
+    whole = seen.whole
+    if view.shines > 0 and seen.through_air:
+        add_ring_shine(ray, found, seen, frame, work, color, result)
+    if tables.rings.ringed:
+        whole = ring_light(px, py, ray, found, seen, frame, work, result)
     if view.draws_disc and not seen.to_ground:
         powers, place = seen_disc(px, py, ray, frame, work.columns_total)
         if powers.p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
-                disc = disc_light(powers, place, seen.whole, tables, work.columns_total, at)
+                disc = disc_light(powers, place, whole, tables, work.columns_total, at)
                 store(result, at, load(result, at) + disc)

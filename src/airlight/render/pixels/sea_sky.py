@@ -146,7 +146,7 @@ def sea_sky_texel(number, shown, window, air, peaks, observer, tables, work):
         half_sine = sqrt(min(0.5 * (1.0 - nu) + blur, 1.0))
         read_phase(half_sine, tables.phase, work.phase)
         length = distance_to_top(tables.bottom, mu, tables.top)
-        segment = Segment(tables.bottom, mu, mu_s, nu, half_sine, length)
+        segment = Segment(tables.bottom, mu, mu_s, nu, half_sine, length, 0.0, 0.0, 0.0)
         march(segment, 2, MarchTerms(air, peaks, False), tables, work, work.radiance)
     for at in range(0, tables.lanes, LANES):
         found = lane_view(work.radiance, at)

@@ -184,6 +184,22 @@ def classify_ray(ray, observer, tables):
 
 
 @inlined
+def ring_directions(ray, sine, observer):
+    """``ring_side`` and ``ring_sun`` of a ``SightLine``. [1]
+
+    Parameters
+    ----------
+    ray, sine, observer :
+        Direction in the observer's frame, sine of its zenith angle, and observer. [1]
+    """
+    pole = observer.ring_pole
+    side = pole.x
+    if sine > 0.0:
+        side = (ray.x * pole.x + ray.y * pole.y) / sine
+    return side, observer.sun_x * pole.x + observer.sun_z * pole.z
+
+
+@inlined
 def sky_view_place(ray, found, window):
     """``TexelPlace`` of a line of sight in a window of the sky-view LUT; ``found`` is its class."""
     last = window.first_column + window.column_count - 1
@@ -220,7 +236,10 @@ def sky_lookup(ray, found, exact, frame, work):
     wet = found.to_ground and tables.ground.wet
     if exact:
         cos_azimuth = ray.x / found.sine if found.sine > 0.0 else 1.0
-        line = SightLine(ray.z, found.sine, cos_azimuth, half_sine, found.to_ground)
+        side, sun = 0.0, 0.0
+        if tables.rings.ringed:
+            side, sun = ring_directions(ray, found.sine, observer)
+        line = SightLine(ray.z, found.sine, cos_azimuth, half_sine, found.to_ground, side, sun)
         refraction = look(line, True, False, view.filter > 0, observer, tables, work)
         for at in range(0, tables.lanes, LANES):
             radiance = lane_view(work.radiance, at)

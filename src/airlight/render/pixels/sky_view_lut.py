@@ -9,6 +9,8 @@ from __future__ import annotations
 from math import cos, pi, sqrt
 from typing import Final, NamedTuple
 
+import numpy as np
+
 from airlight.geometry.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_intersection
@@ -23,7 +25,7 @@ from airlight.render.pixels.sea_sky import (
     sea_sky_texel,
 )
 from airlight.solver.moments.irradiance import ground_light
-from airlight.solver.moments.march import march
+from airlight.solver.moments.march import march, ring_shade_on
 from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchTerms, Segment
 from airlight.solver.moments.source import read_phase
 
@@ -53,6 +55,8 @@ class Observer(NamedTuple):
         Components towards the apparent star. [1]
     orders : int
         1: single scattering; 0: multiple scattering; 2: both.
+    ring_pole : Vec3
+        Direction of the north pole, normal to the rings. [1]
     """
 
     r: float
@@ -65,6 +69,7 @@ class Observer(NamedTuple):
     seen_x: float
     seen_z: float
     orders: int
+    ring_pole: Vec3
 
 
 class SightLine(NamedTuple):
@@ -78,6 +83,9 @@ class SightLine(NamedTuple):
         sin(θ/2) of the angle to the apparent star. [1]
     to_ground : bool
         Whether it ends on the ground.
+    ring_side, ring_sun : float
+        Cosines of the angles of the line's horizontal direction and of the star with the north
+        pole; 0 without shadow of rings. [1]
     """
 
     mu: float
@@ -85,6 +93,8 @@ class SightLine(NamedTuple):
     cos_azimuth: float
     half_sine: float
     to_ground: bool
+    ring_side: float
+    ring_sun: float
 
 
 @kernel
@@ -117,7 +127,7 @@ def line_of_sight(line, observer, tables):
         Radius at its start [m], view-zenith and star-zenith cosines there [1], cosine between line
         and star [1], and length [m].
     """
-    mu, sine, cos_azimuth, _, to_ground = line
+    mu, sine, cos_azimuth, to_ground = line.mu, line.sine, line.cos_azimuth, line.to_ground
     nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
     r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
     if observer.outside:
@@ -130,6 +140,29 @@ def line_of_sight(line, observer, tables):
     if to_ground:
         length = distance_to_bottom(r, start_mu, tables.bottom)
     return r, start_mu, start_mu_s, nu, length
+
+
+@inlined
+def ring_place(line, observer, tables):
+    """Distance of a line's start inside the shell from the plane of the rings, and its slope.
+
+    Parameters
+    ----------
+    line, observer, tables :
+        Arguments of ``look``.
+
+    Returns
+    -------
+    height, slope : float
+        Distance to the north [m], and its change along the line [1].
+    """
+    pole = observer.ring_pole
+    height = observer.r * pole.z
+    if observer.outside:
+        impact = min(observer.r * line.sine, tables.top)
+        across, up = first_intersection(impact, line.sine, tables.top)
+        height = across * line.ring_side + up * pole.z
+    return height, line.sine * line.ring_side + line.mu * pole.z
 
 
 @inlined
@@ -186,22 +219,26 @@ def look(line, air, peaks, polarised, observer, tables, work):
     float
         Angle of refraction of a line that ends on the ground. [rad]
     """
-    _, _, _, half_sine, to_ground = line
+    half_sine, to_ground = line.half_sine, line.to_ground
     r, start_mu, start_mu_s, nu, length = line_of_sight(line, observer, tables)
     angle = 0.0
     unseparated_phases(half_sine, tables.phase, tables, work.phase)
     if polarised:
         unseparated_phases(half_sine, tables.phase_f12, tables, work.phase_f12)
-    segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length)
+    height, slope = 0.0, 0.0
+    if tables.rings.ringed:
+        height, slope = ring_place(line, observer, tables)
+    segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length, height, slope, line.ring_sun)
     terms = MarchTerms(air, peaks, polarised)
     march(segment, observer.orders, terms, tables, work, work.radiance)
     if air and to_ground:
         column = work.columns_total[tables.constituents - 1]
         mu_s, angle = star_on_ground(line, r, start_mu, nu, length, column, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
+        left = ring_shade_on(length, tables.bottom, mu_s, segment, tables)
         for at in range(0, tables.lanes, LANES):
             received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)
-            found[1] = (received[0] + received[1]) * INVERSE_PI * found[1]
+            found[1] = (received[0] + received[1]) * np.float32(left) * INVERSE_PI * found[1]
     else:
         for at in range(0, tables.lanes, LANES):
             found = lane_view(work.radiance, at)
@@ -247,7 +284,7 @@ def line_of_texel(column, row, window, observer, tables):
     side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
     ray = Vec3(sine * cos_azimuth, sine * side, mu)
     half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
-    return SightLine(mu, sine, cos_azimuth, half_sine, not sky)
+    return SightLine(mu, sine, cos_azimuth, half_sine, not sky, 0.0, 0.0)
 
 
 @inlined
@@ -256,7 +293,7 @@ def upright(line):
     mu, sine = line.mu, line.sine
     if sine < UPRIGHT:
         mu, sine = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if mu > 0.0 else -1.0), UPRIGHT
-    return SightLine(mu, sine, line.cos_azimuth, line.half_sine, line.to_ground)
+    return SightLine(mu, sine, line.cos_azimuth, line.half_sine, line.to_ground, 0.0, 0.0)
 
 
 @kernel

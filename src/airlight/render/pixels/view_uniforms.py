@@ -27,6 +27,7 @@ from airlight.render.pixels.night_tables import NightTables
 from airlight.render.pixels.occulted_light import disc_factor
 from airlight.render.pixels.pixel import ViewUniforms
 from airlight.render.pixels.polarising_filter import CAMERA, NONE
+from airlight.render.pixels.ring_shine import RingShine
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.scene import Camera, Scene
@@ -100,6 +101,7 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         uniforms["disc"] *= disc_factor(source.occulter.left)
     uniforms |= shading_uniforms(source.phase, source.limb, sun_level, float(sun[2]))
     uniforms["faced"] = float(source.face is not None)
+    uniforms |= _vector("ring_pole", scene.ground_frame[2])
     for name, axis in zip(("right", "up", "forward"), camera.axes, strict=True):
         uniforms |= _vector(name, axis)
     ground = solution.medium.surface.map
@@ -176,6 +178,7 @@ def cpu_view_uniforms(
     overlay: SurfaceMap | None,
     layers: SkyViewLayers,
     night: NightTables,
+    shine: RingShine,
 ) -> ViewUniforms:
     """``ViewUniforms`` of the CPU: camera, ground maps and sky-view LUT.
 
@@ -193,10 +196,13 @@ def cpu_view_uniforms(
         Layers of a window of the sky-view LUT.
     night : NightTables
         Light of the night.
+    shine : RingShine
+        Light of the rings on the planet.
     """
     uniforms = uniforms | size_uniforms(ground, overlay)
     uniforms |= {"width": camera.width, "height": camera.height, "sky_columns": 0, "sky_rows": 0}
     uniforms["separated_phases"] = len(layers.first) > 1
+    uniforms["shines"] = int(len(shine.irradiance) > 1)
     return ViewUniforms(
         **scalars_of(ViewUniforms, uniforms),
         texels=np.zeros(CHANNELS, np.uint8) if ground is None else ground.flat,
@@ -209,6 +215,8 @@ def cpu_view_uniforms(
         sky_u=layers.stokes_u,
         sky_mirrored=layers.mirrored,
         **night._asdict(),
+        shine=shine.irradiance,
+        shine_directions=shine.directions,
     )
 
 

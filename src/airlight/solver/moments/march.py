@@ -46,6 +46,7 @@ from airlight.solver.moments.source import (
     transmittance_columns,
 )
 from airlight.solver.stokes_frame import VERTICAL, star_plane
+from airlight.solver.tables.ring_shadow import ring_shade
 
 
 class StarPlane(NamedTuple):
@@ -144,6 +145,7 @@ def add_point(point, segment, orders, terms, faint, plane, tables, work, result)
         Plane of line and star.
     """
     mu_sq, nu_q = star_place(point, segment.r, segment.mu_s, segment.nu, tables)
+    weight = point.weight * ring_shade_on(point.t, point.q, mu_sq, segment, tables)
     seen, spread = 0.0, False
     if orders != 0:
         seen, spread = star_columns(point.q, mu_sq, tables, work)
@@ -155,7 +157,7 @@ def add_point(point, segment, orders, terms, faint, plane, tables, work, result)
         found, extinction = lane_view(result, at), lane_view(tables.scaled_extinction, at)
         transmittance = transmittance_columns(
             work.depths, extinction, tables.constituents
-        ) * np.float32(point.weight)
+        ) * np.float32(weight)
         polarised_ratio = splat(1.0)
         if terms.polarised and orders != 1:
             polarised_ratio = polarised_ratio_columns(
@@ -184,6 +186,26 @@ def add_point(point, segment, orders, terms, faint, plane, tables, work, result)
                 add_polarised_light(
                     polarised_ratio * transmittance, point.mu, node, tables, work, at, found
                 )
+
+
+@inlined
+def ring_shade_on(t, q, mu_s, segment, tables):
+    """Transmittance of the rings between a point of a segment and the star. [1]
+
+    Parameters
+    ----------
+    t, q : float
+        Distance of the point from the start, and its radius. [m]
+    mu_s : float
+        Cosine of the star's zenith angle there. [1]
+    segment, tables :
+        Arguments of ``march``.
+    """
+    left = 1.0
+    if tables.rings.ringed:
+        height = segment.ring_height + t * segment.ring_slope
+        left = ring_shade(q, mu_s, height, segment.ring_sun, tables.star_radius, tables.rings)
+    return left
 
 
 @inlined

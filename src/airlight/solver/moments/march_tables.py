@@ -24,6 +24,7 @@ from airlight.kernel.shader_fields import (
     spectra,
 )
 from airlight.physics.optics.reflection import Reflection
+from airlight.solver.tables.ring_shadow import Rings
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -48,6 +49,11 @@ class Segment(NamedTuple):
         sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
     length : float
         Length, to the ground or to the top. [m]
+    ring_height, ring_slope : float
+        Distance of the start from the plane of the rings, to the north [m], and its change along
+        the line [1].
+    ring_sun : float
+        Cosine of the angle between the star and the north pole; 0 without shadow of rings. [1]
     """
 
     r: float
@@ -56,6 +62,9 @@ class Segment(NamedTuple):
     nu: float
     half_sine: float
     length: float
+    ring_height: float
+    ring_slope: float
+    ring_sun: float
 
 
 class MarchTerms(NamedTuple):
@@ -151,6 +160,8 @@ class MarchTables(NamedTuple):
         is the ground.
     ground : Reflection
         Reflectance of the ground.
+    rings : Rings
+        Rings of the planet.
     """
 
     bottom: float
@@ -197,6 +208,7 @@ class MarchTables(NamedTuple):
     field: Annotated[Float32Array, FIELDS]
     sky: Annotated[Float32Array, FIELDS]
     ground: Reflection
+    rings: Rings
 
 
 class MarchWorkspace(NamedTuple):

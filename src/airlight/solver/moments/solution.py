@@ -47,6 +47,7 @@ from airlight.solver.report import Report
 from airlight.solver.solution import Solution
 from airlight.solver.tables.column_ratios import column_rows, rational_mean_density
 from airlight.solver.tables.columns import ColumnTable, density_table
+from airlight.solver.tables.ring_shadow import Rings, ring_tables
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -204,6 +205,7 @@ class MomentsSolution(Solution):
             field=field,
             sky=sky,
             ground=air.ground,
+            rings=_rings(medium),
         )
 
     def _phase_f12(self, medium: Medium) -> FloatArray:
@@ -402,7 +404,7 @@ def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work
     bottom, ground = tables.bottom, np.empty(tables.lanes, np.float32)
     terms = MarchTerms(True, False, stokes)
     for k in range(r.size):
-        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k])
+        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], 0.0, 0.0, 0.0)
         work.phase[:] = phase[k]
         work.phase_f12[:] = phase_f12[k]
         march(segment, orders, terms, tables, work, work.radiance)
@@ -427,3 +429,9 @@ def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work
                 found = lane_view(work.radiance, at)
                 found[0] += found[1] * load(ground, at)
         out[k] = work.radiance[: out.shape[1]]
+
+
+def _rings(medium: Medium) -> Rings:
+    """Rings of a planet, their albedos in lanes."""
+    rings = ring_tables(medium.rings, medium.wavelengths)
+    return rings._replace(ring_albedo=pack(rings.ring_albedo))

@@ -1,7 +1,7 @@
-"""Monte Carlo radiance in the shadow of a moon: reference for ``solver.eclipsed``.
+"""Monte Carlo radiance in the shadow of a moon or of rings: reference for pictures of these.
 
-Direct irradiance at each event is multiplied by the visible fraction of the star there. Lines of
-sight have positions in space, not only angles.
+Direct irradiance at each event is multiplied by what the moon and the rings leave of the star
+there. Lines of sight have positions in space, not only angles.
 """
 
 from __future__ import annotations
@@ -13,10 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.geometry.shell import distance_to_top
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import vectorized
 from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solver.montecarlo.estimate import Estimate, Query, start_frame
 from airlight.solver.montecarlo.solution import MonteCarloSolution
+from airlight.solver.tables.ring_shadow import RingShadow
 
 FloatArray = NDArray[np.float64]
 
@@ -26,6 +28,8 @@ def eclipsed_estimate(
     star: OccultedStar,
     points: ArrayLike,
     directions: ArrayLike | None = None,
+    *,
+    rings: RingShadow | None = None,
 ) -> Estimate:
     """Radiance, or diffuse horizontal irradiance, per irradiance of the unocculted star.
 
@@ -34,11 +38,14 @@ def eclipsed_estimate(
     solution : MonteCarloSolution
         Planet lit by the star.
     star : OccultedStar
-        Star and moon, in a frame around the planet's centre.
+        Star and moon, in a frame around the planet's centre; only its direction counts without
+        lanes.
     points : array, shape (n, 3)
         Observers in that frame, inside the shell. [m]
     directions : array, shape (n, 3), optional
         Unit vectors; default: irradiances. [1]
+    rings : RingShadow, optional
+        Rings, in that frame.
 
     Returns
     -------
@@ -58,7 +65,12 @@ def eclipsed_estimate(
     )
     medium, geometry = solution.medium, solution.geometry
     scale = medium.bottom_radius / geometry.medium.bottom_radius
-    frames = [star.moved(start_frame(up[k], along[k], towards), scale) for k in range(len(at))]
+    axes = [start_frame(up[k], along[k], towards) for k in range(len(at))]
+    moons = [star.moved(one, scale) for one in axes] if star.lanes > 0 else None
+    shadows = None
+    if rings is not None:
+        pole = np.array(rings.pole)
+        shadows = [rings._replace(pole=Vec3(*(one @ pole).tolist())) for one in axes]
     if hemisphere:
         r = geometry.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, mu, geometry.medium.top_radius)
@@ -70,5 +82,5 @@ def eclipsed_estimate(
         )
         lengths = np.maximum(lines.length, np.where(lines.to_ground, 1e-3, 0.0))
         starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
-    query = Query(starts, lengths, hemisphere, None, None, frames)
+    query = Query(starts, lengths, hemisphere, None, None, moons, shadows)
     return solution.answer(query, started)

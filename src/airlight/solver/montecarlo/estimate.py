@@ -26,6 +26,7 @@ from airlight.solver.montecarlo.rays import new_trace
 from airlight.solver.montecarlo.settings import MonteCarloSettings
 from airlight.solver.montecarlo.streams import stream
 from airlight.solver.montecarlo.sun_biased_sampling import new_sampling_density
+from airlight.solver.tables.ring_shadow import RingShadow
 
 FloatArray = NDArray[np.float64]
 
@@ -91,6 +92,8 @@ class Query:
     occulted : sequence of OccultedStar, optional
         Moon in front of the star for each start, in its own frame (``events.start_vectors``), with
         all wavelengths.
+    rings : sequence of RingShadow, optional
+        Rings in front of the star for each start, in its own frame.
     clouds : CloudyStarts, optional
         Clouds, and the frame and area of each start.
     """
@@ -101,6 +104,7 @@ class Query:
     known: FloatArray | None
     order: int | None
     occulted: Sequence[OccultedStar] | None = None
+    rings: Sequence[RingShadow] | None = None
     clouds: CloudyStarts | None = None
 
 
@@ -242,10 +246,11 @@ def _run_block(
     occulted = OccultedStar.whole()
     if query.occulted is not None:
         occulted = query.occulted[line].lane(at)
+    rings = None if query.rings is None else query.rings[line]
     start = HistoryStart(
         r, mu, mu_s, nu, int(query.hemisphere), first_order, sun_sampling_fraction, area
     )
-    trace_paths(BLOCK, start, air, clouds, occulted, state, paths, workspace, out)
+    trace_paths(BLOCK, start, air, clouds, occulted, rings, state, paths, workspace, out)
 
 
 def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatArray, FloatArray]:

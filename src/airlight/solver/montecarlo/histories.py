@@ -13,7 +13,7 @@ infinite series of orders.
 Polarised histories carry the product of phase matrices over phase functions (see ``stokes``);
 events and directions are sampled as for scalar transfer.
 
-A moon in front of the star dims each contribution by the fraction that it hides from the event.
+A moon or rings in front of the star dim each contribution by what they hide from the event.
 
 Clouds (``CloudCells``) end rays as the ground does: a collision with their particles is drawn
 first, independently of the air's (of two exponential processes the nearer event is the first of
@@ -31,7 +31,7 @@ from math import exp, expm1, pi, sin, sqrt
 
 from airlight.geometry.occulted_star import star_visible_fraction
 from airlight.geometry.shell import meets_ground
-from airlight.geometry.vectors import Vec3
+from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import compiled_loop, inlined
 from airlight.physics.optics.reflection import (
     cos_reflected,
@@ -74,6 +74,7 @@ from airlight.solver.montecarlo.stokes import (
 )
 from airlight.solver.montecarlo.streams import uniform
 from airlight.solver.montecarlo.sun_biased_sampling import sun_sampling_integral
+from airlight.solver.tables.ring_shadow import ring_shade
 
 
 @compiled_loop
@@ -105,7 +106,7 @@ def _add_history(contribution, polarised, reached, sums):
 
 
 @compiled_loop
-def trace_paths(count, start, air, clouds, occulted, state, paths, workspace, sums):
+def trace_paths(count, start, air, clouds, occulted, rings, state, paths, workspace, sums):
     """Trace histories; add their contributions by order, and the squares, to the sums.
 
     Parameters
@@ -116,6 +117,8 @@ def trace_paths(count, start, air, clouds, occulted, state, paths, workspace, su
         Clouds, in the frame of ``start_vectors``; their phase functions are the last of ``air``.
     occulted : OccultedStar
         Moon in front of the star, in the frame of ``start_vectors``; without lanes for none.
+    rings : RingShadow or None
+        Rings in front of the star, in that frame.
     state : array, shape (1,)
         State of the stream of random numbers.
     paths : tuple
@@ -268,6 +271,10 @@ def trace_paths(count, start, air, clouds, occulted, state, paths, workspace, su
                     first, second, third = importance[0, 0], importance[1, 0], importance[2, 0]
                 if occulted.lanes > 0:
                     angular_pdf *= star_visible_fraction(x, y, z, occulted)
+                if rings is not None:
+                    height = dot(Vec3(x, y, z), rings.pole)
+                    sun_height = dot(Vec3(a, b, c), rings.pole)
+                    angular_pdf *= ring_shade(r, sun_mu, height, sun_height, 0.0, rings.rings)
                 if angular_pdf > 0.0:
                     light = _transmittance_to_star(r, sun_mu, air, star_path)
                     if clouds is not None and light > 0.0:

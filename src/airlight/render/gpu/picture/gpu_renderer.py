@@ -154,7 +154,7 @@ class GpuRenderer:
         scene : Scene
             Observer, lights and camera; frames of several lights are added on the CPU.
         exact : bool
-            Whether every pixel is marched; otherwise the sky-view LUT is interpolated.
+            Whether every pixel is marched, as with rings; otherwise the sky-view LUT is read.
         orders : str
             ``all``, ``single`` or ``multiple``.
         disc : bool
@@ -176,6 +176,7 @@ class GpuRenderer:
         if width > (limit := self.device.device.limits["max-texture-dimension-2d"]):
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
         solution = self._require_solution()
+        exact = exact or bool(solution.medium.rings)
         lights = scenes_by_light(scene, solution)
         rendered = width * height * checked_samples(samples) ** 2 * len(lights)
         rgb = zeros((height, width, 3), np.float32)
@@ -334,6 +335,7 @@ class GpuRenderer:
         window : (int, int, int, int), optional
             First column and row, and size of the target in the frame; by default all. [pixel]
         """
+        exact = exact or bool(self._require_solution().medium.rings)
         by_light = [self.uniforms(one, size, exact, orders, disc) for one in lights]
         target = size
         if window is not None:
@@ -425,12 +427,10 @@ class GpuRenderer:
             "separated_phases": peaks,
             "draws_air": float(light.air),
         }
-        if orders != "all":
-            uniforms |= {"airglow": 0.0, "skyglow": 0.0}
+        uniforms |= {} if orders == "all" else {"airglow": 0.0, "skyglow": 0.0}
         if exact and self.device.software:  # limited to 65 535 loop iterations per pixel
             uniforms["edges"] = 0.0
-        if exact:
-            uniforms |= {"separated_1": -1.0, "separated_2": -1.0}
+        uniforms |= {"separated_1": -1.0, "separated_2": -1.0} if exact else {}
         weights = np.zeros((WAVELENGTHS, 3))
         weights[: solution.wavelengths.size] = solution.lights[0].colors(self._given)
         for channel, column in zip(("red", "green", "blue"), weights.T, strict=True):

@@ -68,6 +68,7 @@ class SolutionTables:
             tables = render_tables(solution)
         check_capacity(count, tables.constituents)
         values = tables._asdict() | tables.ground._asdict() | tables.ground.layer._asdict()
+        values |= tables.rings._asdict()
         values |= night_tables(solution, weights)._asdict()
         layout = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
         textures, places = FRAME.laid_out(

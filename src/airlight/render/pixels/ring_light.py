@@ -1,0 +1,246 @@
+"""Rings in a pixel: their light, what they let through, and the planet's shadow on them.
+
+Sunlight is scattered once (``ring_layer``). Of the planet's shadow its ground is the edge: light
+that its air refracts, scatters or lets through behind it is left out, as is the planet's own light
+on the rings. Lines of sight are straight.
+"""
+
+from __future__ import annotations
+
+from math import exp, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from airlight.geometry.sun_disc import visible_fraction
+from airlight.geometry.vectors import Vec3, dot
+from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel.lanes import LANES, lane_view, splat
+from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
+from airlight.render.pixels.star_disc import camera_direction
+from airlight.solver.moments.source import transmittance_columns
+from airlight.solver.tables.ring_shadow import ring_depth, ring_row
+
+#: Samples per side of a pixel.
+SAMPLES: Final = 3
+
+
+class RingCrossing(NamedTuple):
+    """Crossing of a line of sight with the rings.
+
+    Attributes
+    ----------
+    row : int
+        Row of the tables of ``Rings``; -1 for none.
+    fraction : float
+        Fraction of the step to the next row. [1]
+    before_air : bool
+        Whether the line meets the rings before the air.
+    transmittance : float
+        Transmittance of the rings along the line. [1]
+    light : float
+        Radiance over irradiance and single-scattering albedo. [sr⁻¹]
+    """
+
+    row: int
+    fraction: float
+    before_air: bool
+    transmittance: float
+    light: float
+
+
+@inlined
+def ring_crossing(ray, sine, to_ground, observer, tables):
+    """``RingCrossing`` of a line of sight, which is straight.
+
+    Parameters
+    ----------
+    ray, sine : Vec3, float
+        Direction in the observer's frame, and sine of its zenith angle. [1]
+    to_ground : bool
+        Whether it ends on the ground.
+    observer, tables : Observer, MarchTables
+        Observer, and tables of the solution.
+    """
+    rings, pole = tables.rings, observer.ring_pole
+    row, fraction, before = -1, 0.0, False
+    transmittance, light = 1.0, 0.0
+    way = way_to_rings(ray, observer.r, pole)
+    if way > 0.0:
+        before = observer.outside
+        before = before and (way < -observer.r * ray.z or observer.r * sine > tables.top)
+        if before or not to_ground:
+            row, fraction = ring_row(
+                ring_radius(ray, observer.r, way),
+                rings.ring_inner,
+                rings.ring_outer,
+                rings.ring_rows,
+                rings.ring_layers.shape[0],
+            )
+    if row >= 0:
+        slope = dot(ray, pole)
+        depth = ring_layer(row, fraction, 0, rings)
+        transmittance = exp(-depth / max(abs(slope), 1e-6))
+        sun = Vec3(observer.sun_x, 0.0, observer.sun_z)
+        light = single_scattering_layer(depth, -slope, dot(sun, pole))
+        light *= ring_phase(
+            dot(ray, sun),
+            ring_layer(row, fraction, 1, rings),
+            ring_layer(row, fraction, 2, rings),
+            ring_layer(row, fraction, 3, rings),
+            ring_layer(row, fraction, 4, rings),
+        )
+        point = Vec3(way * ray.x, way * ray.y, observer.r + way * ray.z)
+        light *= outside_shadow(point, sun, tables)
+    return RingCrossing(row, fraction, before, transmittance, light)
+
+
+@kernel
+def way_to_rings(ray, r, pole):
+    """Distance to the plane of the rings along a line of sight; -1 if it does not meet it. [m]
+
+    Parameters
+    ----------
+    ray, r : Vec3, float
+        Direction in the observer's frame [1], and distance of the observer from the centre [m].
+    pole : Vec3
+        Normal of the plane. [1]
+
+    Examples
+    --------
+    >>> way_to_rings(Vec3(0.0, -0.6, -0.8), 5.0, Vec3(0.0, 0.0, 1.0))
+    6.25
+    """
+    height, slope = r * pole.z, dot(ray, pole)
+    way = -1.0
+    if height * slope < 0.0:
+        way = -height / slope
+    return way
+
+
+@kernel
+def ring_radius(ray, r, way):
+    """Distance from the centre of the planet of a point on a line of sight. [m]
+
+    Parameters
+    ----------
+    ray, r :
+        Arguments of ``way_to_rings``.
+    way : float
+        Distance of the point. [m]
+    """
+    x, y, z = way * ray.x, way * ray.y, r + way * ray.z
+    return sqrt(x * x + y * y + z * z)
+
+
+@compiled_loop
+def ring_transmittances(rays, r, pole, rings, out):
+    """Transmittance of the rings along lines of sight.
+
+    Parameters
+    ----------
+    rays : array, shape (n, 3)
+        Directions in the observer's frame. [1]
+    r, pole : float, Vec3
+        Arguments of ``way_to_rings``.
+    rings : Rings
+        Rings.
+    out : array, shape (n,)
+        Receives the transmittance. [1]
+    """
+    for k in range(rays.shape[0]):
+        ray = Vec3(rays[k, 0], rays[k, 1], rays[k, 2])
+        way = way_to_rings(ray, r, pole)
+        out[k] = 1.0
+        if way > 0.0:
+            steep = max(abs(dot(ray, pole)), 1e-6)
+            out[k] = exp(-ring_depth(ring_radius(ray, r, way), rings) / steep)
+
+
+@inlined
+def near_rings(ray, frame):
+    """Whether a line of sight, or another in the same pixel, meets the rings.
+
+    Parameters
+    ----------
+    ray, frame : Vec3, FrameTables
+        Direction in the observer's frame, and what the pixels read. [1]
+    """
+    observer, rings = frame.observer, frame.tables.rings
+    way, met = way_to_rings(ray, observer.r, observer.ring_pole), False
+    if way > 0.0:
+        radius = ring_radius(ray, observer.r, way)
+        wide = frame.camera.pixel_angle * way / max(abs(dot(ray, observer.ring_pole)), 1e-3)
+        met = radius > rings.ring_inner - wide and radius < rings.ring_outer + wide
+    return met
+
+
+@inlined
+def ring_layer(row, fraction, column, rings):
+    """Value of a column of ``ring_layers`` at a place of ``ring_row``."""
+    low = rings.ring_layers[row, column]
+    return low + (rings.ring_layers[row + 1, column] - low) * fraction
+
+
+@inlined
+def outside_shadow(point, sun, tables):
+    """Visible fraction of the star at a point of the rings, behind the edge of the ground. [1]
+
+    Parameters
+    ----------
+    point, sun : Vec3
+        Point from the centre of the planet [m], and direction of the star [1].
+    tables : MarchTables
+        Tables of the solution.
+    """
+    along, seen = dot(point, sun), 1.0
+    if along < 0.0:
+        across = sqrt(max(dot(point, point) - along * along, 0.0))
+        seen = visible_fraction((tables.bottom - across) / along, tables.star_radius)
+    return seen
+
+
+@inlined
+def sum_rings(px, py, to_ground, frame, work):
+    """Light of the rings in a pixel, into ``work.radiance[2]``, a mean over samples. [sr⁻¹]
+
+    Air and ground have one sample there, as rings have the finer details.
+
+    Parameters
+    ----------
+    px, py, frame :
+        Arguments of ``pixel_light``.
+    to_ground : bool
+        Whether the line ends on the ground.
+    work : MarchWorkspace
+        Workspace, with the columns of the air along the line. [m]
+
+    Returns
+    -------
+    whole, before : float
+        Transmittance of the rings, and of those before the air. [1]
+    """
+    observer, view, tables = frame.observer, frame.camera, frame.tables
+    whole, before, share = 0.0, 0.0, 1.0 / (SAMPLES * SAMPLES)
+    for at in range(0, tables.lanes, LANES):
+        lane_view(work.radiance, at)[2] = splat(0.0)
+    for sample in range(SAMPLES * SAMPLES):
+        x = px + (sample % SAMPLES + 0.5) / SAMPLES - 0.5
+        y = py + (sample // SAMPLES + 0.5) / SAMPLES - 0.5
+        ray = camera_direction(x, y, view)
+        sine = sqrt(ray.x * ray.x + ray.y * ray.y)
+        crossing = ring_crossing(ray, sine, to_ground, observer, tables)
+        whole += share * crossing.transmittance
+        before += share * (crossing.transmittance if crossing.before_air else 1.0)
+        if crossing.row >= 0:
+            for at in range(0, tables.lanes, LANES):
+                albedo = lane_view(tables.rings.ring_albedo, at)
+                low = albedo[crossing.row]
+                light = low + (albedo[crossing.row + 1] - low) * np.float32(crossing.fraction)
+                light = light * np.float32(crossing.light * share)
+                if not crossing.before_air:
+                    light = light * transmittance_columns(
+                        work.columns_total, lane_view(tables.extinction, at), tables.constituents
+                    )
+                lane_view(work.radiance, at)[2] += light
+    return whole, before

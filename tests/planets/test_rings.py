@@ -1,0 +1,106 @@
+"""Rings of planet files: values, and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.errors import ParameterError
+from airlight.planets import load_planet, replace
+from airlight.planets.rings import Ring
+from airlight.solver.tables.ring_shadow import ring_tables
+
+PLANET = load_planet("earth-atmosphere-plus")
+FILE = """
+name = "Ringed"
+[shell]
+bottom_radius = "6000 km"
+top_radius = "6100 km"
+[star]
+temperature = "5800 K"
+radius = "7e5 km"
+distance = "1 au"
+[[constituents]]
+name = "air"
+scattering = "1e-5 /m"
+profile = { kind = "exponential", scale_height = "8 km" }
+phase_function = { kind = "rayleigh" }
+[ground]
+albedo = 0.1
+[[rings]]
+inner_radius = "7000 km"
+outer_radius = "9000 km"
+optical_depth = 0.5
+"""
+
+
+def ring(**values):
+    return Ring(**({"inner_radius": 7e6, "outer_radius": 9e6, "optical_depth": 0.5} | values))
+
+
+@pytest.mark.parametrize(
+    ("values", "field"),
+    [
+        ({"outer_radius": 6.5e6}, "outer_radius"),
+        ({"optical_depth": -0.1}, "optical_depth"),
+        ({"single_scattering_albedo": 1.2}, "single_scattering_albedo"),
+        ({"dust": 1.5}, "dust"),
+        ({"optical_depth": None}, "optical_depth"),
+        ({"optical_depth": None, "radii": (7e6, 8e6)}, "optical_depths"),
+        ({"radii": (7e6, 8e6), "optical_depths": (1.0, 2.0)}, "optical_depth"),
+        ({"optical_depth": None, "radii": (8e6, 7e6), "optical_depths": (1.0, 2.0)}, "radii"),
+        ({"optical_depth": None, "radii": (6e6, 8e6), "optical_depths": (1.0, 2.0)}, "radii"),
+    ],
+)
+def test_impossible_rings_are_refused_in_one_line(values, field):
+    with pytest.raises(ParameterError, match=rf"^{field}") as refused:
+        ring(**values)
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "rings",
+    [
+        (ring(inner_radius=PLANET.top_radius - 1e3),),
+        (ring(), ring(inner_radius=8e6, outer_radius=1e7)),
+        (ring(),) * 17,
+    ],
+)
+def test_rings_in_the_air_or_in_each_other_are_refused(rings):
+    with pytest.raises(ParameterError, match="rings"):
+        replace(PLANET, rings=rings)
+
+
+def test_keys_of_a_file_are_read_and_unknown_ones_refused(tmp_path):
+    file = tmp_path / "ringed.toml"
+    file.write_text(FILE)
+    assert load_planet(file).rings == (ring(),)
+    assert load_planet(file, {"rings[0].optical_depth": "2"}).rings[0].optical_depth == 2.0
+    file.write_text(FILE + "opacity_of_ring = 1\n")
+    with pytest.raises(ParameterError, match="opacity_of_ring"):
+        load_planet(file)
+
+
+def test_profile_is_linear_between_its_radii_and_zero_beyond_the_edges():
+    one = ring(optical_depth=None, radii=(7.5e6, 8.5e6), optical_depths=(1.0, 3.0))
+    assert_allclose(one.depths([6.9e6, 7.1e6, 8e6, 8.9e6, 9.1e6]), [0.0, 1.0, 2.0, 3.0, 0.0])
+
+
+def test_tables_keep_the_depth_of_rings_narrower_than_a_row():
+    # the integral of optical depth over radius, by the trapezoidal rule: a law of the averaging,
+    # to a sixteenth of a row at either edge
+    rings = (ring(), ring(inner_radius=30e6, outer_radius=30.002e6, optical_depth=2.0))
+    tables = ring_tables(rings, np.array([550.0]))
+    radii = tables.ring_inner + np.arange(len(tables.ring_layers)) / tables.ring_rows
+    total = np.trapezoid(tables.ring_layers[:, 0], radii)
+    step = 1.0 / tables.ring_rows
+    assert_allclose(total, 0.5 * 2e6 + 2.0 * 2e3, atol=step / 8.0 * 2.5)
+
+
+def test_preset_has_the_published_rings():
+    # edges of PDS, in the preset's header
+    saturn = load_planet("saturn")
+    assert [one.name for one in saturn.rings] == ["C", "B", "Cassini division", "A", "F"]
+    assert saturn.rings[1].outer_radius == 117570e3
+    assert float(saturn.rings[3].depths([133500e3])[0]) == 0.0  # gap of Encke
