@@ -19,6 +19,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
+from airlight.render.clouds import MOST_KINDS
 from airlight.render.clouds.air_table import DIRECTIONS
 from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.cloud_light import STILL, CloudLight, solve_clouds
@@ -35,8 +36,6 @@ _Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, tuple[CloudLight, ...]]]
 _Layers: TypeAlias = Cache[int, tuple[Any, MeanLayer | None]]
 
 
-#: Largest number of kinds of clouds in a picture.
-MOST_KINDS: Final = 3
 #: Distance of the horizon, seen from the planet's centre, above which clouds are lit by other suns
 #: than that of their box. [deg]
 _WIDE: Final = 5.0
