@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field as field_of_class, replace
+from dataclasses import dataclass, replace
+from dataclasses import field as field_of_class
 from typing import Any, Final
 
 import numpy as np

@@ -112,9 +112,7 @@ class CloudThread(LatestThread[CloudRequest]):
         """Solve the light of a request."""
         shown, place, around = self.latest, request.scene, self._around
         if shown is not None and near(shown.scene, place):
-            place = replace(
-                place, latitude=shown.scene.latitude, longitude=shown.scene.longitude
-            )
+            place = replace(place, latitude=shown.scene.latitude, longitude=shown.scene.longitude)
         if around is None or shown is None or not shown.same_clouds(request.planet, place):
             self._say("clouds: shapes …")
             around = CloudsAround.of(request.planet, place, quality=request.quality, cache=False)

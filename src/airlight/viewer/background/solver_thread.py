@@ -293,9 +293,7 @@ class SolverThread:
         if known is None:
             return False
         cloudy = self._planet(request, lambda: self._request is not request)
-        self._publish(
-            replace(known, cloudy=cloudy, version=request.version, seconds=0.0), request
-        )
+        self._publish(replace(known, cloudy=cloudy, version=request.version, seconds=0.0), request)
         return True
 
     def _wait_for_edit(self, request: SolveRequest) -> None:

@@ -161,9 +161,7 @@ class Viewer(anywidget.AnyWidget):
         session = self.session
         return {
             "title": session.planet_name,
-            "parameters": [
-                one.as_json() for one in session.parameters if one.group != CLOUD_GROUP
-            ],
+            "parameters": [one.as_json() for one in session.parameters if one.group != CLOUD_GROUP],
             "values": dict(session.values),
             "can": {
                 "undo": session.can_undo,

@@ -255,7 +255,9 @@ class Sides:
         """End all threads."""
         for solving in self._solvings.values():
             solving.close()
-        for thread in (*self._threads.values(), *self._clouds.values()):
+        for lighting in self._clouds.values():
+            lighting.close()
+        for thread in self._threads.values():
             thread.close()
         self._solvings.clear()
         self._threads.clear()
