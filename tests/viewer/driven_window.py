@@ -44,7 +44,13 @@ class Driven:
     """Window in its own process, with a mouse and keys on its display."""
 
     def __init__(
-        self, display: str, folder: Path, planet: str, size: tuple[int, int], **environment: str
+        self,
+        display: str,
+        folder: Path,
+        planet: str,
+        size: tuple[int, int],
+        changes: tuple[str, ...] = (),
+        **environment: str,
     ) -> None:
         # Shaders of a window, which draws for minutes, are optimised: see tests/conftest.py.
         self.environment = {**os.environ, "GALLIVM_PERF": "", "DISPLAY": display, **environment}
@@ -52,7 +58,7 @@ class Driven:
         self.log = folder / "stderr"
         self._errors = self.log.open("w")
         self.process = subprocess.Popen(
-            [sys.executable, str(DRIVER), planet, *map(str, size), "auto"],
+            [sys.executable, str(DRIVER), planet, *map(str, size), "auto", *changes],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._errors,
@@ -139,7 +145,11 @@ class Driven:
 
 @contextlib.contextmanager
 def opened_window(
-    folder: Path, planet: str = "mars", size: tuple[int, int] = SIZE, **environment: str
+    folder: Path,
+    planet: str = "mars",
+    size: tuple[int, int] = SIZE,
+    changes: tuple[str, ...] = (),
+    **environment: str,
 ) -> Iterator[Driven]:
     """Window on a display of its own, with its first picture."""
     reads, writes = os.pipe()
@@ -163,7 +173,7 @@ def opened_window(
     os.close(writes)
     with os.fdopen(reads) as pipe:
         display = f":{pipe.readline().strip()}"
-    driven = Driven(display, folder, planet, size, **environment)
+    driven = Driven(display, folder, planet, size, changes, **environment)
     try:
         assert driven.ask("settled", 240.0), driven.ask("error")
         yield driven

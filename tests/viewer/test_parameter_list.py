@@ -24,6 +24,7 @@ from airlight.viewer.parameters.view_parameters import (
     settings_of,
     view_parameters,
 )
+from airlight.viewer.session.session import Session
 
 
 def tables_of(name: str) -> Tables:
@@ -213,3 +214,25 @@ def test_a_planet_without_a_date_has_all_display_settings() -> None:
     session = Session("exoplanet")
     assert "view.clock" not in session.values
     assert settings_of(session.values) == settings_of({**DEFAULTS, **session.values})
+
+
+def test_clouds_are_added_changed_restored_and_removed_by_their_kind() -> None:
+    # Keys that are left out are the defaults of the kind; undo and a link lead back.
+    session = Session("earth-atmosphere-plus")
+    clear = session.to_state()
+    session.set("clouds[0].kind", "cumulus")
+    assert session.value("clouds[0].effective_radius") == 6.0
+    session.set("clouds[0].cover", 0.6)
+    session.set("clouds[1].kind", "cirrus")
+    assert "cumulus" not in session.parameter("clouds[2].kind").options
+    again = Session("earth-atmosphere-plus")
+    again.from_state(session.to_state())
+    assert again.value("clouds[0].cover") == 0.6
+    session.reset("clouds[0].cover")
+    assert session.value("clouds[0].cover") == 0.25
+    session.set("clouds[0].kind", "none")
+    assert session.to_state()["set"] == {"clouds": [{"kind": "cirrus"}]}
+    session.undo()
+    assert session.value("clouds[0].kind") == "cumulus"
+    session.reset("3-D clouds")
+    assert session.to_state() == clear

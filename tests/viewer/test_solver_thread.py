@@ -65,6 +65,23 @@ def test_preview_comes_first_and_the_wanted_quality_follows(fake: Fake) -> None:
         assert not solving.status.busy
 
 
+def test_an_edit_of_clouds_solves_no_air(fake: Fake) -> None:
+    # Solutions do not depend on three-dimensional clouds; a host without them refuses the planet.
+    session = Session(PLANET)
+    with SolverThread(session, solver=fake, draws_clouds=True) as solving:
+        assert solving.wait(LONG)
+        session.set("clouds[0].kind", "cumulus")
+        session.set("clouds[0].cover", 0.7)
+        assert solving.wait(LONG)
+        assert solving.latest is not None
+        assert [one.cover for one in solving.latest.cloudy.clouds] == [0.7]
+        assert solving.latest.planet.clouds == ()
+        assert len(fake.asked) == 2
+    with SolverThread(session, solver=fake) as solving:
+        assert solving.wait(LONG)
+        assert "clouds cannot be used" in solving.status.error
+
+
 def test_the_newest_edit_stops_what_runs_for_an_older_one(fake: Fake) -> None:
     # The gate stays shut: only cancelling lets the next solve begin.
     fake.held = ("default",)

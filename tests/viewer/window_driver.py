@@ -11,13 +11,21 @@ import sys
 import threading
 import time
 import traceback
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
 
+from airlight.clouds.planet_clouds import Box
+from airlight.render import render
+from airlight.render.clouds import clouds_around
+from airlight.render.clouds.cloud_light import FIRST, LIVE, MOST_LIVE
+from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.gpu.device.device import open_device
 from airlight.render.rendering_gpu import Choice
+from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import to_fragment
 from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
@@ -203,6 +211,27 @@ class Answers:
             "altitude": shown.request.scene.altitude,
         }
 
+    def clouds(self) -> dict[str, Any]:
+        """Kinds, cover and detail of light of the clouds of the shown picture."""
+        shown = self.window.shown("A")
+        assert shown is not None
+        lit = shown.request.clouds
+        if lit is None:
+            return {}
+        planet: Any = lit.planet
+        return {"cover": planet.clouds[0].cover, "detail": lit.detail, "by": shown.by}
+
+    def cpu_picture(self, file: str) -> bool:
+        """Write the still picture of the CPU in the state shown, with light as detailed."""
+        shown = self.window.shown("A")
+        assert shown is not None
+        request, planet = shown.request, self.window._sides.solved("A").cloudy  # type: ignore[union-attr]
+        around = CloudsAround.of(planet, request.scene, quality="preview", cache=False)
+        assert around is not None
+        frame = render(request.solution, request.scene, clouds=replace(around, detail=LIVE))
+        np.save(file, request.displayed(frame, shown.exposure))
+        return True
+
     def break_rows(self) -> None:
         """Make the rows fail within a frame, with several begins left without an end."""
 
@@ -272,8 +301,14 @@ class Answers:
 def main() -> None:
     planet, width, height = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     by = cast(Choice, sys.argv[4])
-    quality = {"light.quality": "preview"}
-    start = Start(planet=planet, view=quality, size=(width, height), device=by)
+    view: dict[str, Value] = {"light.quality": "preview"}
+    changes = tuple(sys.argv[5:])
+    if changes:  # clouds, seen from below
+        view |= {"view.altitude": 2.0, "view.sun_zenith": 60.0}
+    # small fields, with light of few cells: the same code in less time
+    MOST_LIVE.update({LIVE: 10_000, FIRST: 3_000})
+    clouds_around.Box = partial(Box, size=6400.0)  # type: ignore[attr-defined, assignment]
+    start = Start(planet=planet, view=view, size=(width, height), device=by, changes=changes)
     session = opened(start)
     canvas = DesktopCanvas((width, height), "airlight test")
     window = window_of(start, session, canvas)

@@ -6,7 +6,9 @@ tables of these types and zero pixels compiles it.
 
 from __future__ import annotations
 
+import atexit
 from collections import defaultdict
+from functools import cache
 from typing import TYPE_CHECKING, Any, Final, get_args
 
 import numpy as np
@@ -58,8 +60,31 @@ def start_cloudy_compiler() -> BackgroundCompiler:
     return BackgroundCompiler(f"{__name__}:compile_cloudy_loops", cloudy_loops())
 
 
-def compile_cloudy_loops() -> None:
-    """Compile or load the loops with clouds."""
+def marched_clouds() -> Any:
+    """Loop of a frame without a sky-view LUT, with clouds."""
+    from airlight.render.clouds.cloudy_pixel import march_cloudy
+
+    return march_cloudy
+
+
+@cache
+def live_cloudy_compiler() -> BackgroundCompiler:
+    """Process that compiles the loops of live frames with clouds, started by the first call."""
+    compiler = BackgroundCompiler(
+        f"{__name__}:compile_live_cloudy_loops", cloudy_loops(), (marched_clouds(),)
+    )
+    atexit.register(compiler.close)
+    return compiler
+
+
+def compile_live_cloudy_loops() -> None:
+    """Compile or load the loops with clouds, then that without a sky-view LUT."""
+    arguments = compile_cloudy_loops()
+    marched_clouds()(*arguments)
+
+
+def compile_cloudy_loops() -> tuple[Any, ...]:
+    """Compile or load the loops with clouds; returns the arguments of the last one."""
     from airlight.render.clouds.cloud_tables import new_cloud_work
     from airlight.render.clouds.cloudy_pixel import CloudyWorkspace
 
@@ -69,6 +94,7 @@ def compile_cloudy_loops() -> None:
     cloudy = px, py, frame, CloudyWorkspace(work, clouds, new_cloud_work(clouds)), weights, rgb
     for loop, arguments in zip(cloudy_loops(), (texels, mirrored, cloudy), strict=True):
         loop(*arguments)
+    return cloudy
 
 
 def empty_clouds() -> CloudTables:

@@ -62,6 +62,8 @@ class CpuRenderer:
         Whether Stokes Q and U can be rendered too.
     clouds : sequence of CloudLight, optional
         Light of three-dimensional clouds, by ascending tops.
+    cloud_directions : (int, int), optional
+        ``CloudsAround.directions``.
 
     Attributes
     ----------
@@ -83,6 +85,7 @@ class CpuRenderer:
     air: bool = True
     stokes: bool = False
     clouds: Sequence[CloudLight] = ()
+    cloud_directions: tuple[int, int] | None = None
 
     def __post_init__(self) -> None:
         solution, camera = self.solution, self.scene.camera
@@ -142,6 +145,7 @@ class CpuRenderer:
     ) -> None:
         """Fill the sky-view LUT, or what marched water needs; otherwise rendering does so."""
         if self.clouds and self._clouds is None and self.air:
+            from airlight.render.clouds.air_table import DIRECTIONS
             from airlight.render.clouds.tables_of_frame import cloud_tables
 
             self._clouds = cloud_tables(
@@ -150,6 +154,7 @@ class CpuRenderer:
                 self.scene,
                 self._tables,
                 self._observer,
+                directions=self.cloud_directions or DIRECTIONS,
                 polarised=self._polarised,
                 progress=progress,
                 cancel=cancel,

@@ -7,6 +7,8 @@
 * A software GPU renders smaller frames from a small sky-view LUT while the view changes, and still
   smaller ones while the planet is edited; after a short time without changes the CPU renders the
   final frame, which, unlike a long pass, leaves the GPU queue free for the window.
+* The CPU renders three-dimensional clouds, beside a software GPU because it is twenty times faster
+  there; its coarse frames have a coarser table of the air.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
   not compiled either, which takes longer (``render.background_compilation``): then a hardware GPU
   renders first. The first frame of a window has full resolution, as coarse frames need the loop
@@ -28,7 +30,13 @@ from airlight.errors import Cancelled, ParameterError
 from airlight.image.display_settings import DisplaySettings
 from airlight.kernel.memory import give_back
 from airlight.render import render
-from airlight.render.background_compilation import MARCH_LOOPS, SKY_VIEW_LOOPS
+from airlight.render.background_compilation import (
+    MARCH_LOOPS,
+    SKY_VIEW_LOOPS,
+    cloudy_loops,
+    live_cloudy_compiler,
+    marched_clouds,
+)
 from airlight.render.render_scene import CPU
 from airlight.scene.picture_size import scaled
 
@@ -36,6 +44,7 @@ if TYPE_CHECKING:
     from airlight.image.white_balance import White
     from airlight.kernel.background_compiler import BackgroundCompiler
     from airlight.kernel.threads import Cancel
+    from airlight.render.clouds.lit_clouds import LitClouds
     from airlight.render.gpu.device.device import Device
     from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
     from airlight.scene import Scene
@@ -183,7 +192,8 @@ class LiveRenderer:
         self._closing = False
         self._has_rendered = False
         self._rate = _FIRST_GUESS
-        self._last: tuple[MomentsSolution, LiveFrame] | None = None  # finished by the CPU
+        self._last: tuple[tuple[object, ...], LiveFrame] | None = None  # finished by the CPU
+        self._cloudy_rate = _FIRST_GUESS
 
     def still(
         self, solution: MomentsSolution, scene: Scene, *, orders: str = "all", cancel: Cancel
@@ -210,6 +220,7 @@ class LiveRenderer:
         scene: Scene,
         *,
         orders: str = "all",
+        clouds: LitClouds | None = None,
         stale: Callable[[], bool],
     ) -> Iterator[LiveFrame]:
         """Render progressively, each frame finer than the last.
@@ -222,6 +233,8 @@ class LiveRenderer:
             Observer, star and camera.
         orders : str
             Orders of scattering as for ``airlight.render``.
+        clouds : LitClouds, optional
+            Three-dimensional clouds.
         stale : callable
             ``stale()`` is True once the request is superseded; rendering may then stop.
 
@@ -230,6 +243,9 @@ class LiveRenderer:
         LiveFrame
         """
         step = LiveFrame(scene=scene, orders=orders, finished=True)
+        if clouds is not None:
+            yield from self._cloudy(solution, clouds, step, stale)
+            return
         if self._device is None:
             yield from self._on_cpu(solution, step, stale)
             return
@@ -282,7 +298,7 @@ class LiveRenderer:
             self._compiler is None or (self._has_rendered and self._are_compiled(MARCH_LOOPS))
         )
         self._has_rendered = True
-        for number, part in enumerate(self._scales(step.scene) if coarse else [1.0]):
+        for number, part in enumerate(self._scales(step.scene, self._rate) if coarse else [1.0]):
             started = perf_counter()
             scene = scaled(step.scene, part)
             # The first, coarse frame is never interrupted: in flight every request is soon stale.
@@ -292,7 +308,44 @@ class LiveRenderer:
             self._rate = scene.camera.width * scene.camera.height / seconds
             done = replace(step, scene=scene, frame=frame, seconds=seconds, finished=part == 1.0)
             if done.finished:
-                self._last = solution, replace(done, seconds=0.0)
+                self._last = (solution, None), replace(done, seconds=0.0)
+            yield done
+
+    def _cloudy(
+        self,
+        solution: MomentsSolution,
+        clouds: LitClouds,
+        step: LiveFrame,
+        stale: Callable[[], bool],
+    ) -> Iterator[LiveFrame]:
+        """Frames with clouds, each finer than the last; coarse ones are never interrupted."""
+        if self._last is not None and self._is_rendered(solution, step, clouds):
+            yield self._last[1]
+            return
+        from airlight.render.clouds.lit_clouds import QUICK
+
+        compiler = live_cloudy_compiler()
+        if not all(compiler.wait(loop, stale) for loop in cloudy_loops()):
+            raise Cancelled("a newer view")
+        # coarse frames are marched, by a loop that is compiled later
+        coarse = compiler.ready(marched_clouds()) or len(clouds.decks) > 1
+        quick = replace(clouds, directions=QUICK)
+        for part in self._scales(step.scene, self._cloudy_rate) if coarse else [1.0]:
+            started, finished = perf_counter(), part == 1.0
+            scene = scaled(step.scene, part)
+            frame = render(
+                solution,
+                scene,
+                orders=step.orders,
+                clouds=clouds if finished else quick,
+                cancel=stale if finished else None,
+            )
+            seconds = max(perf_counter() - started, 1e-6)
+            if not finished:
+                self._cloudy_rate = scene.camera.width * scene.camera.height / seconds
+            done = replace(step, scene=scene, frame=frame, seconds=seconds, finished=finished)
+            if finished:
+                self._last = (solution, clouds), replace(done, seconds=0.0)
             yield done
 
     def _are_compiled(
@@ -302,22 +355,25 @@ class LiveRenderer:
         compiler = self._compiler
         return compiler is None or all(compiler.wait(loop, stale) for loop in loops)
 
-    def _scales(self, scene: Scene) -> Iterator[float]:
-        """Scales of successive frames."""
+    def _scales(self, scene: Scene, rate: float) -> Iterator[float]:
+        """Scales of successive frames, at a rate. [pixel s⁻¹]"""
         camera = scene.camera
-        part = (self._rate * _AT_ONCE / (camera.width * camera.height)) ** 0.5
+        part = (rate * _AT_ONCE / (camera.width * camera.height)) ** 0.5
         part = max(part, _SMALLEST)
         while part < _NEARLY_WHOLE:
             yield part
             part *= _STEP
         yield 1.0
 
-    def _is_rendered(self, solution: MomentsSolution, step: LiveFrame) -> bool:
-        """Whether the CPU's last final frame has the same solution, scene and orders."""
+    def _is_rendered(
+        self, solution: MomentsSolution, step: LiveFrame, clouds: LitClouds | None = None
+    ) -> bool:
+        """Whether the CPU's last final frame has the same solution, clouds, scene and orders."""
         if self._last is None:
             return False
-        of, last = self._last
-        return of is solution and last.orders == step.orders and last.scene == step.scene
+        (of, cloudy), last = self._last
+        same = of is solution and cloudy is clouds
+        return same and last.orders == step.orders and last.scene == step.scene
 
     # --- on the GPU ---------------------------------------------------------------------------
 

@@ -133,6 +133,7 @@ def render(
                 else clouds.lit(
                     lit, seen, light=scene.lights.index(light), progress=progress, cancel=cancel
                 ),
+                cloud_directions=None if clouds is None else clouds.directions,
             )
             share = None if progress is None else _shared(progress, number, len(pictures))
             add_rendered(layers, renderer, elements, share, cancel, black=number == 0)

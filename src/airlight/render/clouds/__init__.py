@@ -1,1 +1,8 @@
-"""Three-dimensional clouds in pictures of the CPU."""
+"""Three-dimensional clouds in pictures."""
+
+from __future__ import annotations
+
+from typing import Final
+
+#: Largest number of kinds of clouds in a picture.
+MOST_KINDS: Final = 3

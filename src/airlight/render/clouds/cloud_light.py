@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from dataclasses import field as field_of_class
 from typing import Any, Final
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
+from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.clouds.beam_depth import beam_depths
 from airlight.render.clouds.box_air import box_air, with_deck
@@ -37,6 +39,10 @@ Float32Array = NDArray[np.float32]
 #: cells above which a field is large; and number of levels that are not joined.
 MOST_SOLVED: Final = 640_000
 MOST_OF_LARGE: Final = 1_100_000
+#: Detail of light: that of still pictures, of live ones, and a first one without a finer box; and
+#: largest numbers of cells of the latter two.
+STILL, LIVE, FIRST = "still", "live", "first"
+MOST_LIVE: Final = {LIVE: 160_000, FIRST: 40_000}
 LARGE: Final = 4_000_000
 FEWEST_LEVELS: Final = 8
 #: Zenith angles and azimuths of the light of the ground.
@@ -75,6 +81,8 @@ class CloudLight:
         Results of ``beam_depths``.
     clear : array
         Result of ``clear_distances``.
+    arrays : Cache
+        Tables of the last frame, which the next may share.
     """
 
     field: CloudField
@@ -89,6 +97,9 @@ class CloudLight:
     depth: Float32Array
     base_depth: Float32Array
     clear: Float32Array
+    arrays: Cache[tuple[Any, ...], dict[str, Any]] = field_of_class(
+        default_factory=lambda: Cache(1)
+    )
 
     @property
     def scaled(self) -> FloatArray:
@@ -125,6 +136,7 @@ def solve_clouds(
     *,
     solved_at: Sequence[tuple[float, Scene]] = (),
     wide: bool = False,
+    detail: str = STILL,
     quality: str = "default",
     cache: bool = True,
     progress: Progress | None = None,
@@ -148,14 +160,17 @@ def solve_clouds(
     wide : bool
         Whether clouds are seen so far away that other suns are above them, which are solved too;
         the box has a sun that is not lower than ``LOWEST`` then.
+    detail : str
+        ``STILL``, ``LIVE`` or ``FIRST``.
     quality, cache : str, bool
         As for ``solve_box``.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
     field, optics_at, nm = deck.field, deck.optics_at, solution.medium.wavelengths
-    chosen, coarse = solved_wavelengths(nm.size), coarse_field(field)
-    finer = inner_field(field, coarse, deck.place)
+    chosen = solved_wavelengths(nm.size)
+    joined = coarse_field(field, MOST_LIVE.get(detail))
+    finer = None if detail == FIRST else inner_field(field, joined, deck.place)
 
     def sun_of(one: Scene) -> tuple[float, float, float]:
         sun = sun_over(field, one)
@@ -179,7 +194,7 @@ def solve_clouds(
         )
 
     def boxes_under(one: Incident) -> list[BoxSolution]:
-        box = box_of(coarse, one)
+        box = box_of(joined, one)
         return [box] if finer is None else [box, box_of(finer, one, Nest(box, field))]
 
     if solved_at:
@@ -199,9 +214,9 @@ def solve_clouds(
         return box_of(cells, one), one.irradiance[chosen]
 
     if wide:
-        local = local_suns(coarse, light.towards, under)
+        local = local_suns(joined, light.towards, under)
     else:
-        local = same_everywhere(coarse.extinction.shape[2], chosen.size)
+        local = same_everywhere(joined.extinction.shape[2], chosen.size)
     nothing = clear_distances(field)
     depth, base_depth = beam_depths(
         field,
@@ -283,13 +298,21 @@ def _box_light(
     )
 
 
-def coarse_field(field: CloudField) -> CloudField:
+def coarse_field(field: CloudField, most: int | None = None) -> CloudField:
     """Field of fewer cells to be solved, by means over neighbours where they are closest.
 
     Those are mostly levels: columns side by side would close gaps between small clouds.
+
+    Parameters
+    ----------
+    field : CloudField
+        Clouds.
+    most : int, optional
+        Largest number of cells.
     """
     found = field
-    most = MOST_SOLVED if field.extinction.size <= LARGE else MOST_OF_LARGE
+    if most is None:
+        most = MOST_SOLVED if field.extinction.size <= LARGE else MOST_OF_LARGE
     while found.extinction.size > most:
         shape, spacing = found.extinction.shape, found.spacing
         halved = [axis for axis in (0, 1, 2) if shape[axis] % 2 == 0]

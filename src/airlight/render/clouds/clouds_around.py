@@ -19,21 +19,23 @@ from airlight.errors import ParameterError
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
+from airlight.render.clouds import MOST_KINDS
+from airlight.render.clouds.air_table import DIRECTIONS
 from airlight.render.clouds.cloud_deck import CloudDeck
-from airlight.render.clouds.cloud_light import CloudLight, solve_clouds
+from airlight.render.clouds.cloud_light import STILL, CloudLight, solve_clouds
 from airlight.render.clouds.incident_light import OtherClouds, sun_over
 from airlight.render.clouds.layer_geometry import seen_place
-from airlight.render.clouds.mean_layer import mean_layer
+from airlight.render.clouds.mean_layer import MeanLayer, mean_layer
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 #: Lights by what they depend on, with moments whose identity is a part of it.
 _Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, tuple[CloudLight, ...]]]
+#: Mean layers by the identity of moments, with these.
+_Layers: TypeAlias = Cache[int, tuple[Any, MeanLayer | None]]
 
 
-#: Largest number of kinds of clouds in a picture.
-MOST_KINDS: Final = 3
 #: Distance of the horizon, seen from the planet's centre, above which clouds are lit by other suns
 #: than that of their box. [deg]
 _WIDE: Final = 5.0
@@ -51,6 +53,10 @@ class CloudsAround:
         Quality of ``solve_box``.
     cache : bool
         Whether solutions are read from and stored on disk.
+    detail : str
+        Detail of the light, see ``solve_clouds``.
+    directions : (int, int)
+        Azimuths and rows of each half of the table of the air; fewer for coarse frames.
     solved_at : sequence of (float, Scene)
         Weights and scenes between which the light is interpolated, see ``solve_clouds``; by default
         it is solved for every picture.
@@ -60,9 +66,13 @@ class CloudsAround:
     _: KW_ONLY
     quality: str = "preview"
     cache: bool = True
+    detail: str = STILL
+    directions: tuple[int, int] = DIRECTIONS
     solved_at: Sequence[tuple[float, Scene]] = ()
     #: The last light, which the next frame of a film may share.
     _lights: _Lights = dataclasses.field(default_factory=lambda: Cache(1))
+    #: The last mean layer, which other lights share.
+    _layers: _Layers = dataclasses.field(default_factory=lambda: Cache(1))
 
     @classmethod
     def of(
@@ -131,19 +141,26 @@ class CloudsAround:
         light : int
             Number of the light among those of the scenes of ``solved_at``.
         """
-        wide = _horizon(scene, solution.medium.bottom_radius) > _WIDE
+        wide = is_wide(scene, solution.medium.bottom_radius)
         nodes = [(weight, one.with_light(one.lights[light])) for weight, one in self.solved_at]
         suns = [(1.0, scene), *nodes]
         key = (
             id(solution.moments),
             solution.lights[0].angular_radius,
             wide,
+            self.detail,
             *((weight, sun_over(deck.field, one)) for weight, one in suns for deck in self.decks),
         )
 
         def make() -> tuple[Any, tuple[CloudLight, ...]]:
-            layer = mean_layer(
-                solution, self.decks, cache=self.cache, progress=progress, cancel=cancel
+            _, layer = self._layers.of(
+                id(solution.moments),
+                lambda: (
+                    solution.moments,
+                    mean_layer(
+                        solution, self.decks, cache=self.cache, progress=progress, cancel=cancel
+                    ),
+                ),
             )
             found: list[CloudLight] = []
             for number in range(len(self.decks) - 1, -1, -1):
@@ -155,6 +172,7 @@ class CloudsAround:
                     OtherClouds(layer, tuple(found), tuple(others)),
                     solved_at=nodes,
                     wide=wide,
+                    detail=self.detail,
                     quality=self.quality,
                     cache=self.cache,
                     progress=progress,
@@ -183,6 +201,15 @@ class CloudsAround:
         return ThroughClouds(self.decks, solution, scene).transmittance
 
 
-def _horizon(scene: Scene, radius: float) -> float:
-    """Distance of the horizon, seen from the planet's centre. [deg]"""
-    return math.degrees(math.acos(radius / (radius + max(scene.altitude, 0.0))))
+def is_wide(scene: Scene, radius: float) -> bool:
+    """Whether clouds are seen so far away that they are lit by other suns, see ``solve_clouds``.
+
+    Parameters
+    ----------
+    scene : Scene
+        Observer.
+    radius : float
+        Radius of the ground. [m]
+    """
+    horizon = math.acos(radius / (radius + max(scene.altitude, 0.0)))
+    return math.degrees(horizon) > _WIDE

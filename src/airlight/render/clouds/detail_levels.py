@@ -80,8 +80,26 @@ def stacked(levels: list[Cells]) -> dict[str, Any]:
     return found
 
 
-def detail_levels(light: CloudLight, finest: Cells, width: float, above: bool) -> list[Cells]:
-    """Levels of detail up to a footprint's width.
+def joins(field: CloudField, width: float) -> int:
+    """Number of levels of joined cells up to a footprint's width.
+
+    Parameters
+    ----------
+    field : CloudField
+        Clouds.
+    width : float
+        Largest width of a footprint. [m]
+    """
+    sides, counts, found = field.sides, field.extinction.shape[:2], 0
+    while max(counts) > 1:
+        if max(side / count for side, count in zip(sides, counts, strict=True)) * SHARP >= width:
+            break
+        counts, found = ((counts[0] + 1) // 2, (counts[1] + 1) // 2), found + 1
+    return found
+
+
+def detail_levels(light: CloudLight, finest: Cells, count: int, above: bool) -> list[Cells]:
+    """Levels of detail.
 
     Parameters
     ----------
@@ -89,13 +107,13 @@ def detail_levels(light: CloudLight, finest: Cells, width: float, above: bool) -
         Light of the clouds.
     finest : Cells
         Cells of the field.
-    width : float
-        Largest width of a footprint. [m]
+    count : int
+        Number of levels of joined cells, see ``joins``.
     above : bool
         Whether the observer is above the clouds.
     """
     field, scaled, found = light.field, float(light.scaled.mean()), [finest]
-    while max(field.spacing[:2]) * SHARP < width and max(field.extinction.shape[:2]) > 1:
+    for _ in range(count):
         field, cells = _joined(field, found[-1], scaled, above)
         found.append(cells)
     return found

@@ -7,14 +7,16 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 from math import prod
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.clouds.columns import LAYER, EvenLayer, with_even_layer
+from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
+from airlight.planets.planet import Planet
 from airlight.render.clouds.cloud_deck import CloudDeck, solved_wavelengths
 from airlight.render.pixels.march_points import march_points
 from airlight.render.pixels.render_tables import render_tables
@@ -28,6 +30,8 @@ FloatArray = NDArray[np.float64]
 
 #: Quality of the solutions, of which only the ratio counts.
 QUALITY: Final = "preview"
+#: Clear columns of the last solutions, with these, whose identity is the key.
+_CLEAR: Final[Cache[int, tuple[Any, MomentsSolution]]] = Cache(2)
 #: Largest energy balance error without a warning: air scatters a tenth of a picture's light. [1]
 ENERGY_TOLERANCE: Final = 0.1
 #: Largest ratio of the light, where clear sky has none. [1]
@@ -178,9 +182,17 @@ def mean_layer(
         for deck, layer, there in chosen:
             if there:
                 column = with_even_layer(column, layer, deck.optics_at(nm))
-        medium = Medium.from_planet(column, nm, progress=progress, cancel=cancel)
-        solved = solve(medium, settings, cache=cache, progress=progress, cancel=cancel)
-        columns.append(MeanColumn(fraction, solved.of(column)))
+
+        def solved(column: Planet = column) -> tuple[Any, MomentsSolution]:
+            medium = Medium.from_planet(column, nm, progress=progress, cancel=cancel)
+            found = solve(medium, settings, cache=cache, progress=progress, cancel=cancel)
+            return solution, found.of(column)
+
+        if any(present):
+            _, one = solved()
+        else:  # the same for all clouds
+            _, one = _CLEAR.of(id(solution.moments), solved)
+        columns.append(MeanColumn(fraction, one))
     order = np.argsort(nm)
     weights = [np.interp(every, nm[order], row[order]) for row in np.eye(nm.size)]
     return MeanLayer(columns=tuple(columns), weights=np.array(weights))

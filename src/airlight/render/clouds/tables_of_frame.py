@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from airlight.render.clouds.air_table import DIRECTIONS, air_table
 from airlight.render.clouds.cloud_deck import solved_wavelengths
 from airlight.render.clouds.cloud_light import CloudLight
 from airlight.render.clouds.cloud_tables import SOLVED, CloudTables, LayerTables
-from airlight.render.clouds.detail_levels import Cells, detail_levels, stacked
+from airlight.render.clouds.detail_levels import Cells, detail_levels, joins, stacked
 from airlight.render.clouds.directions import harmonic_norms
 from airlight.render.clouds.higher_orders import InnerSource, no_inner
 from airlight.render.clouds.incident_light import sun_in_frame
@@ -47,6 +47,7 @@ def cloud_tables(
     tables: MarchTables,
     observer: Observer,
     *,
+    directions: tuple[int, int] = DIRECTIONS,
     polarised: bool = False,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -61,13 +62,15 @@ def cloud_tables(
         Solution and scene under the same light.
     tables, observer : MarchTables, Observer
         Tables and observer of the frame.
+    directions : tuple of two int
+        Azimuths from 0 to π of the table of the air, and rows of each half.
     polarised : bool
         Whether Q and U are seen.
     """
     radius = solution.medium.bottom_radius
     base = radius + min(light.field.base for light in lights)
     top, eye = radius + max(light.field.top for light in lights), radius + scene.altitude
-    window = coarse_window(scene.camera, observer, tables.bottom, tables.top, DIRECTIONS)
+    window = coarse_window(scene.camera, observer, tables.bottom, tables.top, directions)
     air, beyond = air_table(
         solution.geometry,
         tables,
@@ -101,12 +104,41 @@ def _layer(
 ) -> LayerTables:
     """Tables of one of the clouds."""
     box, optics = light.box, light.optics
-    factor = 0.0 if observer.orders == 1 else 1.0
     beam, low, high = _beam(light, solution, scene)
     sines = np.linspace(low, high, _ANGLES)
     if observer.orders == 0:
         beam = np.zeros_like(beam)
     scaled = light.scaled
+    radius, eye = solution.medium.bottom_radius, solution.medium.bottom_radius + scene.altitude
+    base, top = radius + light.field.base, radius + light.field.top
+    # lines of sight leave the clouds beyond the horizon at most
+    reach = math.sqrt(max(eye**2 - radius**2, 0.0)) + math.sqrt(top**2 - radius**2)
+    count = joins(light.field, reach * float(scene.camera.pixel_angle))
+    key = count, eye > 0.5 * (base + top), observer.orders == 1, polarised
+    return LayerTables(
+        **light.arrays.of(key, lambda: _arrays(light, *key)),
+        **layer_geometry(light.field, scene, solution.medium.bottom_radius),
+        sun=sun_in_frame(scene),
+        mean_visibility=float(light.visibility(light.field.base).mean()),
+        solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], missing=1.0),
+        spectrum=pack(light.spectrum),
+        scaled=pack(scaled[None]),
+        whole=pack(np.asarray(optics.extinction)[None]),
+        single=pack((np.asarray(optics.extinction) * np.asarray(optics.albedo))[None]),
+        norms=harmonic_norms(box.degree),
+        beam=pack(beam),
+        beam_low=low,
+        beam_high=high,
+        slant=light.local.depth_over(sines, light.towards[2]),
+        local=_local(light, solution, sines),
+    )
+
+
+def _arrays(
+    light: CloudLight, count: int, above: bool, single: bool, polarised: bool
+) -> dict[str, Any]:
+    """Tables of one of the clouds that frames share: cells with their light, phase functions."""
+    optics, factor = light.optics, 0.0 if single else 1.0
     nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, _PHASES) ** 2
     phase = optics.phase.values(nu, optics.wavelengths)
     phase_f12 = np.zeros_like(phase[:2])
@@ -117,34 +149,15 @@ def _layer(
         clear=light.clear,
         depth=light.depth,
         base_depth=light.base_depth,
-        source=_source(box, factor),
-        down=_twice(box.down.transpose(1, 0, 2) * np.float32(factor)),
+        source=_source(light.box, factor),
+        down=_twice(light.box.down.transpose(1, 0, 2) * np.float32(factor)),
     )
-    radius, eye = solution.medium.bottom_radius, solution.medium.bottom_radius + scene.altitude
-    base, top = radius + light.field.base, radius + light.field.top
-    # lines of sight leave the clouds beyond the horizon at most
-    reach = math.sqrt(max(eye**2 - radius**2, 0.0)) + math.sqrt(top**2 - radius**2)
-    width = reach * float(scene.camera.pixel_angle)
-    return LayerTables(
-        **stacked(detail_levels(light, finest, width, eye > 0.5 * (base + top))),
-        **layer_geometry(light.field, scene, solution.medium.bottom_radius),
-        inner=_inner(light, factor),
-        sun=sun_in_frame(scene),
-        mean_visibility=float(light.visibility(light.field.base).mean()),
-        solved_extinction=_twice(np.asarray(box.scaled.cloud, np.float32)[None], missing=1.0),
-        spectrum=pack(light.spectrum),
-        scaled=pack(scaled[None]),
-        whole=pack(np.asarray(optics.extinction)[None]),
-        single=pack((np.asarray(optics.extinction) * np.asarray(optics.albedo))[None]),
-        phase=pack(phase[:, None]),
-        phase_f12=pack(phase_f12[:, None]),
-        norms=harmonic_norms(box.degree),
-        beam=pack(beam),
-        beam_low=low,
-        beam_high=high,
-        slant=light.local.depth_over(sines, light.towards[2]),
-        local=_local(light, solution, sines),
-    )
+    return {
+        **stacked(detail_levels(light, finest, count, above)),
+        "inner": _inner(light, factor),
+        "phase": pack(phase[:, None]),
+        "phase_f12": pack(phase_f12[:, None]),
+    }
 
 
 def _local(light: CloudLight, solution: MomentsSolution, sines: FloatArray) -> Float32Array:

@@ -61,12 +61,13 @@ class LatestThread(Generic[T]):
         """Whether a request is superseded, or the thread is closing."""
         return self._closing or self._wanted is not request
 
-    def close(self) -> None:
-        """End the thread and wait for it."""
+    def close(self, *, wait: bool = True) -> None:
+        """End the thread, and wait for it."""
         with self._news:
             self._closing = True
             self._news.notify()
-        self._thread.join()
+        if wait:
+            self._thread.join()
 
     def _work(self) -> None:
         while True:

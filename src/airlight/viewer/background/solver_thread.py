@@ -19,6 +19,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.picture_wavelengths import FloatArray, picture_wavelengths
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import read_tables
+from airlight.planets.without_clouds import check_clear
 from airlight.render.solve_planet import PlanetSolver, live_solver
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
@@ -56,7 +57,10 @@ class SolverResult:
     Attributes
     ----------
     planet : Planet
-        Solved planet; disabled constituents neither scatter nor absorb.
+        Solved planet, without its three-dimensional clouds; disabled constituents neither scatter
+        nor absorb.
+    cloudy : Planet
+        The same with its clouds.
     version : int
         Version of the session's planet.
     quality : str
@@ -67,6 +71,7 @@ class SolverResult:
 
     solution: Any
     planet: Planet
+    cloudy: Planet
     version: int
     quality: str
     seconds: float
@@ -127,6 +132,8 @@ class SolverThread:
         Solver, called on the thread; by default on the CPU.
     wavelengths : callable
         ``wavelengths(planet, count)`` [nm], with ``count`` as for ``picture_wavelengths``.
+    draws_clouds : bool
+        Whether the host draws three-dimensional clouds; otherwise planets with them are refused.
     on_change : callable, optional
         Called on the thread when ``latest`` or ``status`` has changed; it should only wake the
         host.
@@ -142,11 +149,13 @@ class SolverThread:
         *,
         solver: PlanetSolver | None = None,
         wavelengths: Callable[[Planet, str], FloatArray] = picture_wavelengths,
+        draws_clouds: bool = False,
         on_change: Callable[[], None] | None = None,
     ) -> None:
         self._session = session
         self._solver = live_solver() if solver is None else solver
         self._wavelengths = wavelengths
+        self._draws_clouds = draws_clouds
         self._on_change = on_change
         self._condition = threading.Condition()
         self._request = session.solve_request
@@ -238,9 +247,7 @@ class SolverThread:
 
     def _serve(self, request: SolveRequest, asked: float) -> None:
         """Solve a planet at each quality up to the requested one, the fastest first."""
-        kept = self._kept.get((*request.key, request.quality))
-        if kept is not None:
-            self._publish(replace(kept, version=request.version, seconds=0.0), request)
+        if self._publish_known(request, request.quality):
             return
         levels = ["preview", request.quality] if request.quality != "preview" else ["preview"]
         is_first = self._latest is None
@@ -252,11 +259,10 @@ class SolverThread:
                     self._wait_for_edit(request)
                 if newer():
                     raise Cancelled("a newer edit")
-            known = self._kept.get((*request.key, level))
-            if known is not None:
-                self._publish(replace(known, version=request.version, seconds=0.0), request)
+            if self._publish_known(request, level):
                 continue
-            planet = self._planet(request, newer)
+            cloudy = self._planet(request, newer)
+            planet = cloudy.without_clouds
             wavelengths = self._wavelengths(planet, request.wavelengths)
             # Raises an error for a star without light at one of them: the picture would have no
             # colours.
@@ -272,6 +278,7 @@ class SolverThread:
                 SolverResult(
                     solution=solution,
                     planet=planet,
+                    cloudy=cloudy,
                     version=request.version,
                     quality=level,
                     seconds=time.perf_counter() - asked,
@@ -279,6 +286,15 @@ class SolverThread:
                 request,
             )
         give_back()
+
+    def _publish_known(self, request: SolveRequest, level: str) -> bool:
+        """Publish a solution that is kept, also of a planet with other clouds; whether it is."""
+        known = self._kept.get((*request.key, level))
+        if known is None:
+            return False
+        cloudy = self._planet(request, lambda: self._request is not request)
+        self._publish(replace(known, cloudy=cloudy, version=request.version, seconds=0.0), request)
+        return True
 
     def _wait_for_edit(self, request: SolveRequest) -> None:
         """Wait for ``PAUSE`` or until a request is superseded."""
@@ -311,6 +327,8 @@ class SolverThread:
                 cancel=cancel,
             )
             self._planets.put(key, planet)
+        if not self._draws_clouds:
+            check_clear(planet, "this viewer")
         return switched(planet, request.state.off)
 
     def _publish(self, solved: SolverResult, request: SolveRequest) -> None:

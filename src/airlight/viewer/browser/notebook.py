@@ -21,6 +21,7 @@ from airlight.viewer.browser.modules import join_modules, web_file
 from airlight.viewer.browser.package import program, solution_package
 from airlight.viewer.gallery.thumbnails import thumbnail_address
 from airlight.viewer.navigation.viewpoints import view_in
+from airlight.viewer.parameters.cloud_kinds import CLOUD_GROUP
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 
@@ -160,7 +161,7 @@ class Viewer(anywidget.AnyWidget):
         session = self.session
         return {
             "title": session.planet_name,
-            "parameters": [one.as_json() for one in session.parameters],
+            "parameters": [one.as_json() for one in session.parameters if one.group != CLOUD_GROUP],
             "values": dict(session.values),
             "can": {
                 "undo": session.can_undo,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any, Final, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Final, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,9 @@ from airlight.scene.frame import Frame
 from airlight.scene.system import System
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.session.adaptation import Adaptation
+
+if TYPE_CHECKING:
+    from airlight.render.clouds.lit_clouds import LitClouds
 
 #: Options for the displayed orders of scattering.
 Orders = Literal["all", "single", "multiple"]
@@ -34,6 +37,10 @@ class Request:
         Solution of the planet's atmosphere.
     scene : Scene
         Scene with the size of the final picture, in physical pixels.
+    clouds : LitClouds, optional
+        Three-dimensional clouds, possibly of an older planet or light.
+    cloud_time : float
+        Time for which the wind has moved them. [s]
     exposure : float
         Exposure, relative to the automatic exposure if ``automatic``. [EV]
     automatic : bool
@@ -56,6 +63,8 @@ class Request:
 
     solution: MomentsSolution
     scene: Scene
+    clouds: LitClouds | None = None
+    cloud_time: float = 0.0
     exposure: float = DEFAULT_EXPOSURE
     automatic: bool = False
     adaptation: Adaptation | None = None
@@ -75,6 +84,8 @@ class Request:
         return (
             other is not None
             and self.solution is other.solution
+            and self.clouds is other.clouds
+            and self.cloud_time == other.cloud_time
             and self.orders == other.orders
             and self.scene == other.scene
             and self.system == other.system

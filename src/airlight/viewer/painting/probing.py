@@ -102,7 +102,8 @@ class Probing(LatestThread[tuple[Request, tuple[float, float], bool]]):
         count = shown.wavelengths.size
         read = partial(ProbeResult, probe=found, place=place, request=request)
         more = "" if solves or count >= FINER else f"; a click solves {FINER}"
-        as_shown = read(spectrum=found, quality=f"{count} wavelengths, as shown{more}")
+        clear = "" if request.clouds is None else "without clouds; "
+        as_shown = read(spectrum=found, quality=f"{clear}{count} wavelengths, as shown{more}")
         known = self._finer[1] if self._finer[0] is shown else None
         if known is None and count < FINER and solves:
             self.reading = as_shown
@@ -114,7 +115,7 @@ class Probing(LatestThread[tuple[Request, tuple[float, float], bool]]):
         if finer is None:
             self.reading = as_shown
         else:
-            self.reading = read(spectrum=finer, quality=f"{FINER} wavelengths")
+            self.reading = read(spectrum=finer, quality=f"{clear}{FINER} wavelengths")
 
     def _solved(self, request: Request) -> Any:
         """Solution at more wavelengths; None without a planet."""

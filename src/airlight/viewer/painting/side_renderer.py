@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from time import perf_counter, sleep
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from airlight.geometry.ephemeris.world import WORLDS
 from airlight.image.exposure import MOST_EXPOSURE, exposure_factor
@@ -17,6 +17,9 @@ from airlight.scene.metering import METERED
 from airlight.scene.projections import PROJECTIONS
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_texture import Canvases
+
+if TYPE_CHECKING:
+    from airlight.render.clouds.lit_clouds import LitClouds
 
 #: Interval between pictures while the exposure adapts. [s]
 _PAUSE: Final = 1.0 / 60.0
@@ -40,11 +43,16 @@ class SideRenderer:
         self._renderer: Any = renderer
         self._measured: tuple[Request, float] | None = None
         self._exposed: object = None  # solution of the last picture
+        self._moved: tuple[Request, LitClouds] | None = None
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """See ``PictureSource.render``."""
         picture: Picture | None = None
-        more = {"system": request.system, "body": request.body} if request.system else {}
+        more: dict[str, Any] = {}
+        if request.system:
+            more = {"system": request.system, "body": request.body}
+        elif request.clouds is not None:
+            more = {"clouds": self._clouds_of(request)}
         for step in self._renderer.live(
             request.solution, request.scene, orders=request.orders, stale=stale, **more
         ):
@@ -57,6 +65,13 @@ class SideRenderer:
             yield _before_stars(picture)
         if picture is not None and picture.finished and shows_stars(picture) and not stale():
             yield self._starry(step, picture)
+
+    def _clouds_of(self, request: Request) -> LitClouds:
+        """Clouds where the wind has moved them; the same object for the same request."""
+        assert request.clouds is not None
+        if self._moved is None or not request.same_light(self._moved[0]):
+            self._moved = request, request.clouds.at(request.scene, request.cloud_time)
+        return self._moved[1]
 
     def close(self) -> None:
         """See ``PictureSource.close``."""
@@ -101,7 +116,8 @@ class SideRenderer:
         frame = replace(frame, rgb=frame.rgb.copy())  # the CPU's is kept by its renderer
         planet = request.solution.planet
         body = None if planet is None else planet.body
-        add_catalogue(frame.rgb, step.scene, request.solution, body)
+        clouds = None if request.clouds is None else self._clouds_of(request)
+        add_catalogue(frame.rgb, step.scene, request.solution, body, clouds)
         texture = self._canvases.next()
         texture.write(request.displayed(frame, picture.exposure))
         seconds = picture.seconds + perf_counter() - started

@@ -22,11 +22,17 @@ from airlight.planets.schema.field import Field, KindOfTable
 from airlight.planets.schema.measures import number_in
 from airlight.planets.star import Star
 from airlight.viewer.parameters.amounts import AMOUNTS
+from airlight.viewer.parameters.cloud_kinds import (
+    CLOUD_GROUP,
+    NONE,
+    cloud_options,
+    further_clouds,
+    is_cloud_kind,
+)
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.view_parameters import VIEW_GROUPS
 
 #: Groups of a planet other than constituents.
-CLOUD_GROUP: Final = "3-D clouds"
 PLANET_GROUPS: Final = (AMOUNTS, "planet", "shell", "ground", "star", CLOUD_GROUP)
 #: Tables of the file that form a group.
 _GROUPED: Final = (Shell, Ground, Star)
@@ -64,7 +70,8 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
     >>> [(one.path, one.unit) for one in parameters_of(mars) if one.group == "shell"]
     [('shell.bottom_radius', 'km'), ('shell.top_radius', 'km')]
     """
-    return tuple(_table(tables, _Cursor("", Planet, "planet", "", {})))
+    listed = _table(tables, _Cursor("", Planet, "planet", "", {}))
+    return (*listed, *further_clouds(tables))
 
 
 def group_of(constituents: list[Tables], index: int) -> str:
@@ -83,6 +90,8 @@ def value_at(tables: Tables, parameter: Parameter) -> float | str:
     """Value of a parameter of the planet: a number [parameter.unit], or a text."""
     key = key_at(tables, parameter.path)
     value = get(tables, parameter.path)
+    if value is None and is_cloud_kind(parameter.path):
+        return NONE
     if value is None:
         value = _left_out(key)
     if parameter.kind == "number":
@@ -134,7 +143,10 @@ def _value(key: Field, value: Any, path: str, cursor: _Cursor) -> Iterator[Param
                 yield from _table(one, _Cursor(here, key.table, group, "", {}))
             elif key.table is CLOUDS:
                 prefix = f"{one.get('name', one.get('kind', 'file'))}: " if len(value) > 1 else ""
-                yield from _table(one, _Cursor(here, key.table, CLOUD_GROUP, prefix, {}))
+                for found in _table(one, _Cursor(here, key.table, CLOUD_GROUP, prefix, {})):
+                    if is_cloud_kind(found.path):
+                        found = replace(found, options=cloud_options({key.name: value}, found.path))
+                    yield found
             else:
                 prefix = f"{cursor.prefix}{key.label} {index + 1}: "
                 yield from _table(one, replace(cursor, path=here, kind=key.table, prefix=prefix))

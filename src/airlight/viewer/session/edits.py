@@ -15,6 +15,11 @@ from airlight.planets.reading.shell_edit import BOTTOM, lifted
 from airlight.planets.schema.measures import number_in, text_of
 from airlight.planets.schema.tagged_union import TaggedUnion
 from airlight.planets.star import BLACK_BODY
+from airlight.viewer.parameters.cloud_kinds import (
+    is_cloud_kind,
+    original_clouds,
+    with_cloud_kind,
+)
 from airlight.viewer.parameters.parameter import Parameter, Value
 
 #: IAU 2015 Resolution B3: nominal effective temperature of the sun.
@@ -48,6 +53,8 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
     key = key_at(tables, path)
     if parameter.kind != "number":
         table, _, last = path.rpartition(".")
+        if is_cloud_kind(path):
+            return with_cloud_kind(tables, path, str(value))
         if last == "kind":
             return put(tables, table, _fresh(tables, table, str(value)))
         if path == "star.spectrum":
@@ -152,6 +159,10 @@ def restored(tables: Tables, base: Tables, path: str) -> Tables:
     table, _, last = path.rpartition(".")
     if path == "star.spectrum":
         return put(tables, "star", get(base, "star"))
+    if is_cloud_kind(path):
+        return put(tables, "clouds", get(base, "clouds"))
+    if path.startswith("clouds["):
+        return put(tables, path, get(original_clouds(base, tables), path))
     if table.endswith(".composition") or table == "shell" or last == "kind":
         path, table = table, table.rpartition(".")[0]
     old = get(base, path)

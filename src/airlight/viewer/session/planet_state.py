@@ -99,6 +99,12 @@ class PlanetState:
         """Fingerprint of the tables."""
         return hashlib.sha256(repr(self.tables).encode()).hexdigest()[:32]
 
+    @cached_property
+    def clear_key(self) -> str:
+        """Fingerprint of the tables without three-dimensional clouds."""
+        clear = {name: value for name, value in self.tables.items() if name != "clouds"}
+        return hashlib.sha256(repr(clear).encode()).hexdigest()[:32]
+
     @property
     def changes(self) -> tuple[tuple[str, Any, Any], ...]:
         """Changed paths, with the original and the current value of each."""
@@ -106,8 +112,8 @@ class PlanetState:
 
     @property
     def key(self) -> str:
-        """Fingerprint of the tables and the switches, which determine the solution."""
-        return f"{self.tables_key} {self.off}"
+        """Fingerprint of the tables and the switches that determine the solution."""
+        return f"{self.clear_key} {self.off}"
 
 
 def _check_tables(tables: Tables) -> None:

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from time import perf_counter
-from typing import Any, Final, cast
+from typing import TYPE_CHECKING, Any, Final, cast
 
 from airlight.planets.planet import Planet
 from airlight.render.solve_planet import PlanetSolver
 from airlight.scene.system import System
+from airlight.viewer.background.cloud_clock import CloudClock
 from airlight.viewer.background.solver_thread import SolverResult, SolverStatus, SolverThread
 from airlight.viewer.painting.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.painting.picture_thread import PictureThread
 from airlight.viewer.parameters.view_parameters import scene_of, settings_of
 from airlight.viewer.session.session import Session, SessionSide
+
+if TYPE_CHECKING:
+    from airlight.render.clouds.lit_clouds import LitClouds
+    from airlight.viewer.background.cloud_thread import CloudThread
 
 #: Time for which a picture counts as new. [s]
 _FRESH: Final = 0.5
@@ -47,6 +52,8 @@ class Sides:
         self._wake = wake
         self._solvings: dict[str, SolverThread] = {}
         self._threads: dict[str, PictureThread] = {}
+        self._clouds: dict[str, CloudThread] = {}
+        self._clocks: dict[str, CloudClock] = {}
         self._pictures: dict[str, Picture] = {}
         self._wanted: tuple[str, ...] = ()
         self._arrived: dict[str, float] = {}
@@ -66,20 +73,50 @@ class Sides:
             self._solvings[side] = SolverThread(
                 SessionSide(self._session, side),
                 solver=self._solver,
+                draws_clouds=True,
                 on_change=self._wake,
             )
+            self._clocks[side] = CloudClock()
         solved = self._solvings[side].latest
         if solved is not None:
+            self._want_clouds(side, solved)
             self._threads[side].want(self._request(side, solved))
         newest = self._threads[side].picture
         if newest is not None and newest is not self._pictures.get(side):
             self._pictures[side] = newest
             self._arrived[side] = perf_counter()
 
+    def _want_clouds(self, side: str, solved: SolverResult) -> None:
+        """Ask for the light of the clouds of a side, if it has any."""
+        if not solved.cloudy.clouds or self._session.around is not None:
+            if side in self._clouds:  # their light takes hundreds of megabytes
+                self._clouds.pop(side).close(wait=False)
+            return
+        from airlight.viewer.background.cloud_thread import CloudRequest, CloudThread
+
+        if side not in self._clouds:
+            self._clouds[side] = CloudThread(self._wake)
+        view = self._view(side)
+        self._clouds[side].want(
+            CloudRequest(
+                planet=solved.cloudy,
+                solution=solved.solution,
+                scene=scene_of(view, *self._session.size),
+                quality=solved.quality,
+                refined=solved.quality == view["light.quality"],
+            )
+        )
+
+    def _view(self, side: str) -> Mapping[str, Any]:
+        """View of a side."""
+        session = self._session
+        return session.view if side == session.showing else session.view_other or session.view
+
     def _request(self, side: str, solved: SolverResult) -> Request:
         """Picture request of a side."""
         session = self._session
-        view = session.view if side == session.showing else session.view_other or session.view
+        view = self._view(side)
+        lit, seconds = self._shown_clouds(side, solved)
         exposure = float(session.view["display.exposure"])
         automatic = bool(session.view["display.automatic"])
         shared = session.shares_exposure
@@ -89,6 +126,8 @@ class Sides:
         return Request(
             solution=solved.solution,
             scene=scene_of(view, *session.size),
+            clouds=lit,
+            cloud_time=seconds,
             exposure=exposure + adapted if follows and adapted is not None else exposure,
             automatic=automatic and not follows,
             adaptation=session.adaptation if leads else None,
@@ -103,7 +142,22 @@ class Sides:
     def _system(self, view: Mapping[str, Any], solved: SolverResult) -> System | None:
         """Scene around the planet; None without one."""
         around = self._session.around
-        return None if around is None else around.seen(view, solved.planet)
+        return None if around is None else around.seen(view, solved.cloudy)
+
+    def _shown_clouds(self, side: str, solved: SolverResult) -> tuple[LitClouds | None, float]:
+        """Newest clouds of a side, and the time for which the wind has moved them. [s]"""
+        seconds = self._clocks[side].seconds(self._view(side))
+        if side not in self._clouds or not solved.cloudy.clouds:
+            return None, 0.0
+        moves = any(one.wind_speed > 0.0 for one in solved.cloudy.clouds)
+        return self._clouds[side].latest, seconds if moves else 0.0
+
+    def _cloud_words(self, side: str) -> str:
+        """What is done for the clouds of a side; empty if they are shown as they are to be."""
+        thread, solved = self._clouds.get(side), self.solved(side)
+        if thread is None or solved is None or not solved.cloudy.clouds or not thread.busy:
+            return ""
+        return thread.doing or "clouds …"
 
     @property
     def _metered(self) -> dict[str, float]:
@@ -141,6 +195,9 @@ class Sides:
         shown, solved = self._pictures.get(side), self.solved(side)
         if side not in self._wanted or shown is None:
             return ""
+        words = self._cloud_words(side)
+        if words and solved is not None and solved.version == self._session.versions.planet:
+            return f"{side}: {words}"
         if perf_counter() - self._arrived[side] < _FRESH:
             return ""
         solving = self._solvings[side]
@@ -179,6 +236,7 @@ class Sides:
         return (
             self._solvings[side].idle
             and not self._threads[side].busy
+            and not self._cloud_words(side)
             and solved is not None
             and shown is not None
             and shown.finished
@@ -190,14 +248,18 @@ class Sides:
         """First error of the requested sides, in one line; empty if there is none."""
         errors = [self._solvings[side].status.error for side in self._wanted]
         errors += [self._threads[side].error for side in self._wanted]
+        errors += [self._clouds[side].error for side in self._wanted if side in self._clouds]
         return next((one for one in errors if one), "")
 
     def close(self) -> None:
         """End all threads."""
         for solving in self._solvings.values():
             solving.close()
+        for lighting in self._clouds.values():
+            lighting.close()
         for thread in self._threads.values():
             thread.close()
         self._solvings.clear()
         self._threads.clear()
+        self._clouds.clear()
         self._wanted = ()

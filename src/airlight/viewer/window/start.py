@@ -170,8 +170,12 @@ def opened(start: Start) -> Session:
 
 
 def _is_plain(session: Session) -> bool:
-    """Whether the planet has no edits, so that its solution is cached for the next start."""
-    return not session.planet.changes and not session.planet.off
+    """Whether the planet has no edits, so that its solution is cached for the next start.
+
+    Solutions do not depend on three-dimensional clouds.
+    """
+    edits = (one for one, _, _ in session.planet.changes if not one.startswith("clouds"))
+    return not any(edits) and not session.planet.off
 
 
 def _session_of(planet: str) -> Session:

@@ -386,6 +386,9 @@ class Window:
         if self.session.around is not None:
             self.messages.error = "films of scenes are made by airlight animate"
             return
+        if shown.request.clouds is not None:
+            self.messages.error = "films with clouds are made by airlight animate"
+            return
         view = self.session.view
         latitude, zenith, azimuth = (
             float(view[f"view.{name}"]) for name in ("latitude", "sun_zenith", "sun_azimuth")

@@ -112,7 +112,7 @@ class Saving:
         self._thread.start()
 
     def _write(self, path: str, picture: Picture, scene: Scene) -> str:
-        request, exposure = picture.request, picture.exposure
+        request, exposure, clouds = picture.request, picture.exposure, None
         report: dict[str, Any] = {
             "cancel": lambda: self._cancelled,
             "progress": self._progress,
@@ -124,10 +124,16 @@ class Saving:
             whole = scene.camera.width, scene.camera.height, None
             frame = render_solved_system(lights, whole, **report)
         else:
-            frame = render_solution(request.solution, scene, orders=request.orders, **report)
+            if request.clouds is not None:
+                clouds = request.clouds.refined(
+                    request.solution, scene, request.cloud_time, **report
+                )
+            frame = render_solution(
+                request.solution, scene, orders=request.orders, clouds=clouds, **report
+            )
         planet = request.solution.planet
         if planet is not None and shows_stars(picture):
-            add_catalogue(frame.rgb, scene, request.solution, planet.body)
+            add_catalogue(frame.rgb, scene, request.solution, planet.body, clouds)
         metadata = {"planet": planet.name if planet else "", **scene.metadata()}
         metadata |= {"orders": request.orders}
         written = write_picture(path, frame, metadata, exposure=exposure, settings=request.display)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from airlight.errors import AirlightError
 from airlight.viewer.parameters.amounts import Amount
+from airlight.viewer.parameters.cloud_kinds import is_cloud_kind, original_clouds
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
 from airlight.viewer.session.edited_amounts import amount_value
@@ -70,6 +71,8 @@ class PanelValues:
         if path not in self._defaults:
             try:
                 base = self._planet.base
+                if path.startswith("clouds[") and not is_cloud_kind(path):
+                    base = original_clouds(base, self._planet.tables)
                 self._defaults[path] = (
                     amount_value(base, parameter)
                     if isinstance(parameter, Amount)
