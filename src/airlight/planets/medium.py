@@ -137,8 +137,8 @@ class Medium:
 
     def with_light(self, source: LightSource) -> Medium:
         """Medium under another light source at the same wavelengths."""
-        lit = {"solar_irradiance": source.irradiance, "star_angular_radius": source.angular_radius}
-        return dataclasses.replace(self, **lit)
+        light, radius = source.irradiance, source.angular_radius
+        return dataclasses.replace(self, solar_irradiance=light, star_angular_radius=radius)
 
     @property
     def ground(self) -> Reflection:

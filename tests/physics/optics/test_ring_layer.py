@@ -58,7 +58,7 @@ def test_layer_is_reciprocal():
 
 @pytest.mark.parametrize("depth", [1e-4, 0.3, 3.0])
 def test_layer_scatters_no_more_than_it_intercepts(depth):
-    # isotropic particles of albedo 1 scatter once what is intercepted; some of it is lost on its way
+    # isotropic particles of albedo 1 scatter what is intercepted; some of it is lost on its way
     rule, mu_s = gauss_legendre(400), 0.4
     flux = sum(
         2.0 * np.pi * np.sum(rule.weights * rule.nodes * LAYER(depth, side * rule.nodes, mu_s))
