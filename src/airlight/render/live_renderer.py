@@ -22,9 +22,9 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.image.display_settings import DisplaySettings
@@ -37,11 +37,10 @@ from airlight.render.background_compilation import (
     live_cloudy_compiler,
     marched_clouds,
 )
-from airlight.render.render_scene import CPU
+from airlight.render.live_frame import LIVE_FORMAT, LiveFrame
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
-    from airlight.image.white_balance import White
     from airlight.kernel.background_compiler import BackgroundCompiler
     from airlight.kernel.threads import Cancel
     from airlight.render.clouds.lit_clouds import LitClouds
@@ -51,8 +50,6 @@ if TYPE_CHECKING:
     from airlight.scene.frame import Frame
     from airlight.solver.moments.solution import MomentsSolution
 
-#: Format of the target textures of live frames: encoded sRGB.
-LIVE_FORMAT: Final = "rgba8unorm"
 #: Time budget of the CPU's first frame of a new view. [s]
 _AT_ONCE: Final = 0.05
 #: Ratio of the pixels per side of successive frames. [1]
@@ -72,101 +69,6 @@ _STILL: Final = 0.2
 _POLL: Final = 0.02
 #: Width of the frame that compiles the shaders: it has the bands of a larger frame. [pixel]
 _SMALL: Final = 128.0
-
-
-class FrameRenderer(Protocol):
-    """Renderer on a GPU that is ready to render and display a scene."""
-
-    @property
-    def device(self) -> Device:
-        """GPU that renders."""
-
-    def render(self, scene: Scene, *, orders: str = "all") -> Frame:
-        """See ``GpuRenderer.render``."""
-
-    def display(
-        self,
-        scene: Scene,
-        view: Any,
-        target_format: str,
-        *,
-        orders: str = "all",
-        exposure: float,
-        settings: DisplaySettings | None = None,
-        scene_white: White | None = None,
-    ) -> None:
-        """See ``GpuRenderer.display``."""
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class LiveFrame:
-    """Step of progressive rendering: a frame, or a GPU renderer that is ready to display one.
-
-    Attributes
-    ----------
-    scene : Scene
-        Scene whose camera has the size of this step.
-    orders : str
-        Orders of scattering.
-    finished : bool
-        False if a finer step follows.
-    seconds : float
-        Time to render the frame; 0 on the GPU. [s]
-    frame : Frame or None
-        Linear sRGB radiance; None if the GPU displays it.
-    renderer : FrameRenderer or None
-        Renderer with the solution; None on the CPU.
-    """
-
-    scene: Scene
-    orders: str
-    finished: bool
-    seconds: float = 0.0
-    frame: Frame | None = None
-    renderer: FrameRenderer | None = None
-
-    @property
-    def by(self) -> str:
-        """Short name of the CPU or the kind of GPU."""
-        if self.renderer is None:
-            return CPU
-        return "GPU in software" if self.renderer.device.software else "GPU"
-
-    def metered(self, width: float) -> Frame:
-        """Linear frame; the GPU renders it at a width of at most ``width`` pixels."""
-        if self.frame is not None:
-            return self.frame
-        assert self.renderer is not None
-        small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
-        return self.renderer.render(small, orders=self.orders)
-
-    def display(
-        self,
-        view: Any,
-        *,
-        exposure: float,
-        settings: DisplaySettings,
-        scene_white: White | None = None,
-    ) -> None:
-        """Display into a texture of ``LIVE_FORMAT`` on the GPU.
-
-        Parameters
-        ----------
-        view : wgpu.GPUTextureView
-            View of the target, of the camera's size.
-        exposure, settings, scene_white :
-            Arguments of ``GpuRenderer.display``.
-        """
-        assert self.renderer is not None
-        self.renderer.display(
-            self.scene,
-            view,
-            LIVE_FORMAT,
-            orders=self.orders,
-            exposure=exposure,
-            settings=settings,
-            scene_white=scene_white,
-        )
 
 
 class LiveRenderer:

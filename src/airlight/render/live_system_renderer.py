@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from airlight.kernel.memory import give_back
 from airlight.render.gpu_system_renderer import GpuSystemRenderer
-from airlight.render.live_renderer import LiveFrame, render_small
+from airlight.render.live_frame import LiveFrame
+from airlight.render.live_renderer import render_small
 from airlight.render.render_system import render_solved_system
 from airlight.render.scene_lights import SceneLights
 from airlight.render.solve_planet import solve_planet

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.render.live_renderer import LIVE_FORMAT
+from airlight.render.live_frame import LIVE_FORMAT
 
 
 class PictureTexture:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, Final
 from airlight.geometry.ephemeris.world import WORLDS
 from airlight.image.exposure import MOST_EXPOSURE, exposure_factor
 from airlight.image.white_balance import scene_white
-from airlight.render.live_renderer import LiveFrame, LiveRenderer
+from airlight.render.live_frame import LiveFrame
+from airlight.render.live_renderer import LiveRenderer
 from airlight.render.live_system_renderer import LiveSystemRenderer
 from airlight.render.star_points import add_catalogue
 from airlight.scene.metering import METERED
