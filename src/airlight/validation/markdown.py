@@ -31,7 +31,7 @@ from airlight.validation.suite import Part, ReportTable, Suite, cells
 _THRESHOLDS: Final = "thresholds.csv"
 _THRESHOLD_FIELDS: Final = cells("suite | quantity | result | target | unit | met | source")
 #: Number of rows above which a table is a file.
-_MOST_ROWS: Final = 11
+_MOST_ROWS: Final = 8
 
 
 def markdown(report: ValidationReport, folder: str) -> str:
