@@ -120,7 +120,7 @@ def test_planet_hides_its_rings_from_the_star_where_geometry_puts_its_shadow(bri
     along = point @ SUN
     dark = (along < 0.0) & (radius**2 - along**2 < R * R)
     sure = on_ring.all(axis=0) & (dark.all(axis=0) | ~dark.any(axis=0))
-    nearest = np.linalg.norm(np.cross(eye, corners[0]), axis=-1)
+    nearest = np.linalg.norm(np.cross(eye, corners), axis=-1).min(axis=0)
     sure &= nearest > PLANET.top_radius
     assert (sure & dark[0]).sum() > 20
     assert not rgb[sure & dark[0]].any()
