@@ -100,8 +100,11 @@ def test_the_option_replaces_the_clouds_of_the_file(tmp_path, monkeypatch):
 def test_editors_show_every_key_of_clouds():
     names = {one.name for one in CLOUDS.declared({"kind": "cumulus"})}
     shown = [one.path for one in parameters_of({"clouds": [{"kind": "cumulus"}]})]
-    own = {path.removeprefix("clouds[0].") for path in shown if "clouds" in path}
+    own = {path.removeprefix("clouds[0].") for path in shown if "clouds[0]" in path}
     assert own == names - {"name", "latitude", "longitude"}  # which have no default value
+    assert {path for path in shown if "clouds" in path and "clouds[0]" not in path} == {
+        "clouds[1].kind"  # adds another
+    }
     two = parameters_of({"clouds": [{"kind": "cumulus"}, {"kind": "cirrus", "name": "high"}]})
     covers = [(one.group, one.label) for one in two if one.path.endswith("cover")]
     assert covers == [("3-D clouds", "cumulus: cover"), ("3-D clouds", "high: cover")]
