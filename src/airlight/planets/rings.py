@@ -22,7 +22,7 @@ MOST_ROWS: Final = 1000
 DENSEST: Final = 100.0
 #: Exponent of the phase function of Callisto, which fits the A ring: Dones, Cuzzi & Showalter
 #: (1993), Icarus 105, 184. [1]
-CALLISTO: Final = 3.301
+CALLISTO: Final = 3.092
 
 _RADIUS: Final = Field(
     help="-",
@@ -119,7 +119,7 @@ class Ring(TomlModel):
     )
     exponent: float = key(
         help="Exponent n of the phase function of large particles.",
-        note="(π - α)ⁿ, α the phase angle; 3.301 is Callisto's, 0 isotropic.",
+        note="(π - α)ⁿ, α the phase angle; 3.092 is Callisto's, 0 isotropic.",
         range=(0.0, 20.0),
         example="3.3",
         mode="advanced",
