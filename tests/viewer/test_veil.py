@@ -82,6 +82,8 @@ def test_a_side_is_veiled_while_another_planet_is_solved(window: Window, solver:
     before = until(window, lambda: sides.settled and not sides.outdated("A"))
     assert (before > 20.0).all()
     assert sides.outdated("B") == ""
+    # the exposure of both follows the edited side's view, which another planet changes
+    window.session.set("display.locked", True)
 
     solver.gate.clear()
     window.session.set(DEPTH, 1.5)
