@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.errors import ParameterError
+from airlight import observe, solve
+from airlight.errors import AirlightWarning, ParameterError
 from airlight.planets import load_planet, replace
 from airlight.planets.rings import Ring
 from airlight.solver.tables.ring_shadow import ring_tables
@@ -104,3 +105,18 @@ def test_preset_has_the_published_rings():
     assert [one.name for one in saturn.rings] == ["C", "B", "Cassini division", "A", "F"]
     assert saturn.rings[1].outer_radius == 117570e3
     assert float(saturn.rings[3].depths([133500e3])[0]) == 0.0  # gap of Encke
+
+
+def test_numbers_without_the_rings_say_so():
+    # pictures have the rings: without a line two answers would contradict each other
+    ringed = replace(PLANET, rings=(ring(),))
+    solution = solve(ringed, [550.0], "preview")
+    asked = {"altitude": 0.0, "sun_zenith": 60.0}
+    for what, ask in (
+        ("radiance", lambda: solution.radiance(**asked, view_zenith=30.0)),
+        ("irradiance", lambda: solution.irradiance(**asked)),
+        ("geometric-albedo", lambda: observe(solution, "geometric-albedo")),
+    ):
+        with pytest.warns(AirlightWarning, match=rf"^{what} without rings"):
+            ask()
+    solve(PLANET, [550.0], "preview").radiance(**asked, view_zenith=30.0)  # warns of nothing

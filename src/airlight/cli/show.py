@@ -121,6 +121,10 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
         )
     if medium.surface.clouds is not None:
         table.add_row("clouds", f"{medium.surface.clouds}, mean cover {medium.ground.cover:.4g}")
+    if planet.rings:
+        edges = [radius for one in planet.rings for radius in (one.inner_radius, one.outer_radius)]
+        span = f"{min(edges) / 1e3:.6g} to {max(edges) / 1e3:.6g} km"
+        table.add_row("rings", f"{len(planet.rings)}, {span}; not in the numbers")
     for one in planet.clouds:
         table.add_row("3-D clouds", f"{_clouds(one)}; not in the numbers")
     for omitted in omitted_bands(planet, medium.wavelengths):

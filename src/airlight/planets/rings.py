@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ConflictError, ParameterError
+from airlight.errors import ConflictError, ParameterError, warn
 from airlight.planets.parameters import MISSING, ascending, parameters
 from airlight.planets.schema.field import Field, always, key
 from airlight.planets.schema.toml_model import TomlModel
@@ -206,3 +206,17 @@ def check_rings(rings: tuple[Ring, ...], top_radius: float) -> None:
                 f"at least {below:.10g} m, {what}",
             )
         below, what = rings[k].outer_radius, "the outer edge of the ring below"
+
+
+def warn_of_rings(rings: tuple[Ring, ...], consumer: str) -> None:
+    """Issue a warning where rings, their shadow and their light are left out.
+
+    Parameters
+    ----------
+    rings : tuple of Ring
+        Rings of the planet.
+    consumer : str
+        What is computed without them.
+    """
+    if rings:
+        warn(f"{consumer} without rings: their shadow and light are left out; pictures have them")

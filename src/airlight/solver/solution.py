@@ -22,6 +22,7 @@ from airlight.physics.optics.air_mass import air_mass_pickering2002
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
+from airlight.planets.rings import warn_of_rings
 from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solver.named_axes import Argument, NamedAxes
 from airlight.solver.refracted_geometry import RefractedGeometry
@@ -230,6 +231,7 @@ class Solution(ABC):
         """
         arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
         self.check_order(order)
+        warn_of_rings(self.medium.rings, "radiance")
         sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
         if not stokes:
             values = self.relative_radiance(lines, order=order) * sun
@@ -395,6 +397,7 @@ class Solution(ABC):
             ``direct`` and ``diffuse``, each of shape (..., wavelength); light scattered into the
             delta-M fraction of forward peaks counts as direct. [W m⁻² nm⁻¹]
         """
+        warn_of_rings(self.medium.rings, "irradiance")
         thickness = self.medium.thickness
         arrays, axes = NamedAxes.of(
             altitude=Argument(altitude, 0.0, thickness, "m"),

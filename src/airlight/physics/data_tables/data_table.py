@@ -17,7 +17,7 @@ from airlight.physics.data_tables.headings import Heading, conversion
 
 FloatArray = NDArray[np.float64]
 
-#: Texts of cells that stand for no number, beside an empty one.
+#: Cells without a value.
 _MISSING_WORDS: Final = ("", "N/A", "NA", "-", "--", "*")
 
 

@@ -1,8 +1,8 @@
 """Rings in a pixel: their light, what they let through, and the planet's shadow on them.
 
-Sunlight is scattered once (``ring_layer``). Of the planet's shadow its ground is the edge: light
-that its air refracts, scatters or lets through behind it is left out, as is the planet's own light
-on the rings. Lines of sight are straight.
+Single scattering of sunlight (``ring_layer``). The planet's shadow is that of its ground. Left out:
+light that its air refracts, scatters or transmits into the shadow, and planetshine on the rings.
+Lines of sight are straight.
 """
 
 from __future__ import annotations

@@ -16,6 +16,7 @@ from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
+from airlight.planets.rings import warn_of_rings
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.montecarlo.estimate import Estimate, Query, estimate
 from airlight.solver.montecarlo.history_optics import HistoryOptics, history_optics
@@ -226,6 +227,7 @@ class MonteCarloSolution(Solution):
             self.check_polarised()
         self.check_order(order)
         arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
+        warn_of_rings(self.medium.rings, "radiance")
         got = self.trace(lines, order=order)
         values, errors = got.total, got.total_error
         if order is not None:

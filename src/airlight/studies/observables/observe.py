@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import Measure, values_in
+from airlight.planets.rings import warn_of_rings
 from airlight.solver.named_axes import WAVELENGTH
 from airlight.solver.solution import Solution
 from airlight.solver.solve import solution_of
@@ -136,6 +137,7 @@ def observe(
             takers = ", ".join(name_of for name_of, one in KINDS.items() if name in one.takes)
             raise ConflictError(name, f"requires {takers}")
     solution = solution_of(solution, progress=progress, cancel=cancel)
+    warn_of_rings(solution.medium.rings, of)
     variables, notes = kind.of(solution, geometry, progress, cancel)
     return _dataset(solution, of, variables, notes)
 

@@ -21,6 +21,7 @@ from airlight.image.display import to_display
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import texel_wavelengths
+from airlight.planets.rings import warn_of_rings
 from airlight.render import render
 from airlight.render.solve_planet import solve_planet
 from airlight.solver.moments.harmonics import moment_count
@@ -209,6 +210,7 @@ def export_page(
             raise ParameterError("view", path, known)
         session.set(path, value)
     world = load_planet(planet, dict(changes or {}), progress=progress)
+    warn_of_rings(world.rings, "page")
     title = f"{world.name} – airlight"
     for level in dict.fromkeys((quality, "preview")):
         solution = solve_planet(
