@@ -195,6 +195,7 @@ def test_light_goes_both_ways_alike_on_a_flat_planet(
 QUALITY_OF = {"earth": "default", "mars": "default"}
 
 
+@pytest.mark.filterwarnings("ignore:.*without rings")
 @pytest.mark.parametrize(
     "name",
     [

@@ -175,7 +175,7 @@ def opened_window(
         display = f":{pipe.readline().strip()}"
     driven = Driven(display, folder, planet, size, changes, **environment)
     try:
-        assert driven.ask("settled", 240.0), driven.ask("error")
+        assert driven.ask("settled", 290.0), driven.ask("error") or "not settled"
         yield driven
     finally:
         driven.close()
