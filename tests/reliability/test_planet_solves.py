@@ -10,7 +10,6 @@ from planet_solves import try_solves
 
 
 @pytest.mark.slow
-@pytest.mark.filterwarnings("ignore:.*without rings")
 @pytest.mark.parametrize("count", [12, pytest.param(400, marks=pytest.mark.validation)])
 def test_mutated_planets_are_solved_or_refused(count: int, tmp_path: Path) -> None:
     # the limits of time are those of scripts/soak: here kernels may be compiled, on a busy machine
