@@ -112,7 +112,8 @@ def built(source: Path, place: Path, *, only_wheel: bool) -> Path:
     """The wheel with compiled code; beside it in ``place`` the source distribution."""
     shutil.rmtree(place, ignore_errors=True)
     with step("compiled code"):
-        run(sys.executable, "builders/compiled_code.py", cwd=source, env={"PYTHONPATH": "src"})
+        own = {"PYTHONPATH": str(source / "src")}  # absolute: it compiles in another folder
+        run(sys.executable, "builders/compiled_code.py", cwd=source, env=own)
     with step("build"):
         kinds = ["--wheel"] if only_wheel else ["--wheel", "--sdist"]
         run(sys.executable, "-m", "build", *kinds, "-o", place, cwd=source)
