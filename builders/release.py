@@ -148,7 +148,10 @@ def tried(source: Path, wheel: Path, *, lowest: bool) -> None:
     uv: list[str | Path] = [sys.executable, "-m", "uv", "--quiet"]
     with tempfile.TemporaryDirectory() as name:
         place = Path(name)
-        env = {"AIRLIGHT_CACHE": str(place / "cache")}
+        env = {
+            "AIRLIGHT_CACHE": str(place / "cache"),
+            "PYTHONPATH": "",
+        }  # the wheel, not a checkout
         run(*uv, "venv", place / "venv", "--python", sys.executable)
         bin = place / "venv" / ("Scripts" if os.name == "nt" else "bin")
         install = [*uv, "pip", "install", "--python", bin / "python", wheel]
@@ -161,7 +164,7 @@ def tried(source: Path, wheel: Path, *, lowest: bool) -> None:
             run(*install)
             files = [file.stat().st_size for file in (place / "venv").rglob("*") if file.is_file()]
             print(f"   {sum(files) / 1e6:.0f} MB")
-        run(bin / "airlight", "--version")
+        run(bin / "airlight", "--version", env=env)
         for which in ("first picture", "again"):
             began = time.monotonic()
             with step(which):
