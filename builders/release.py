@@ -112,7 +112,8 @@ def built(source: Path, place: Path, *, only_wheel: bool) -> Path:
     """The wheel with compiled code; beside it in ``place`` the source distribution."""
     shutil.rmtree(place, ignore_errors=True)
     with step("compiled code"):
-        run(sys.executable, "builders/compiled_code.py", cwd=source, env={"PYTHONPATH": "src"})
+        own = {"PYTHONPATH": str(source / "src")}  # absolute: it compiles in another folder
+        run(sys.executable, "builders/compiled_code.py", cwd=source, env=own)
     with step("build"):
         kinds = ["--wheel"] if only_wheel else ["--wheel", "--sdist"]
         run(sys.executable, "-m", "build", *kinds, "-o", place, cwd=source)
@@ -147,7 +148,10 @@ def tried(source: Path, wheel: Path, *, lowest: bool) -> None:
     uv: list[str | Path] = [sys.executable, "-m", "uv", "--quiet"]
     with tempfile.TemporaryDirectory() as name:
         place = Path(name)
-        env = {"AIRLIGHT_CACHE": str(place / "cache")}
+        env = {
+            "AIRLIGHT_CACHE": str(place / "cache"),
+            "PYTHONPATH": "",
+        }  # the wheel, not a checkout
         run(*uv, "venv", place / "venv", "--python", sys.executable)
         bin = place / "venv" / ("Scripts" if os.name == "nt" else "bin")
         install = [*uv, "pip", "install", "--python", bin / "python", wheel]
@@ -160,7 +164,7 @@ def tried(source: Path, wheel: Path, *, lowest: bool) -> None:
             run(*install)
             files = [file.stat().st_size for file in (place / "venv").rglob("*") if file.is_file()]
             print(f"   {sum(files) / 1e6:.0f} MB")
-        run(bin / "airlight", "--version")
+        run(bin / "airlight", "--version", env=env)
         for which in ("first picture", "again"):
             began = time.monotonic()
             with step(which):

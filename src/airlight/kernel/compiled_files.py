@@ -14,7 +14,6 @@ import pickle
 import secrets
 import stat
 import time
-import zlib
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
@@ -142,11 +141,14 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
     here, there = (IndexDataCacheFile(str(one), base, "") for one in (index.parent, folder))
     for one in (here, there):
         check_files(one, Path.read_bytes)
+    import lzma
+
     chosen = {}
     for key, name in here._load_index().items():
         if wanted(here._load_data(name)):
             folder.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(zlib.compress((index.parent / name).read_bytes(), 9))
+            content = (index.parent / name).read_bytes()
+            (folder / name).write_bytes(lzma.compress(content, preset=9))
             chosen[key] = name
     if chosen:
         there._save_index(chosen)
@@ -156,9 +158,15 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
 def read_copied(file: Path) -> bytes:
     """Content of a file of ``copy_code``, whose code is compressed and whose index is not."""
     content = file.read_bytes()
+    if file.suffix != ".nbc":
+        return content
     try:
-        return zlib.decompress(content) if file.suffix == ".nbc" else content
-    except zlib.error as damage:
+        import lzma
+    except ImportError as missing:  # some builds of Python lack it
+        raise OSError("Python lacks lzma") from missing
+    try:
+        return lzma.decompress(content)
+    except lzma.LZMAError as damage:
         raise OSError(f"{file} is damaged") from damage
 
 

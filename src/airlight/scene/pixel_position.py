@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.scene.camera import Camera
-from airlight.scene.projections.projected import projected_rays
+from airlight.scene.projections.projected import projected_points, projected_rays
 
 FloatArray = NDArray[np.float64]
 
@@ -66,8 +66,7 @@ def pixel_positions(
     x, y = across[cell % across.size], down[cell // across.size]
     solid = np.full(len(directions), np.nan)
     found = np.zeros(len(directions), bool)
-    for k in np.flatnonzero(near):
-        x[k], y[k], solid[k], found[k] = _newton(camera, directions[k], x[k], y[k])
+    x[near], y[near], solid[near], found[near] = _newton(camera, directions[near], x[near], y[near])
     x[~found] = y[~found] = solid[~found] = np.nan
     return x, y, solid
 
@@ -79,27 +78,50 @@ def _centres(side: int) -> FloatArray:
 
 
 def _newton(
-    camera: Camera, direction: FloatArray, x: float, y: float
-) -> tuple[float, float, float, bool]:
-    solid = math.nan
+    camera: Camera, directions: FloatArray, x: FloatArray, y: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray, NDArray[np.bool_]]:
+    """Positions, solid angles of a pixel there, and whether it shows the direction."""
+    solid, inside = np.full(x.size, np.nan), np.ones(x.size, bool)
+    active = np.arange(x.size)
     for _ in range(_STEPS):
-        at = _rays(camera, np.array([x, x + _SLOPE]), np.array([y, y + _SLOPE]))
-        if not at.any(axis=-1).all():
-            return x, y, solid, False
-        right, below = (at[0, 1] - at[0, 0]) / _SLOPE, (at[1, 0] - at[0, 0]) / _SLOPE
-        slopes = np.stack([right, below], axis=1)
-        step = np.linalg.lstsq(slopes, direction - at[0, 0], rcond=None)[0]
-        solid = float(np.linalg.norm(np.cross(right, below)))
-        x = float(min(max(x + step[0], 0.0), camera.width - 2.0 * _SLOPE))
-        y = float(min(max(y + step[1], 0.0), camera.height - 2.0 * _SLOPE))
-        if max(abs(step)) < 1e-6:
+        across, down = x[active], y[active]
+        at = _points(camera, across, down)
+        right, below = (
+            _points(camera, across + _SLOPE, down),
+            _points(camera, across, down + _SLOPE),
+        )
+        shown = at.any(axis=1) & right.any(axis=1) & below.any(axis=1)
+        inside[active[~shown]] = False
+        active, at, right, below = active[shown], at[shown], right[shown], below[shown]
+        right, below, off = (right - at) / _SLOPE, (below - at) / _SLOPE, directions[active] - at
+        # Least squares of off = right dx + below dy; the determinant is the solid angle squared.
+        rr, bb, rb = _dot(right, right), _dot(below, below), _dot(right, below)
+        ro, bo = _dot(right, off), _dot(below, off)
+        square = np.maximum(rr * bb - rb**2, 1e-300)
+        dx, dy = (bb * ro - rb * bo) / square, (rr * bo - rb * ro) / square
+        solid[active] = np.sqrt(square)
+        x[active] = np.clip(x[active] + dx, 0.0, camera.width - 2.0 * _SLOPE)
+        y[active] = np.clip(y[active] + dy, 0.0, camera.height - 2.0 * _SLOPE)
+        active = active[np.maximum(np.abs(dx), np.abs(dy)) >= 1e-6]
+        if not active.size:
             break
-    error = np.linalg.norm(_rays(camera, np.array([x]), np.array([y]))[0, 0] - direction)
-    return x, y, solid, bool(error < _NEAR * math.sqrt(solid))
+    error = np.linalg.norm(_points(camera, x, y) - directions, axis=1)
+    return x, y, solid, inside & (error < _NEAR * np.sqrt(solid))
+
+
+def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
+    return np.asarray(np.einsum("ij,ij->i", a, b), np.float64)
 
 
 def _rays(camera: Camera, x: FloatArray, y: FloatArray) -> FloatArray:
+    return projected_rays(camera.projection, x, y, *_frame(camera))
+
+
+def _points(camera: Camera, x: FloatArray, y: FloatArray) -> FloatArray:
+    return projected_points(camera.projection, x, y, *_frame(camera))
+
+
+def _frame(camera: Camera) -> tuple[int, int, float]:
+    """Width and height [pixel], and field of view [rad]."""
     assert camera.field_of_view is not None
-    return projected_rays(
-        camera.projection, x, y, camera.width, camera.height, math.radians(camera.field_of_view)
-    )
+    return camera.width, camera.height, math.radians(camera.field_of_view)
