@@ -45,7 +45,7 @@ def web_shaders() -> dict[str, dict[str, Any]]:
             sky_peaks_shader(dialect),
             sky_polarised_shader(dialect),
             sky_mirrored_shader(dialect),
-            picture_shader(False, (), dialect),
+            picture_shader(False, (), False, dialect),
             coarser_shader(dialect),
             spread_shader(dialect),
             added_shader(dialect),
