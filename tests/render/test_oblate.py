@@ -182,6 +182,33 @@ def test_ringshine_falls_on_the_spheroid():
     assert abs(found[1] / wanted - 1.0) > 0.05
 
 
+def test_the_night_side_has_the_light_of_the_rings_and_not_their_shadow():
+    # Lambert on both sides: A E/π, at the node of the table at 45° S and midnight, and at the pole
+    # in the sun; linear in between, and little is scattered
+    bright = replace(RING, single_scattering_albedo=1.0)
+    solution = solved(BARE, rings=(bright,), flattening=FLATTENING)
+    star = np.array([np.cos(0.4), 0.0, np.sin(0.4)])
+    node = LATITUDES // 4 * HOURS + HOURS - 1
+    up = np.array([-np.sqrt(0.5), 0.0, -np.sqrt(0.5)])
+    shine = ring_shine(solution.tables, float(star[2]), FLATTENING)
+    below = np.degrees(np.arctan((1.0 - FLATTENING) ** 2))
+    camera = Camera(look_zenith=180.0, width=1, height=1, field_of_view=0.01)
+    light = []
+    for latitude, bearing in ((-below, 180.0), (90.0, 0.0)):
+        f = np.radians(latitude)
+        rise = star @ np.array([-np.cos(f), 0.0, np.sin(f)])
+        one = Scene(
+            altitude=2e5,
+            latitude=latitude,
+            sun_zenith=np.degrees(np.arccos(rise)),
+            sun_azimuth=bearing,
+            camera=camera,
+        )
+        light.append(render(solution, one, disc=False).rgb[0, 0, 1])
+    wanted = shine.irradiance[node, 0] * (shine.directions[node] @ up) / star[2]
+    assert_allclose(light[0] / light[1], wanted, rtol=0.02)
+
+
 @pytest.mark.parametrize("place", ["pole", "equator", "equator from the pole"])
 def test_columns_at_the_limb_err_by_the_root_of_the_curvature(place):
     # the transmittance of exponential air along the line in the spheroid, by quadrature over the

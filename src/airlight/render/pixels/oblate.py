@@ -92,8 +92,32 @@ def displaced_places(rays, r, pole, flattening, bottom, out):
 
 
 @inlined
+def same_observer(observer):
+    """Observer as a value, which a shader otherwise has as uniforms."""
+    return Observer(
+        observer.r,
+        observer.optical_altitude,
+        observer.outside,
+        observer.horizon_mu,
+        observer.horizon_sine,
+        observer.sun_x,
+        observer.sun_z,
+        observer.seen_x,
+        observer.seen_z,
+        observer.orders,
+        observer.centre,
+        observer.flattening,
+        observer.ground_x,
+        observer.ground_y,
+        observer.ground_z,
+        observer.forward,
+        observer.filter_axis,
+    )
+
+
+@inlined
 def displaced_line(ray, observer, tables):
-    """``DisplacedLine`` of a line of sight from outside the air.
+    """``DisplacedLine`` of a line of sight, which stays where it is without flattening.
 
     Parameters
     ----------
@@ -102,6 +126,8 @@ def displaced_line(ray, observer, tables):
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
     """
+    if observer.flattening <= 0.0:
+        return DisplacedLine(ray, same_observer(observer))
     level, up, lateral, ahead = displaced_axes(
         ray, observer.r, observer.ground_z, observer.flattening, tables.bottom
     )

@@ -390,7 +390,7 @@ def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
 
 @inlined
 def oblate_light(px, py, ray, beyond, exact, frame, work, color, result):
-    """Spectral radiance of a pixel of an oblate planet, from outside the air. [sr⁻¹]
+    """Spectral radiance of a pixel of a planet that may be oblate. [sr⁻¹]
 
     Parameters
     ----------
@@ -400,6 +400,8 @@ def oblate_light(px, py, ray, beyond, exact, frame, work, color, result):
     moved = displaced_line(ray, frame.observer, frame.tables)
     found = classify_ray(moved.ray, moved.observer, frame.tables)
     seen = seen_line(moved.ray, found, exact, moved.observer, frame, work, color)
+    if beyond > 1.0:
+        haze_beyond(moved.ray, found.sine, beyond, frame, work)
     store_line(seen, frame, work, color, result)
     if frame.camera.shines > 0 and seen.through_air:
         add_ring_shine(moved.ray, found, seen, moved.observer, frame, work, color, result)

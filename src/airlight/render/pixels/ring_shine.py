@@ -239,7 +239,8 @@ def look_by_shine(ray, found, light, observer, tables, work):
         cosine = min(max(cosine, -1.0), 1.0)
     apart = minus(ray, light)
     half_sine = min(sqrt(0.25 * dot(apart, apart) + SPREAD), 1.0)
-    line = SightLine(ray.z, found.sine, cosine, half_sine, found.to_ground, ray)
+    free = Vec3(0.0, 0.0, 0.0)  # the light of the rings is not in their shadow
+    line = SightLine(ray.z, found.sine, cosine, half_sine, found.to_ground, free)
     lit = Observer(
         observer.r,
         observer.optical_altitude,

@@ -14,7 +14,7 @@ import numpy as np
 from airlight.geometry.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_intersection
-from airlight.geometry.vectors import Vec3, minus, scaled
+from airlight.geometry.vectors import Vec3, dot, minus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_view, maximum, splat
 from airlight.render.pixels.ground_angles import ground_angles, refraction_to_ground, star_from
@@ -97,7 +97,7 @@ class SightLine(NamedTuple):
     to_ground : bool
         Whether it ends on the ground.
     ray : Vec3
-        Direction in the observer's frame, which only rings need. [1]
+        Direction in the observer's frame; zero without the shadow of rings. [1]
     """
 
     mu: float
@@ -217,7 +217,7 @@ def look(line, air, peaks, polarised, observer, tables, work):
     if polarised:
         unseparated_phases(half_sine, tables.phase_f12, tables, work.phase_f12)
     ring = no_rings()
-    if tables.rings.ringed:
+    if tables.rings.ringed and dot(line.ray, line.ray) > 0.0:
         start, sun = scaled(line.ray, way), Vec3(observer.sun_x, 0.0, observer.sun_z)
         ring = ring_line(minus(start, observer.centre), line.ray, observer.ground_z, sun)
     segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length, ring)
@@ -276,7 +276,7 @@ def line_of_texel(column, row, window, observer, tables):
     side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
     ray = Vec3(sine * cos_azimuth, sine * side, mu)
     half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
-    return SightLine(mu, sine, cos_azimuth, half_sine, not sky, ray)
+    return SightLine(mu, sine, cos_azimuth, half_sine, not sky, Vec3(0.0, 0.0, 0.0))
 
 
 @inlined
