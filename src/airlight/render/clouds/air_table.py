@@ -141,7 +141,7 @@ def _lines(window, observer, tables, shell, lines, true):
             continue
         for column in range(window.first_column, window.first_column + window.column_count):
             line = upright(line_of_texel(column, row, window, observer, tables))
-            r, mu, mu_s, nu, length = line_of_sight(line, observer, tables)
+            _, r, mu, mu_s, nu, length = line_of_sight(line, observer, tables)
             way = 0.0
             if observer.outside:
                 way = -observer.r * line.mu + r * mu

@@ -6,7 +6,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from airlight.geometry.vectors import Vec3, dot, plus, scaled
+from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, SPECTRA, Always, InTexture, scalars
@@ -175,9 +175,7 @@ def seen_line(ray, found, exact, observer, frame, work, color):
     if through_air:
         refraction = sky_lookup(ray, found, exact, observer, frame, work)
         if to_ground:
-            factors = ground_along(
-                ray, found.sine, refraction, dark, observer, frame, work, color
-            )
+            factors = ground_along(ray, found.sine, refraction, dark, observer, frame, work, color)
             if view.clouded:
                 glow = scaled(glow, 1.0 - color[9])
     if dark:

@@ -207,7 +207,8 @@ def sky_lookup(ray, found, exact, observer, frame, work):
         Its direction in the observer's frame, and its classification. [1]
     exact, observer, frame, work :
         Arguments of ``pixel_light``, and the observer; ``work.radiance`` receives results of
-        ``look``, Q and U only with a filter, and those of the mirrored sky at ``MIRRORED`` and ``FACETS``. [sr⁻¹]
+        ``look``, Q and U only with a filter, and those of the mirrored sky at ``MIRRORED`` and
+        ``FACETS``. [sr⁻¹]
 
     Returns
     -------

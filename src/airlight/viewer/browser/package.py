@@ -260,9 +260,9 @@ def solution_package(
     -------
     numbers : dict
         JSON values: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the shell
-        [m], ``flattening``, ``star`` (angular radius [rad]), ``star_white`` (its chromaticity), ``geometry`` of
-        refracted rays, the ``ground`` map,
-        the ``body`` of the planet, data of a ``second`` light, and ``viewpoints``.
+        [m], ``flattening``, ``star`` (angular radius [rad]), ``star_white`` (its chromaticity),
+        ``geometry`` of refracted rays, the ``ground`` map, the ``body`` of the planet, data of a
+        ``second`` light, and ``viewpoints``.
     tables : dict
         Format and values of each texture.
     """
