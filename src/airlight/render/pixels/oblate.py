@@ -4,9 +4,9 @@ The point at which the line meets the spheroid, or its lowest one, has a normal 
 altitude h. The line is displaced, parallel to itself, so that it meets (R + h) **n**: there the
 spherical solution has the line's and the star's true zenith angles, and scattering angles do not
 change. The silhouette, the terminator and the latitude of maps are exact. The profile of the
-file holds along each local vertical. Left out: that curvature differs from 1/R, by which columns at
-the limb err as √(R/R_c) with the radius of curvature R_c along the line: -5 % at the pole of Saturn,
-+11 % at its equator seen from the pole.
+file holds along each local vertical. Left out: that curvature differs from 1/R, by which columns
+at the limb err as √(R/R_c) with the radius of curvature R_c along the line: -5 % at the pole of
+Saturn, +11 % at its equator seen from the pole.
 """
 
 from __future__ import annotations
