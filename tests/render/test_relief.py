@@ -32,15 +32,15 @@ def test_half_of_the_star_is_seen_above_a_skyline_through_its_middle() -> None:
     assert_allclose(unshaded(0.2, 0.196) + unshaded(0.2, 0.204), 1.0, rtol=1e-12)
 
 
-class Star(NamedTuple):
+class Observer(NamedTuple):
     sun_x: float
     sun_z: float
-
-
-class Heights(NamedTuple):
     ground_x: Vec3
     ground_y: Vec3
     ground_z: Vec3
+
+
+class Heights(NamedTuple):
     over_texels: np.ndarray
     over_rows: int
     over_columns: int
@@ -52,7 +52,6 @@ class Sphere(NamedTuple):
 
 
 class Frame(NamedTuple):
-    observer: Star
     camera: Heights
     tables: Sphere
 
@@ -72,9 +71,9 @@ def light_at(longitude: float, elevation: float) -> float:
     east, up = math.radians(longitude) + 0.5 * math.pi, math.radians(longitude)
     x, z = ([math.cos(a), math.sin(a)] for a in (east, up))
     axes = Vec3(x[0], 0.0, z[0]), Vec3(x[1], 0.0, z[1]), Vec3(0.0, 1.0, 0.0)
-    view = Heights(*axes, ridge(10.0), ROWS, COLUMNS, 1)
-    frame = Frame(Star(cosine, sine), view, Sphere(BOTTOM))
-    return float(relief_light(Vec3(0.0, 0.0, BOTTOM), 0.0, up, 0.0, frame))
+    observer = Observer(cosine, sine, *axes)
+    frame = Frame(Heights(ridge(10.0), ROWS, COLUMNS, 1), Sphere(BOTTOM))
+    return float(relief_light(Vec3(0.0, 0.0, BOTTOM), 0.0, up, 0.0, observer, frame))
 
 
 def test_a_ridge_shades_what_is_behind_it() -> None:

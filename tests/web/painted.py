@@ -170,6 +170,7 @@ def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
         "ground": None,
         "radius": 6360e3,
         "thickness": 60e3,
+        "flattening": 0.0,
         "star": 0.0,
         "star_white": [0.3127, 0.329],
         "geometry": None,

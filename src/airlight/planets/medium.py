@@ -85,6 +85,8 @@ class Medium:
         Reflectance law of the ground, for an albedo of 1.
     rings : tuple of Ring
         Rings, without effect on a solution or the fingerprint.
+    flattening : float
+        Flattening in pictures from outside the air, without effect on a solution. [1]
 
     Examples
     --------
@@ -111,6 +113,7 @@ class Medium:
     resolve_layers: bool = False
     reflection: Reflection = WHITE
     rings: tuple[Ring, ...] = ()
+    flattening: float = 0.0
 
     def __post_init__(self) -> None:
         self._freeze()
@@ -224,6 +227,7 @@ class Medium:
             surface=Surface.of(planet.ground, planet.airglow),
             reflection=planet.ground.reflection,
             rings=planet.rings,
+            flattening=planet.flattening,
         )
         medium._check()
         _ = medium.refracting_shell  # raises an error if rays would be ducted

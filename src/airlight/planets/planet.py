@@ -120,14 +120,16 @@ SHELL: Final = Field(
 
 @parameters
 class Planet(TomlModel):
-    """Spherical planet with an atmospheric shell, illuminated by a star.
+    """Planet with an atmospheric shell, illuminated by a star.
 
     Parameters
     ----------
     name : str
         Name of 1 to 60 letters.
     bottom_radius, top_radius : float
-        Radii of the ground and of the top of the atmosphere. [m]
+        Radii of the ground and of the top of the atmosphere, at the equator. [m]
+    flattening : float
+        Flattening in pictures from outside the air. [1]
     constituents : tuple of Constituent
         Constituents, 1 to 64.
     clouds : tuple of Clouds
@@ -202,6 +204,17 @@ class Planet(TomlModel):
         offered=always,
         synonyms=("nightglow", "green line", "night sky"),
         default="none",
+    )
+    flattening: float = key(
+        help="Flattening f of the planet, seen from outside its air.",
+        note="The polar radius is 1 - f times `bottom_radius`; from within the air it is a sphere."
+        " Earth: 0.0033528.",
+        range=(0.0, 0.5),
+        example="0.098",
+        slider=(0.0, 0.2),
+        synonyms=("oblateness", "ellipticity"),
+        offered=always,
+        default=0.0,
     )
     bottom_radius: Annotated[float, between(1e3, 1e12, "m")]
     top_radius: Annotated[float, between(1e3, 1e13, "m")]

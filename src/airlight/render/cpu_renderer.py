@@ -14,7 +14,7 @@ from airlight.render.pixels.march_points import march_points
 from airlight.render.pixels.night_tables import night_tables, no_night
 from airlight.render.pixels.pixel import FrameTables, ViewUniforms
 from airlight.render.pixels.polarising_filter import NONE
-from airlight.render.pixels.render_cpu import march_pixels, render_pixels
+from airlight.render.pixels.render_cpu import march_oblate_pixels, march_pixels, render_pixels
 from airlight.render.pixels.render_tables import render_tables
 from airlight.render.pixels.ring_shine import no_shine, ring_shine
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
@@ -22,6 +22,7 @@ from airlight.render.pixels.sky_view_window import COARSEST, SkyViewWindow, sky_
 from airlight.render.pixels.view_uniforms import (
     checked_samples,
     cpu_view_uniforms,
+    is_always_marched,
     observer_from,
     order_number,
     overlay_uniforms,
@@ -98,13 +99,15 @@ class CpuRenderer:
             "samples": float(checked_samples(self.samples)),
             "edges": float(self.edges),
         }
+        if self.clouds:
+            uniforms["flattening"] = 0.0
         if self.orders != "all":
             uniforms |= {"airglow": 0.0, "skyglow": 0.0}
         self._uniforms, self._camera = uniforms, camera
         self._polarised = self.stokes or uniforms["filter"] != NONE
         self._observer = observer_from(uniforms)
         self.window: SkyViewWindow | None = None
-        if not self.exact and self.air and not solution.medium.rings:
+        if not self.exact and self.air and not is_always_marched(self.scene, solution):
             self.window = sky_view_window(camera, self._observer, tables.bottom, tables.top)
         self.filled, self._is_filled = self.window, False
         if self.window is None and self.air and tables.ground.wet:
@@ -125,7 +128,7 @@ class CpuRenderer:
         self._shine = no_shine(self._tables)
         if solution.medium.rings and self.air:
             sun = float(self.scene.ground_frame[2] @ self.scene.sun_direction)
-            self._shine = ring_shine(self._tables, sun)
+            self._shine = ring_shine(self._tables, sun, solution.medium.flattening)
         self._view = cpu_view_uniforms(
             uniforms,
             camera,
@@ -238,6 +241,8 @@ class CpuRenderer:
             cloudy(px, py, frame, with_clouds, self._weights, rgb)
             return
         pixels = march_pixels if self.window is None else render_pixels
+        if self._observer.flattening > 0.0:
+            pixels = march_oblate_pixels
         pixels(px, py, frame, work, self._weights, rgb)
 
     def _frame(self, view: ViewUniforms) -> FrameTables:

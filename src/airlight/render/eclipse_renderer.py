@@ -41,6 +41,7 @@ class EclipseRenderer(CpuRenderer):
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
         check_unfiltered(scene)
         super().__init__(eclipsed.solution, scene, exact=True, disc=False)
+        self._observer = self._observer._replace(flattening=0.0)
         self.filled = None  # the sky is not symmetric about the star
         self._shadow = eclipsed.shadow
         x, y, z = (Vec3(*row) for row in (eclipsed.axes @ local.T).tolist())

@@ -23,7 +23,10 @@ _BENDS: Final = 4
 
 
 def straight_lines(
-    directions: FloatArray, solution: MomentsSolution, altitude: float
+    directions: FloatArray,
+    solution: MomentsSolution,
+    altitude: float,
+    pole: FloatArray | None = None,
 ) -> LinesOfSight:
     """Unrefracted lines of sight from the observer.
 
@@ -33,24 +36,37 @@ def straight_lines(
         Unit vectors in the local frame.
     altitude : float
         Altitude of the observer. [m]
+    pole : array, shape (3,), optional
+        Direction of the north pole in the local frame, of a planet that may be oblate. [1]
 
     Returns
     -------
     LinesOfSight
-        Lines of sight inside the shell.
+        Lines of sight inside the shell, those to an oblate planet displaced.
     """
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
     mu = np.clip(directions[:, 2], -1.0, 1.0)
     sine = np.hypot(directions[:, 0], directions[:, 1])
     r = np.full(mu.shape, bottom + altitude)
+    if pole is not None and medium.flattening > 0.0 and altitude >= medium.thickness:
+        from airlight.render.pixels.oblate import displaced_places
+
+        places = np.empty((3, len(directions)))
+        axis = Vec3(*pole.tolist())
+        rays = np.ascontiguousarray(directions)
+        displaced_places(rays, r[0], axis, medium.flattening, bottom, places)
+        r, mu, sine = places
     return solution.geometry.optical_lines(
         enter_shell(r, mu, sine, mu, np.ones_like(mu), bottom, top)
     )
 
 
 def leaving_direction(
-    directions: FloatArray, solution: MomentsSolution, altitude: float
+    directions: FloatArray,
+    solution: MomentsSolution,
+    altitude: float,
+    pole: FloatArray | None = None,
 ) -> FloatArray:
     """Refracted directions of lines of sight outside the atmosphere.
 
@@ -58,6 +74,8 @@ def leaving_direction(
     ----------
     directions : array, shape (n, 3)
         Unit vectors in the local frame; zero vectors remain zero.
+    altitude, pole :
+        Arguments of ``straight_lines``; refraction is in the plane of the observer's vertical.
 
     Returns
     -------
@@ -66,7 +84,7 @@ def leaving_direction(
     """
     if solution.geometry.shell is None or len(directions) == 0:
         return directions
-    lines = straight_lines(directions, solution, altitude)
+    lines = straight_lines(directions, solution, altitude, pole)
     free = ~lines.to_ground & (lines.length > 0.0)
     angle = np.zeros(len(directions))
     angle[free] = solution.geometry.refraction_angle(lines.r[free], lines.mu[free])
@@ -146,7 +164,8 @@ class AirAround:
     clouds : callable, optional
         Transmittance of clouds on lines of sight in the frame of directions. [1]
     pole : array, shape (3,), optional
-        Direction of the north pole in the frame of directions, of a planet with rings. [1]
+        Direction of the north pole in the frame of directions, of a planet with rings or an oblate
+        one. [1]
     """
 
     solution: MomentsSolution
@@ -178,7 +197,8 @@ class AirAround:
     def behind(self, rays: FloatArray) -> tuple[FloatArray, FloatArray]:
         """See ``SeenThrough``; the transmittance is 0 where a line ends on the ground."""
         solution, directions = self.solution, rays @ self.axes.T
-        lines, drawn = straight_lines(directions, solution, self.altitude), solution.geometry.medium
+        pole, drawn = None if self.pole is None else self.axes @ self.pole, solution.geometry.medium
+        lines = straight_lines(directions, solution, self.altitude, pole)
         transmittance = np.ones((len(directions), solution.wavelengths.size))
         crossing = np.flatnonzero((lines.length > 0.0) & ~lines.to_ground)
         if crossing.size:
@@ -191,21 +211,21 @@ class AirAround:
             )
             transmittance[crossing] = np.exp(-(depth @ drawn.extinction))
         transmittance[lines.to_ground] = 0.0
-        if self.pole is not None and solution.medium.rings:
-            transmittance *= self._through_rings(directions)[:, None]
+        if pole is not None and solution.medium.rings:
+            transmittance *= self._through_rings(directions, pole)[:, None]
         if self.clouds is not None:
             open_ = np.flatnonzero(transmittance.max(axis=1) > 0.0)
             transmittance[open_] *= self.clouds(rays[open_])
-        return transmittance, leaving_direction(directions, solution, self.altitude) @ self.axes
+        left = leaving_direction(directions, solution, self.altitude, pole)
+        return transmittance, left @ self.axes
 
-    def _through_rings(self, directions: FloatArray) -> FloatArray:
+    def _through_rings(self, directions: FloatArray, pole: FloatArray) -> FloatArray:
         """Transmittance of the rings along directions in the local frame, shape (n,). [1]"""
         from airlight.render.pixels.ring_light import ring_transmittances
 
-        assert self.pole is not None
         out = np.empty(len(directions))
-        pole = Vec3(*(self.axes @ self.pole).tolist())
         r = self.solution.medium.bottom_radius + self.altitude
         rings = self.solution.tables.rings
-        ring_transmittances(np.ascontiguousarray(directions), r, pole, rings, out)
+        axis = Vec3(*pole.tolist())
+        ring_transmittances(np.ascontiguousarray(directions), r, axis, rings, out)
         return out

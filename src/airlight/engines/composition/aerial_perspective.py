@@ -25,6 +25,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, lane_view
 from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import Measure, quantity, values_in
+from airlight.planets.rings import warn_of_rings
 from airlight.render.pixels.view_uniforms import view_uniforms
 from airlight.scene import Scene
 from airlight.solver.lines_of_sight import enter_shell
@@ -127,6 +128,7 @@ class AerialPerspective:
             Number of azimuths and of rows per hemisphere of the sky tables.
         """
         solution = moments_solution(solution, "aerial perspective")
+        warn_of_rings(solution.medium.rings, "aerial perspective")
         nearest = quantity(nearest, "m", "nearest", bare=True)
         farthest = quantity(farthest, "m", "farthest", bare=True)
         check_request(

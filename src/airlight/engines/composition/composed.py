@@ -24,6 +24,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import without_unit
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.planets.rings import warn_of_rings
 from airlight.render.clouds.cloud_time import clouds_at
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
@@ -174,6 +175,7 @@ def compose(
         clouds, solution = clouds or clouds_at(solution, at), solution.without_clouds
     solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
     solution = moments_solution(solution, "compose")
+    warn_of_rings(solution.medium.rings, "compose")
     view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
         LightRenderer(seen, lit, view, exact, disc, clouds)

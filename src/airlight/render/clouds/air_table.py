@@ -39,6 +39,7 @@ from airlight.solver.moments.march import march
 from airlight.solver.moments.march_tables import MarchTables, MarchTerms, Segment, new_workspace
 from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.solver.stokes_frame import star_plane
+from airlight.solver.tables.ring_shadow import no_rings
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -140,7 +141,7 @@ def _lines(window, observer, tables, shell, lines, true):
             continue
         for column in range(window.first_column, window.first_column + window.column_count):
             line = upright(line_of_texel(column, row, window, observer, tables))
-            r, mu, mu_s, nu, length = line_of_sight(line, observer, tables)
+            _, r, mu, mu_s, nu, length = line_of_sight(line, observer, tables)
             way = 0.0
             if observer.outside:
                 way = -observer.r * line.mu + r * mu
@@ -170,7 +171,7 @@ def _fill(lines, length, observer, tables, work, out):
             if length[k, node] <= _NOTHING:
                 out[k, node, THROUGH] = 1.0
                 continue
-            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node], 0.0, 0.0, 0.0)
+            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node], no_rings())
             if observer.orders != 0:
                 terms = MarchTerms(True, True, polarised)
                 march(segment, 1, terms, tables, work, work.radiance)
@@ -199,7 +200,7 @@ def _fill_higher(lines, length, tables, work, out):
         for node in range(length.shape[1]):
             if length[k, node] <= _NOTHING:
                 continue
-            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node], 0.0, 0.0, 0.0)
+            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node], no_rings())
             terms = MarchTerms(True, False, polarised)
             march(segment, 0, terms, tables, work, work.radiance)
             for at in range(0, tables.lanes, LANES):

@@ -80,7 +80,7 @@ def cloudy_light(px, py, ray, beyond, exact, frame, work, color, result):
         line_of_air(ray, half_sine, place, extent, view.filter > 0, clouds, tables, front)
         if extent.last > extent.first:
             add_clouds(ray, half_sine, extent, view.filter > 0, clouds, tables, front)
-    seen = seen_line(ray, found, exact, frame, air_work, color)
+    seen = seen_line(ray, found, exact, observer, frame, air_work, color)
     if beyond > 1.0:
         haze_beyond(ray, found.sine, beyond, frame, air_work)
     if seen.through_air and seen.to_ground:

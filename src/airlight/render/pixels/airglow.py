@@ -142,17 +142,17 @@ def _shares_below(
 
 
 @inlined
-def by_night(ray, sine, to_ground, frame):
+def by_night(ray, sine, to_ground, observer, frame):
     """Whether airglow and skyglow are drawn: where an observer sees a part of the night.
 
     By day they are 10⁻⁸ and 10⁻⁶ of the sky; also lines that end on ground in daylight lack them.
 
     Parameters
     ----------
-    ray, sine, to_ground, frame :
+    ray, sine, to_ground, observer, frame :
         Arguments of ``airglow_color``.
     """
-    observer, view = frame.observer, frame.camera
+    view = frame.camera
     shines = view.airglow > 0.0 or view.skyglow > 0.0
     dark = shines and view.draws_air and observer.sun_z < -observer.horizon_mu
     if dark and to_ground:
@@ -162,7 +162,7 @@ def by_night(ray, sine, to_ground, frame):
 
 
 @inlined
-def airglow_color(ray, sine, to_ground, frame, columns):
+def airglow_color(ray, sine, to_ground, observer, frame, columns):
     """Radiance of all layers along a line of sight, as colour of ``basis``. [sr⁻¹]
 
     Parameters
@@ -173,13 +173,13 @@ def airglow_color(ray, sine, to_ground, frame, columns):
         Sine of its zenith angle. [1]
     to_ground : bool
         Whether the line ends on the ground.
-    frame : FrameTables
-        What the pixels read.
+    observer, frame : Observer, FrameTables
+        Observer, and what the pixels read.
     columns : array, shape (nc,)
         Columns up to the ground, from ``columns_to_ground``; otherwise receives those of the whole
         line. [m]
     """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
+    view, tables = frame.camera, frame.tables
     red, green, blue = 0.0, 0.0, 0.0
     if ray.x != 0.0 or ray.y != 0.0 or ray.z != 0.0:
         impact, start = observer.r * sine, observer.r * ray.z

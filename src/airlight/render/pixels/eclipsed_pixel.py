@@ -103,7 +103,7 @@ def eclipsed_light(px, py, ray, beyond, exact, frame, work, color, result):
     if tables.ground.wet:
         _mirrored_sky(Vec3(x, y, z), along, mu_r, eclipse, found)
         march_work.radiance[MIRRORED] = found[0]
-    factors = ground_along(ray, sine, refraction, False, frame, march_work, color)
+    factors = ground_along(ray, sine, refraction, False, observer, frame, march_work, color)
     eclipsed_ground_light(x, y, z, TOTAL, eclipse)
     for at in range(0, tables.lanes, LANES):
         received, behind = lane_view(march_work.irradiance, at), lane_view(march_work.radiance, at)

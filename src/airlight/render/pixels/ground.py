@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 
 from airlight.geometry.shell import first_intersection
-from airlight.geometry.vectors import Vec3, components
+from airlight.geometry.vectors import Vec3, components, minus, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
 from airlight.physics.optics.clouds import GroundFactors, clouds_shown, plane_albedo
@@ -28,6 +28,7 @@ from airlight.render.pixels.ground_clouds import (
     keep_clouds,
 )
 from airlight.render.pixels.land import NEARLY_WATER, detailed_land
+from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import relief_light
 from airlight.render.pixels.sea_sky import mirror_place
 from airlight.render.pixels.sea_surface import (
@@ -104,7 +105,7 @@ def straight_end(ray, sine, cosine, observer, tables):
 
 
 @inlined
-def ground_spot(reach, end, cosine, view, tables):
+def ground_spot(reach, end, cosine, observer, view, tables):
     """Place of a pixel on the ground, and the longer axis of its footprint. [m]
 
     Parameters
@@ -113,8 +114,8 @@ def ground_spot(reach, end, cosine, view, tables):
         Results of ``straight_end``. [m]
     cosine : float
         Cosine of the zenith angle towards the observer. [1]
-    view, tables : ViewUniforms, MarchTables
-        Camera, and tables of the solution.
+    observer, view, tables : Observer, ViewUniforms, MarchTables
+        Observer, camera, and tables of the solution.
 
     Returns
     -------
@@ -123,12 +124,19 @@ def ground_spot(reach, end, cosine, view, tables):
     """
     # z - bottom of a point of the sphere, which single precision has to half a metre only
     below = -(end.x * end.x + end.y * end.y) / max(tables.bottom + end.z, 1e-3 * tables.bottom)
-    place = components(Vec3(end.x, end.y, below), view.ground_x, view.ground_y, view.ground_z)
+    place = components(
+        Vec3(end.x, end.y, below), observer.ground_x, observer.ground_y, observer.ground_z
+    )
+    if observer.outside:  # of a displaced line of sight
+        up = components(
+            Vec3(0.0, 0.0, 1.0), observer.ground_x, observer.ground_y, observer.ground_z
+        )
+        place = plus(place, scaled(minus(up, point_below(observer)), tables.bottom))
     return place, view.pixel_angle * reach / max(cosine, 0.02)
 
 
 @inlined
-def ground_color(ray, sine, angle, frame, color):
+def ground_color(ray, sine, angle, observer, frame, color):
     """Map values at the end of a line of sight, into ``color`` (GROUND_VALUES,). [1]
 
     Parameters
@@ -137,21 +145,21 @@ def ground_color(ray, sine, angle, frame, color):
         Direction in the observer's frame. [1]
     sine, angle : float
         Sine of its zenith angle [1]; angle of refraction [rad].
-    frame : FrameTables
-        What the pixels read.
+    observer, frame : Observer, FrameTables
+        Observer, and what the pixels read.
     color : array, shape (GROUND_VALUES,)
         Receives linear sRGB reflectance and water fraction of the map, three colours of city
         lights, the noise factor of ground without a map (at 8), the cloud cover on the line of
         sight and on the path to the star, and the factor of direct light by slopes; values of
         absent maps are unchanged. [1]
     """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
+    view, tables = frame.camera, frame.tables
     cosine = ground_cosine(ray.z, sine, observer, tables)
     reach, end = straight_end(ray, sine, cosine, observer, tables)
     level_ground(color)
     # of the straight line: how much a near one is bent is lost in rounding
     noise, width = GroundNoise(0.0, 0.0), 1.0
-    place, footprint = ground_spot(reach, end, cosine, view, tables)
+    place, footprint = ground_spot(reach, end, cosine, observer, view, tables)
     if view.detailed:
         noise = ground_detail(
             place, max(footprint, 0.5 * view.detail_cell * STEP**FINEST_OF_MAP),
@@ -159,7 +167,7 @@ def ground_color(ray, sine, angle, frame, color):
         )  # fmt: skip
     end = moved_on(end, ray, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
-        components(end, view.ground_x, view.ground_y, view.ground_z)
+        components(end, observer.ground_x, observer.ground_y, observer.ground_z)
     )
     if view.mapped:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
@@ -173,7 +181,7 @@ def ground_color(ray, sine, angle, frame, color):
     mu_s = 0.0
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
-        detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color)
+        detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         shown, north, east = 0.0, 0.0, 0.0
@@ -184,7 +192,7 @@ def ground_color(ray, sine, angle, frame, color):
         if view.clouded:
             shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
         if shown > 0.0:
-            cloud_cover(end, ray, cosine, level, north, east, frame, color)
+            cloud_cover(end, ray, cosine, level, north, east, observer, frame, color)
             if view.detailed and color[9] > STEP_OF_COVER and color[9] < 1.0 - STEP_OF_COVER:
                 blur = texture_footprint(footprint, cosine)
                 grain = cloud_grain(place, blur, color[9], view.detail_cell, view.whole, view.part)
@@ -192,7 +200,7 @@ def ground_color(ray, sine, angle, frame, color):
             color[9] *= shown
             color[10] *= shown
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):
-            color[11] *= relief_light(end, latitude, longitude, level, frame)
+            color[11] *= relief_light(end, latitude, longitude, level, observer, frame)
         lamps = map_channel(
             view.over_texels,
             view.over_rows,
@@ -220,20 +228,20 @@ def ground_color(ray, sine, angle, frame, color):
 
 
 @inlined
-def ground_reflectances(ray, sine, angle, frame, work, color):
+def ground_reflectances(ray, sine, angle, observer, frame, work, color):
     """Map values and ``GroundFactors`` at the end of a line of sight.
 
     Parameters
     ----------
-    ray, sine, angle, frame, color :
+    ray, sine, angle, observer, frame, color :
         Arguments of ``ground_color``; ``color`` is filled if there is a map.
     work : MarchWorkspace
         Workspace; ``irradiance`` receives direct and diffuse irradiance, except for a Lambert
         ground without water and clouds.
     """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
+    view, tables = frame.camera, frame.tables
     if view.mapped or view.overlaid or view.detailed:
-        ground_color(ray, sine, angle, frame, color)
+        ground_color(ray, sine, angle, observer, frame, color)
     else:
         level_ground(color)
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
@@ -257,7 +265,7 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
                 share = color[3]
         if share > 0.0:
             land = 1.0 - share
-            sparkle = wave_light(ray, sine, mu_s, mu_r, nu, frame, work)
+            sparkle = wave_light(ray, sine, mu_s, mu_r, nu, observer, frame, work)
             star, glint, sky, mirrored = water_reflectances(
                 tables.ground.wind, mu_s, mu_r, nu, sparkle
             )
@@ -272,23 +280,23 @@ def ground_reflectances(ray, sine, angle, frame, work, color):
 
 
 @inlined
-def wave_light(ray, sine, mu_s, mu_r, nu, frame, work):
+def wave_light(ray, sine, mu_s, mu_r, nu, observer, frame, work):
     """Result of ``spread_glint`` for a pixel of water, and its mirrored sky. [1]
 
     Parameters
     ----------
-    ray, sine, frame, work :
+    ray, sine, observer, frame, work :
         Arguments of ``ground_reflectances``; ``radiance`` at ``MIRRORED`` becomes that of the
         resolved waves, unless the frame has no sea-sky LUT.
     mu_s, mu_r, nu : float
         Results of ``ground_angles``. [1]
     """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
+    view, tables = frame.camera, frame.tables
     reach, end = straight_end(ray, sine, mu_r, observer, tables)
-    spot, footprint = ground_spot(reach, end, mu_r, view, tables)
+    spot, footprint = ground_spot(reach, end, mu_r, observer, view, tables)
     waves = Waves(0.0, 0.0, 0.0)
     if footprint * peak_wavenumber(tables.ground.wind) < COARSEST:
-        waves = resolved_waves(ray, sine, spot, footprint, view, tables)
+        waves = resolved_waves(ray, sine, spot, footprint, observer, view, tables)
     broadening = 1.0
     if waves.share > 0.0 or disc_spread(mu_s, mu_r, tables) > SMALL:
         side = -1.0 if ray.y > 0.0 else 1.0

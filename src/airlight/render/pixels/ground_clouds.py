@@ -28,7 +28,7 @@ CLOUD_VALUES: Final = 12
 
 
 @inlined
-def cloud_cover(end, ray, cosine, level, north, east, frame, color):
+def cloud_cover(end, ray, cosine, level, north, east, observer, frame, color):
     """Cloud cover on a line of sight and on the path from its end to the star. [1]
 
     Refraction between ground and layer is neglected.
@@ -43,10 +43,10 @@ def cloud_cover(end, ray, cosine, level, north, east, frame, color):
         Level of the overlay. [1]
     north, east : float
         Displacement of the clouds that are seen, in latitude and longitude. [rad]
-    frame, color :
+    observer, frame, color :
         Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
     """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
+    view, tables = frame.camera, frame.tables
     mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
     back = layer_distance(cosine, tables.bottom, view.cloud_altitude)
     out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
@@ -56,7 +56,7 @@ def cloud_cover(end, ray, cosine, level, north, east, frame, color):
             north, east = 0.0, 0.0
             place = Vec3(end.x + out * observer.sun_x, end.y, end.z + out * observer.sun_z)
         latitude, longitude = latitude_longitude(
-            components(place, view.ground_x, view.ground_y, view.ground_z)
+            components(place, observer.ground_x, observer.ground_y, observer.ground_z)
         )
         color[9 + towards] = map_channel(
             view.over_texels,

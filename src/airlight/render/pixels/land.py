@@ -10,6 +10,7 @@ from airlight.geometry.vectors import Vec3, components, plus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, maximum, splat
 from airlight.render.pixels.ground_angles import columns_to_ground
+from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import height_at
 from airlight.scene.ground_detail import moved_coast, sharper_share, unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
@@ -231,8 +232,8 @@ def seen_hill(ray, frame, color):
     along, climb = Vec3(ray.x / sine, ray.y / sine, 0.0), ray.z / sine
     if altitude + near * (climb + 0.5 * near / tables.bottom) <= 0.0:
         return ray, 1.0
-    aside = components(along, view.ground_x, view.ground_y, view.ground_z)
-    up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
+    aside = components(along, observer.ground_x, observer.ground_y, observer.ground_z)
+    up = components(Vec3(0.0, 0.0, 1.0), observer.ground_x, observer.ground_y, observer.ground_z)
     middle = plus(up, scaled(aside, 0.3 * far / tables.bottom))
     leaf, snow = 0.0, 0.0
     if view.mapped:
@@ -322,7 +323,7 @@ def haze_beyond(ray, sine, beyond, frame, work):
 
 
 @inlined
-def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
+def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame, color):
     """Decorate land: coast and noise between texels, texture of reflectance and small slopes.
 
     Parameters
@@ -337,12 +338,12 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
         Width of the pixel. [texel]
     reach : float
         Distance. [m]
-    frame : FrameTables
-        What the pixels read.
+    observer, frame : Observer, FrameTables
+        Observer, and what the pixels read.
     color : array, shape (GROUND_VALUES,)
         Values of the map, which are changed. [1]
     """
-    observer, view = frame.observer, frame.camera
+    view = frame.camera
     share = color[3] if view.mapped else 0.0
     if share < NEARLY_WATER:
         cell, snow, leaf, uneven = view.detail_cell, 0.0, 0.0, 1.0
@@ -352,12 +353,11 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, frame, color):
             leaf = leafiness(color[0], color[1], snow)
         blur = texture_footprint(footprint, cosine) / cell
         # the star's azimuth is the observer's first axis
-        way = Vec3(view.ground_x.x, view.ground_y.x, view.ground_z.x)
+        way = Vec3(observer.ground_x.x, observer.ground_y.x, observer.ground_z.x)
         finest = Vec3(
             view.part.x + place.x / cell, view.part.y + place.y / cell, view.part.z + place.z / cell
         )
-        up = components(Vec3(0.0, 0.0, 1.0), view.ground_x, view.ground_y, view.ground_z)
-        middle = plus(up, scaled(place, 1.0 / frame.tables.bottom))
+        middle = plus(point_below(observer), scaled(place, 1.0 / frame.tables.bottom))
         near = near_hills(observer.optical_altitude, cell, view.pixel_angle)
         high = risen(reach, observer.optical_altitude, near)
         ascent, tone, wood, height = 0.0, 0.0, 0.0, 0.0

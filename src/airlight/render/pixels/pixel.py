@@ -6,7 +6,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from airlight.geometry.vectors import Vec3, dot, plus, scaled
+from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, SPECTRA, Always, InTexture, scalars
@@ -16,14 +16,10 @@ from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, 
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.land import haze_beyond
+from airlight.render.pixels.oblate import displaced_line
 from airlight.render.pixels.polarising_filter import filter_shares
-from airlight.render.pixels.ring_light import near_rings, sum_rings
-from airlight.render.pixels.ring_shine import (
-    look_by_shine,
-    shine_between,
-    shine_place,
-    vertical_seen,
-)
+from airlight.render.pixels.ring_light import ring_light
+from airlight.render.pixels.ring_shine import add_ring_shine
 from airlight.render.pixels.sky_lookup import classify_ray, sky_lookup
 from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
 from airlight.render.pixels.sky_view_window import SkyViewWindow
@@ -67,9 +63,6 @@ class ViewUniforms(NamedTuple):
     map_rows: int
     map_columns: int
     map_levels: int
-    ground_x: Vec3
-    ground_y: Vec3
-    ground_z: Vec3
     sky_columns: int
     sky_rows: int
     separated_phases: bool
@@ -95,7 +88,6 @@ class ViewUniforms(NamedTuple):
     skyglow: float
     shines: Annotated[int, Always(0)]
     filter: Annotated[int, CHOICE]
-    filter_axis: Vec3
     texels: Annotated[np.ndarray, InTexture("ground", packed=True)]
     over_texels: Annotated[np.ndarray, InTexture("overlay", packed=True)]
     sky_air: Annotated[np.ndarray, InTexture("air", spectral=True, whole=True)]
@@ -163,42 +155,44 @@ class SeenLine(NamedTuple):
 
 
 @inlined
-def seen_line(ray, found, exact, frame, work, color):
+def seen_line(ray, found, exact, observer, frame, work, color):
     """``SeenLine`` of a line of sight; its light and columns are in the workspace.
 
     Parameters
     ----------
     found : ClassifiedRay
         Class of the line.
-    ray, exact, frame, work, color :
-        Arguments of ``pixel_light``.
+    ray, exact, observer, frame, work, color :
+        Arguments of ``pixel_light``, and the observer.
     """
     view = frame.camera
     through_air, to_ground = found.through_air and view.draws_air, found.to_ground
     factors, refraction = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0), 0.0
-    dark = by_night(ray, found.sine, to_ground, frame)
+    dark = by_night(ray, found.sine, to_ground, observer, frame)
     glow, lit = Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0)
     if dark and view.skyglow > 0.0 and through_air:
-        glow = skyglow_color(ray, found.sine, to_ground, frame)
+        glow = skyglow_color(ray, found.sine, to_ground, observer, frame)
     if through_air:
-        refraction = sky_lookup(ray, found, exact, frame, work)
+        refraction = sky_lookup(ray, found, exact, observer, frame, work)
         if to_ground:
-            factors = ground_along(ray, found.sine, refraction, dark, frame, work, color)
+            factors = ground_along(ray, found.sine, refraction, dark, observer, frame, work, color)
             if view.clouded:
                 glow = scaled(glow, 1.0 - color[9])
     if dark:
-        glow = plus(glow, airglow_color(ray, found.sine, to_ground, frame, work.columns_total))
+        glow = plus(
+            glow, airglow_color(ray, found.sine, to_ground, observer, frame, work.columns_total)
+        )
         lit = airglow_on_ground(view)
     whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
     if view.filter > 0:
-        whole, stokes_q, stokes_u = filter_shares(ray, view)
+        whole, stokes_q, stokes_u = filter_shares(ray, observer, view)
     return SeenLine(
         through_air, to_ground, dark, refraction, factors, glow, lit, whole, stokes_q, stokes_u
     )
 
 
 @inlined
-def ground_along(ray, sine, refraction, dark, frame, work, color):
+def ground_along(ray, sine, refraction, dark, observer, frame, work, color):
     """Reflectances of the ground at the end of a line of sight: ``GroundFactors``.
 
     Parameters
@@ -208,13 +202,13 @@ def ground_along(ray, sine, refraction, dark, frame, work, color):
     dark : bool
         Whether the light of the night is drawn; for it and lamps, ``columns_total`` of the
         workspace receives the columns to the ground.
-    frame, work, color :
-        Arguments of ``pixel_light``.
+    observer, frame, work, color :
+        Arguments of ``pixel_light``, and the observer.
     """
-    factors = ground_reflectances(ray, sine, refraction, frame, work, color)
+    factors = ground_reflectances(ray, sine, refraction, observer, frame, work, color)
     if frame.camera.overlaid or dark:
         columns_to_ground(
-            ray.z, sine, frame.observer, frame.tables, work.columns_total, work.columns_so_far
+            ray.z, sine, observer, frame.tables, work.columns_total, work.columns_so_far
         )
     return factors
 
@@ -327,58 +321,40 @@ def disc_light(powers, place, whole, tables, columns, at):
 
 
 @inlined
-def add_ring_shine(ray, found, seen, frame, work, color, result):
-    """Add the light of air and ground that the rings illuminate.
+def store_line(seen, frame, work, color, result):
+    """Store the light of air and ground along a line of sight, behind the filter. [sr⁻¹]
 
     Parameters
     ----------
-    ray, found, seen, frame, work, result :
-        Arguments of ``ring_light``.
-    color : array
-        Argument of ``pixel_light``.
+    seen : SeenLine
+        Result of ``seen_line``.
+    frame, work, color, result :
+        Arguments of ``pixel_light``.
     """
-    observer, tables, view = frame.observer, frame.tables, frame.camera
-    up = vertical_seen(ray, found, observer, tables)
-    place = shine_place(up, observer, view.shine_directions)
-    if dot(place.light, place.light) > 0.0:
-        look_by_shine(ray, found, place.light, observer, tables, work)
-        for at in range(0, tables.lanes, LANES):
-            radiance = lane_view(work.radiance, at)
-            total = radiance[0]
-            if seen.to_ground:
-                factor = ground_factor(color, view, seen.factors, tables, work, at)
-                total = total + radiance[1] * factor
-            total = total * shine_between(lane_view(view.shine, at), place)
-            store(result, at, load(result, at) + total * np.float32(seen.whole))
+    for at in range(0, frame.tables.lanes, LANES):
+        radiance = lane_view(work.radiance, at)
+        total = line_radiance(radiance[0], seen, color, frame, work, at)
+        store(result, at, filtered(total, seen, frame.camera, work, at))
 
 
 @inlined
-def ring_light(px, py, ray, found, seen, frame, work, result):
-    """Add the light of the rings, behind the filter, to that of air and ground.
+def add_beyond_air(px, py, ray, found, seen, frame, work, result):
+    """Add rings and the star's disc, and what they do to the light of air and ground.
 
     Parameters
     ----------
-    px, py, ray, frame, work, result :
-        Arguments of ``pixel_light``.
-    found, seen : ClassifiedRay, SeenLine
-        Class of the line, and what is seen along it.
-
-    Returns
-    -------
-    float
-        Weight of the star's disc, ``seen.whole`` times the transmittance of the rings. [1]
+    px, py, ray, found, seen, frame, work, result :
+        Arguments of ``ring_light``.
     """
-    tables, left = frame.tables, 1.0
-    if near_rings(ray, frame):
-        if not found.through_air:
-            for c in range(tables.constituents):
-                work.columns_total[c] = 0.0
-        left, before = sum_rings(px, py, found.to_ground, frame, work)
-        light = seen.whole if frame.camera.draws_air and frame.observer.orders != 0 else 0.0
-        for at in range(0, tables.lanes, LANES):
-            rings = lane_view(work.radiance, at)[2] * np.float32(light)
-            store(result, at, load(result, at) * np.float32(before) + rings)
-    return seen.whole * left
+    tables, whole = frame.tables, seen.whole
+    if tables.rings.ringed:
+        whole = ring_light(px, py, ray, found, seen, frame, work, result)
+    if frame.camera.draws_disc and not seen.to_ground:
+        powers, place = seen_disc(px, py, ray, frame, work.columns_total)
+        if powers.p0 > 0.0:
+            for at in range(0, tables.lanes, LANES):
+                disc = disc_light(powers, place, whole, tables, work.columns_total, at)
+                store(result, at, load(result, at) + disc)
 
 
 @inlined
@@ -400,23 +376,31 @@ def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    view, tables = frame.camera, frame.tables
-    found = classify_ray(ray, frame.observer, tables)
-    seen = seen_line(ray, found, exact, frame, work, color)
+    found = classify_ray(ray, frame.observer, frame.tables)
+    seen = seen_line(ray, found, exact, frame.observer, frame, work, color)
     if beyond > 1.0:
         haze_beyond(ray, found.sine, beyond, frame, work)
-    for at in range(0, tables.lanes, LANES):
-        radiance = lane_view(work.radiance, at)
-        total = line_radiance(radiance[0], seen, color, frame, work, at)
-        store(result, at, filtered(total, seen, view, work, at))
-    whole = seen.whole
-    if view.shines > 0 and seen.through_air:
-        add_ring_shine(ray, found, seen, frame, work, color, result)
-    if tables.rings.ringed:
-        whole = ring_light(px, py, ray, found, seen, frame, work, result)
-    if view.draws_disc and not seen.to_ground:
-        powers, place = seen_disc(px, py, ray, frame, work.columns_total)
-        if powers.p0 > 0.0:
-            for at in range(0, tables.lanes, LANES):
-                disc = disc_light(powers, place, whole, tables, work.columns_total, at)
-                store(result, at, load(result, at) + disc)
+    store_line(seen, frame, work, color, result)
+    if frame.camera.shines > 0 and seen.through_air:
+        add_ring_shine(ray, found, seen, frame.observer, frame, work, color, result)
+    add_beyond_air(px, py, ray, found, seen, frame, work, result)
+
+
+@inlined
+def oblate_light(px, py, ray, beyond, exact, frame, work, color, result):
+    """Spectral radiance of a pixel of a planet that may be oblate. [sr⁻¹]
+
+    Parameters
+    ----------
+    px, py, ray, beyond, exact, frame, work, color, result :
+        Arguments of ``pixel_light``; every pixel is marched.
+    """
+    moved = displaced_line(ray, frame.observer, frame.tables)
+    found = classify_ray(moved.ray, moved.observer, frame.tables)
+    seen = seen_line(moved.ray, found, exact, moved.observer, frame, work, color)
+    if beyond > 1.0:
+        haze_beyond(moved.ray, found.sine, beyond, frame, work)
+    store_line(seen, frame, work, color, result)
+    if frame.camera.shines > 0 and seen.through_air:
+        add_ring_shine(moved.ray, found, seen, moved.observer, frame, work, color, result)
+    add_beyond_air(px, py, ray, found, seen, frame, work, result)

@@ -21,15 +21,15 @@ ASLANT: Final = 3
 
 
 @inlined
-def filter_shares(ray, view):
+def filter_shares(ray, observer, view):
     """Weights of Stokes I, Q and U.
 
     Parameters
     ----------
     ray : Vec3
         Viewing direction, a unit vector in the observer's frame. [1]
-    view : ViewUniforms
-        Camera and axis of its filter in the same frame.
+    observer, view : Observer, ViewUniforms
+        Directions of the camera and of its filter in that frame, and the filter.
 
     Returns
     -------
@@ -40,8 +40,8 @@ def filter_shares(ray, view):
     cos_azimuth, sin_azimuth = 1.0, 0.0
     if sine > 0.0:
         cos_azimuth, sin_azimuth = ray.x / sine, ray.y / sine
-    part = dot(ray, view.filter_axis) / max(1.0 + dot(ray, view.forward), 1e-6)
-    axis = minus(view.filter_axis, scaled(plus(view.forward, ray), part))
+    part = dot(ray, observer.filter_axis) / max(1.0 + dot(ray, observer.forward), 1e-6)
+    axis = minus(observer.filter_axis, scaled(plus(observer.forward, ray), part))
     down = ray.z * (cos_azimuth * axis.x + sin_azimuth * axis.y) - sine * axis.z
     side = cos_azimuth * axis.y - sin_azimuth * axis.x
     square = max(down * down + side * side, 1e-12)

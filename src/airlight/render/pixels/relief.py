@@ -86,7 +86,7 @@ def height_at(latitude, longitude, level, view):
 
 
 @inlined
-def relief_light(end, latitude, longitude, level, frame):
+def relief_light(end, latitude, longitude, level, observer, frame):
     """Direct light of the ground with its relief over that of a smooth sphere. [1]
 
     Parameters
@@ -97,10 +97,10 @@ def relief_light(end, latitude, longitude, level, frame):
         Its coordinates. [rad]
     level : float
         Level of the overlay. [1]
-    frame : FrameTables
-        What the pixels read.
+    observer, frame : Observer, FrameTables
+        Observer, and what the pixels read.
     """
-    observer, view, bottom = frame.observer, frame.camera, frame.tables.bottom
+    view, bottom = frame.camera, frame.tables.bottom
     up = Vec3(end.x / bottom, end.y / bottom, end.z / bottom)
     mu_s = up.x * observer.sun_x + up.z * observer.sun_z
     sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
@@ -109,7 +109,7 @@ def relief_light(end, latitude, longitude, level, frame):
     level_x, level_z = observer.sun_x - mu_s * up.x, observer.sun_z - mu_s * up.z
     ahead = Vec3(level_x / sine, -mu_s * up.y / sine, level_z / sine)
     # coordinates change along the ground in proportion to the distance, but for the poles
-    way = components(ahead, view.ground_x, view.ground_y, view.ground_z)
+    way = components(ahead, observer.ground_x, observer.ground_y, observer.ground_z)
     parallel = max(cos(latitude), POLAR)
     north = way.z / parallel
     east = (cos(longitude) * way.y - sin(longitude) * way.x) / parallel

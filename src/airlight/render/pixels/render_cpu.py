@@ -1,4 +1,4 @@
-"""Pixel loops of the CPU, with the sky-view LUT or marched."""
+"""Pixel loops of the CPU, with the sky-view LUT, marched, or marched to an oblate planet."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, lane_view, load, splat
 from airlight.kernel.without_refcount import without_refcount
 from airlight.render.pixels.ground import GROUND_VALUES
-from airlight.render.pixels.pixel import pixel_light
+from airlight.render.pixels.pixel import oblate_light, pixel_light
 from airlight.render.pixels.samples import sampled_light
 
 
@@ -75,3 +75,9 @@ def render_pixels(px, py, frame, work, weights, out):
 def march_pixels(px, py, frame, work, weights, out):
     """March pixels; arguments of ``render_pixels``."""
     each_pixel(pixel_light, True, px, py, frame, work, weights, out)
+
+
+@compiled_loop
+def march_oblate_pixels(px, py, frame, work, weights, out):
+    """March pixels of an oblate planet from outside the air; arguments of ``render_pixels``."""
+    each_pixel(oblate_light, True, px, py, frame, work, weights, out)

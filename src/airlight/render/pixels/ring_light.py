@@ -12,10 +12,11 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from airlight.geometry.spheroid import beside_shadow
 from airlight.geometry.sun_disc import visible_fraction
 from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import compiled_loop, inlined, kernel
-from airlight.kernel.lanes import LANES, lane_view, splat
+from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
 from airlight.render.pixels.star_disc import camera_direction
 from airlight.solver.moments.source import transmittance_columns
@@ -62,7 +63,7 @@ def ring_crossing(ray, sine, to_ground, observer, tables):
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
     """
-    rings, pole = tables.rings, observer.ring_pole
+    rings, pole = tables.rings, observer.ground_z
     row, fraction, before = -1, 0.0, False
     transmittance, light = 1.0, 0.0
     way = way_to_rings(ray, observer.r, pole)
@@ -91,7 +92,7 @@ def ring_crossing(ray, sine, to_ground, observer, tables):
             ring_layer(row, fraction, 4, rings),
         )
         point = Vec3(way * ray.x, way * ray.y, observer.r + way * ray.z)
-        light *= outside_shadow(point, sun, tables)
+        light *= outside_shadow(point, sun, pole, observer.flattening, tables)
     return RingCrossing(row, fraction, before, transmittance, light)
 
 
@@ -167,10 +168,10 @@ def near_rings(ray, frame):
         Direction in the observer's frame, and what the pixels read. [1]
     """
     observer, rings = frame.observer, frame.tables.rings
-    way, met = way_to_rings(ray, observer.r, observer.ring_pole), False
+    way, met = way_to_rings(ray, observer.r, observer.ground_z), False
     if way > 0.0:
         radius = ring_radius(ray, observer.r, way)
-        wide = frame.camera.pixel_angle * way / max(abs(dot(ray, observer.ring_pole)), 1e-3)
+        wide = frame.camera.pixel_angle * way / max(abs(dot(ray, observer.ground_z)), 1e-3)
         met = radius > rings.ring_inner - wide and radius < rings.ring_outer + wide
     return met
 
@@ -183,20 +184,22 @@ def ring_layer(row, fraction, column, rings):
 
 
 @inlined
-def outside_shadow(point, sun, tables):
+def outside_shadow(point, sun, pole, flattening, tables):
     """Visible fraction of the star at a point of the rings, behind the edge of the ground. [1]
 
     Parameters
     ----------
     point, sun : Vec3
         Point from the centre of the planet [m], and direction of the star [1].
+    pole, flattening : Vec3, float
+        Direction of the planet's north pole, and its flattening. [1]
     tables : MarchTables
         Tables of the solution.
     """
     along, seen = dot(point, sun), 1.0
     if along < 0.0:
-        across = sqrt(max(dot(point, point) - along * along, 0.0))
-        seen = visible_fraction((tables.bottom - across) / along, tables.star_radius)
+        behind = beside_shadow(point, sun, pole, flattening, tables.bottom)
+        seen = visible_fraction(behind / along, tables.star_radius)
     return seen
 
 
@@ -244,3 +247,32 @@ def sum_rings(px, py, to_ground, frame, work):
                     )
                 lane_view(work.radiance, at)[2] += light
     return whole, before
+
+
+@inlined
+def ring_light(px, py, ray, found, seen, frame, work, result):
+    """Add the light of the rings, behind the filter, to that of air and ground.
+
+    Parameters
+    ----------
+    px, py, ray, frame, work, result :
+        Arguments of ``pixel_light``.
+    found, seen : ClassifiedRay, SeenLine
+        Class of the line, and what is seen along it.
+
+    Returns
+    -------
+    float
+        Weight of the star's disc, ``seen.whole`` times the transmittance of the rings. [1]
+    """
+    tables, left = frame.tables, 1.0
+    if near_rings(ray, frame):
+        if not found.through_air:
+            for c in range(tables.constituents):
+                work.columns_total[c] = 0.0
+        left, before = sum_rings(px, py, found.to_ground, frame, work)
+        light = seen.whole if frame.camera.draws_air and frame.observer.orders != 0 else 0.0
+        for at in range(0, tables.lanes, LANES):
+            rings = lane_view(work.radiance, at)[2] * np.float32(light)
+            store(result, at, load(result, at) * np.float32(before) + rings)
+    return seen.whole * left

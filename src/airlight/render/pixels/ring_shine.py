@@ -13,10 +13,13 @@ from typing import Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from airlight.geometry.spheroid import spheroid_point
 from airlight.geometry.vectors import Vec3, cross, dot, minus, plus, scaled
 from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.lanes import LANES, lane_view, load, store
 from airlight.kernel.without_refcount import without_refcount
 from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
+from airlight.render.pixels.ground import ground_factor
 from airlight.render.pixels.ring_light import outside_shadow, ring_layer
 from airlight.render.pixels.sky_view_lut import Observer, SightLine, look
 from airlight.solver.moments.march_tables import MarchTables
@@ -56,7 +59,7 @@ def no_shine(tables: MarchTables) -> RingShine:
     return RingShine(np.zeros((1, tables.lanes), np.float32), np.zeros((1, 3)))
 
 
-def ring_shine(tables: MarchTables, sun: float) -> RingShine:
+def ring_shine(tables: MarchTables, sun: float, flattening: float = 0.0) -> RingShine:
     """Irradiance of a planet by its rings.
 
     Parameters
@@ -65,15 +68,17 @@ def ring_shine(tables: MarchTables, sun: float) -> RingShine:
         Tables of the solution.
     sun : float
         Cosine of the angle between star and north pole. [1]
+    flattening : float
+        Flattening of the planet. [1]
     """
     count = LATITUDES * HOURS
     made = RingShine(np.zeros((count, tables.lanes), np.float32), np.zeros((count, 3)))
-    fill_shine(sun, tables, made)
+    fill_shine(sun, flattening, tables, made)
     return made
 
 
 @compiled_loop
-def fill_shine(sun, tables, shine):
+def fill_shine(sun, flattening, tables, shine):
     """Fill a table of ``RingShine``; arguments of ``ring_shine``."""
     tables, shine = without_refcount((tables, shine))
     for row in range(LATITUDES):
@@ -81,15 +86,15 @@ def fill_shine(sun, tables, shine):
             latitude, hour = pi * (row / (LATITUDES - 1.0) - 0.5), pi * column / (HOURS - 1.0)
             level = cos(latitude)
             up = Vec3(level * cos(hour), level * sin(hour), sin(latitude))
-            _shine_at(up, sun, tables, row * HOURS + column, shine)
+            _shine_at(up, sun, flattening, tables, row * HOURS + column, shine)
 
 
 @inlined
-def _shine_at(up, sun, tables, node, shine):
+def _shine_at(up, sun, flattening, tables, node, shine):
     """Fill a node; ``up`` is the vertical there, in the frame of the directions. [1]"""
-    rings, total = tables.rings, Vec3(0.0, 0.0, 0.0)
+    rings, total, pole = tables.rings, Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 1.0)
     star = Vec3(sqrt(max((1.0 - sun) * (1.0 + sun), 0.0)), 0.0, sun)
-    place, found = scaled(up, tables.bottom), shine.irradiance[node]
+    place, found = spheroid_point(up, pole, flattening, tables.bottom), shine.irradiance[node]
     step = (rings.ring_outer - rings.ring_inner) / _RADII
     for i in range(_RADII):
         radius = rings.ring_inner + (i + 0.5) * step
@@ -116,7 +121,7 @@ def _shine_at(up, sun, tables, node, shine):
                 ring_layer(row, fraction, 3, rings),
                 ring_layer(row, fraction, 4, rings),
             )
-            light *= outside_shadow(point, star, tables)
+            light *= outside_shadow(point, star, pole, flattening, tables)
             light *= radius * step * (2.0 * pi / _AROUND) * abs(ray.z) / (distance * distance)
             total = plus(total, scaled(ray, light * rings.ring_albedo[row, 0]))
             for lane in range(tables.lanes):
@@ -164,7 +169,7 @@ def shine_place(up, observer, directions):
     directions : array, shape (n, 3)
         Directions of ``RingShine``.
     """
-    pole = observer.ring_pole
+    pole = observer.ground_z
     star = Vec3(observer.sun_x, 0.0, observer.sun_z)
     north = min(max(dot(up, pole), -1.0), 1.0)
     x_axis = minus(star, scaled(pole, dot(star, pole)))
@@ -234,7 +239,8 @@ def look_by_shine(ray, found, light, observer, tables, work):
         cosine = min(max(cosine, -1.0), 1.0)
     apart = minus(ray, light)
     half_sine = min(sqrt(0.25 * dot(apart, apart) + SPREAD), 1.0)
-    line = SightLine(ray.z, found.sine, cosine, half_sine, found.to_ground, 0.0, 0.0)
+    free = Vec3(0.0, 0.0, 0.0)  # the light of the rings is not in their shadow
+    line = SightLine(ray.z, found.sine, cosine, half_sine, found.to_ground, free)
     lit = Observer(
         observer.r,
         observer.optical_altitude,
@@ -246,7 +252,13 @@ def look_by_shine(ray, found, light, observer, tables, work):
         level,
         light.z,
         observer.orders,
-        observer.ring_pole,
+        observer.centre,
+        observer.flattening,
+        observer.ground_x,
+        observer.ground_y,
+        observer.ground_z,
+        observer.forward,
+        observer.filter_axis,
     )
     look(line, True, False, False, lit, tables, work)
 
@@ -268,3 +280,29 @@ def vertical_seen(ray, found, observer, tables):
             way -= sqrt(max((tables.bottom - impact) * (tables.bottom + impact), 0.0))
     point = Vec3(way * ray.x, way * ray.y, observer.r + way * ray.z)
     return scaled(point, 1.0 / sqrt(dot(point, point)))
+
+
+@inlined
+def add_ring_shine(ray, found, seen, observer, frame, work, color, result):
+    """Add the light of air and ground that the rings illuminate.
+
+    Parameters
+    ----------
+    found, seen : ClassifiedRay, SeenLine
+        Class of the line, and what is seen along it.
+    ray, observer, frame, work, color, result :
+        Arguments of ``pixel_light``, and the observer.
+    """
+    tables, view = frame.tables, frame.camera
+    up = vertical_seen(ray, found, observer, tables)
+    place = shine_place(up, observer, view.shine_directions)
+    if dot(place.light, place.light) > 0.0:
+        look_by_shine(ray, found, place.light, observer, tables, work)
+        for at in range(0, tables.lanes, LANES):
+            radiance = lane_view(work.radiance, at)
+            total = radiance[0]
+            if seen.to_ground:
+                factor = ground_factor(color, view, seen.factors, tables, work, at)
+                total = total + radiance[1] * factor
+            total = total * shine_between(lane_view(view.shine, at), place)
+            store(result, at, load(result, at) + total * np.float32(seen.whole))

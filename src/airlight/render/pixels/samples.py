@@ -11,6 +11,7 @@ from typing import Final
 
 import numpy as np
 
+from airlight.geometry.spheroid import height_above_limb
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, store
@@ -56,6 +57,10 @@ def samples_per_side(ray, frame, color):
             end, _ = seen_hill(Vec3(ray.x * keep, ray.y * keep, ray.z + moved * sine), frame, color)
             level = sqrt(end.x * end.x + end.y * end.y)
             above = end.z * observer.horizon_sine - level * observer.horizon_mu
+            if observer.outside and observer.flattening > 0.0:
+                above = height_above_limb(
+                    end, observer.r, observer.ground_z, observer.flattening, frame.tables.bottom
+                )
             if above < 0.0:
                 count += 1
         if count == 1:

@@ -28,6 +28,7 @@ from airlight.physics.optics.cox_munk import (
 from airlight.solver.moments.march import march
 from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchTerms, Segment
 from airlight.solver.moments.source import read_phase
+from airlight.solver.tables.ring_shadow import no_rings
 
 #: Elevations, as squares of the cosine of the zenith angle, and azimuths, by sin(φ/2).
 ELEVATIONS: Final = 18
@@ -146,7 +147,7 @@ def sea_sky_texel(number, shown, window, air, peaks, observer, tables, work):
         half_sine = sqrt(min(0.5 * (1.0 - nu) + blur, 1.0))
         read_phase(half_sine, tables.phase, work.phase)
         length = distance_to_top(tables.bottom, mu, tables.top)
-        segment = Segment(tables.bottom, mu, mu_s, nu, half_sine, length, 0.0, 0.0, 0.0)
+        segment = Segment(tables.bottom, mu, mu_s, nu, half_sine, length, no_rings())
         march(segment, 2, MarchTerms(air, peaks, False), tables, work, work.radiance)
     for at in range(0, tables.lanes, LANES):
         found = lane_view(work.radiance, at)

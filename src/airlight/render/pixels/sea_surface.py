@@ -47,7 +47,7 @@ class Waves(NamedTuple):
 
 
 @inlined
-def resolved_waves(ray, sine, place, footprint, view, tables):
+def resolved_waves(ray, sine, place, footprint, observer, view, tables):
     """``Waves`` at the end of a line of sight.
 
     Parameters
@@ -60,14 +60,14 @@ def resolved_waves(ray, sine, place, footprint, view, tables):
         Its end relative to the point below the observer, in the planet's frame. [m]
     footprint : float
         Longer axis of the pixel's footprint. [m]
-    view, tables : ViewUniforms, MarchTables
-        Camera, and tables of the solution.
+    observer, view, tables : Observer, ViewUniforms, MarchTables
+        Observer, camera, and tables of the solution.
     """
     x, y = 1.0, 0.0
     if sine > 1e-6:
         x, y = ray.x / sine, ray.y / sine
-    ahead = components(Vec3(x, y, 0.0), view.ground_x, view.ground_y, view.ground_z)
-    aside = components(Vec3(-y, x, 0.0), view.ground_x, view.ground_y, view.ground_z)
+    ahead = components(Vec3(x, y, 0.0), observer.ground_x, observer.ground_y, observer.ground_z)
+    aside = components(Vec3(-y, x, 0.0), observer.ground_x, observer.ground_y, observer.ground_z)
     wind = tables.ground.wind
     rise, drift, share = sea_slopes(
         place, ahead, aside, footprint, wind, view.detail_cell, view.whole, view.part

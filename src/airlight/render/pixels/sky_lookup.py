@@ -184,22 +184,6 @@ def classify_ray(ray, observer, tables):
 
 
 @inlined
-def ring_directions(ray, sine, observer):
-    """``ring_side`` and ``ring_sun`` of a ``SightLine``. [1]
-
-    Parameters
-    ----------
-    ray, sine, observer :
-        Direction in the observer's frame, sine of its zenith angle, and observer. [1]
-    """
-    pole = observer.ring_pole
-    side = pole.x
-    if sine > 0.0:
-        side = (ray.x * pole.x + ray.y * pole.y) / sine
-    return side, observer.sun_x * pole.x + observer.sun_z * pole.z
-
-
-@inlined
 def sky_view_place(ray, found, window):
     """``TexelPlace`` of a line of sight in a window of the sky-view LUT; ``found`` is its class."""
     last = window.first_column + window.column_count - 1
@@ -214,32 +198,30 @@ def sky_view_place(ray, found, window):
 
 
 @inlined
-def sky_lookup(ray, found, exact, frame, work):
+def sky_lookup(ray, found, exact, observer, frame, work):
     """Path radiance along a line of sight, and radiance of a white ground behind it.
 
     Parameters
     ----------
     ray, found : Vec3, ClassifiedRay
         Its direction in the observer's frame, and its classification. [1]
-    exact, frame, work :
-        Arguments of ``pixel_light``; ``work.radiance`` receives results of ``look``, Q and U only
-        with a filter, and those of the mirrored sky at ``MIRRORED`` and ``FACETS``. [sr⁻¹]
+    exact, observer, frame, work :
+        Arguments of ``pixel_light``, and the observer; ``work.radiance`` receives results of
+        ``look``, Q and U only with a filter, and those of the mirrored sky at ``MIRRORED`` and
+        ``FACETS``. [sr⁻¹]
 
     Returns
     -------
     float
         Refraction angle of a line that ends on the ground. [rad]
     """
-    window, observer, view, tables = frame.window, frame.observer, frame.camera, frame.tables
+    window, view, tables = frame.window, frame.camera, frame.tables
     half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
     refraction = 0.0
     wet = found.to_ground and tables.ground.wet
     if exact:
         cos_azimuth = ray.x / found.sine if found.sine > 0.0 else 1.0
-        side, sun = 0.0, 0.0
-        if tables.rings.ringed:
-            side, sun = ring_directions(ray, found.sine, observer)
-        line = SightLine(ray.z, found.sine, cos_azimuth, half_sine, found.to_ground, side, sun)
+        line = SightLine(ray.z, found.sine, cos_azimuth, half_sine, found.to_ground, ray)
         refraction = look(line, True, False, view.filter > 0, observer, tables, work)
         for at in range(0, tables.lanes, LANES):
             radiance = lane_view(work.radiance, at)

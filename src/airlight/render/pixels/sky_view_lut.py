@@ -14,7 +14,7 @@ import numpy as np
 from airlight.geometry.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_intersection
-from airlight.geometry.vectors import Vec3
+from airlight.geometry.vectors import Vec3, dot, minus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_view, maximum, splat
 from airlight.render.pixels.ground_angles import ground_angles, refraction_to_ground, star_from
@@ -28,6 +28,7 @@ from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march import march, ring_shade_on
 from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchTerms, Segment
 from airlight.solver.moments.source import read_phase
+from airlight.solver.tables.ring_shadow import no_rings, ring_line
 
 #: Offset of the last sky row from the top of the shell, from outside. [rows]
 INSIDE = 0.1
@@ -55,8 +56,14 @@ class Observer(NamedTuple):
         Components towards the apparent star. [1]
     orders : int
         1: single scattering; 0: multiple scattering; 2: both.
-    ring_pole : Vec3
-        Direction of the north pole, normal to the rings. [1]
+    centre : Vec3
+        Centre of the planet from the camera. [m]
+    flattening : float
+        Flattening of the planet, 0 of a sphere. [1]
+    ground_x, ground_y, ground_z : Vec3
+        Axes of the planet's frame; the third is the north pole, normal to the rings. [1]
+    forward, filter_axis : Vec3
+        Optical axis of the camera, and axis of its filter. [1]
     """
 
     r: float
@@ -69,7 +76,13 @@ class Observer(NamedTuple):
     seen_x: float
     seen_z: float
     orders: int
-    ring_pole: Vec3
+    centre: Vec3
+    flattening: float
+    ground_x: Vec3
+    ground_y: Vec3
+    ground_z: Vec3
+    forward: Vec3
+    filter_axis: Vec3
 
 
 class SightLine(NamedTuple):
@@ -83,9 +96,8 @@ class SightLine(NamedTuple):
         sin(θ/2) of the angle to the apparent star. [1]
     to_ground : bool
         Whether it ends on the ground.
-    ring_side, ring_sun : float
-        Cosines of the angles of the line's horizontal direction and of the star with the north
-        pole; 0 without shadow of rings. [1]
+    ray : Vec3
+        Direction in the observer's frame; zero without the shadow of rings. [1]
     """
 
     mu: float
@@ -93,8 +105,7 @@ class SightLine(NamedTuple):
     cos_azimuth: float
     half_sine: float
     to_ground: bool
-    ring_side: float
-    ring_sun: float
+    ray: Vec3
 
 
 @kernel
@@ -123,46 +134,26 @@ def line_of_sight(line, observer, tables):
 
     Returns
     -------
+    way : float
+        Distance of its start from the observer. [m]
     r, start_mu, start_mu_s, nu, length : float
         Radius at its start [m], view-zenith and star-zenith cosines there [1], cosine between line
         and star [1], and length [m].
     """
     mu, sine, cos_azimuth, to_ground = line.mu, line.sine, line.cos_azimuth, line.to_ground
     nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
-    r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
+    way, r, start_mu, start_mu_s = 0.0, observer.r, mu, observer.sun_z
     if observer.outside:
         impact = observer.r * sine
         r = tables.top
         across, up = first_intersection(min(impact, tables.top), sine, tables.top)
-        start_mu = -sqrt(max((tables.top - impact) * (tables.top + impact), 0.0)) / tables.top
+        half = sqrt(max((tables.top - impact) * (tables.top + impact), 0.0))
+        way, start_mu = -observer.r * mu - half, -half / tables.top
         start_mu_s = star_from(across, up, tables.top, cos_azimuth, observer.sun_x, observer.sun_z)
     length = distance_to_top(r, start_mu, tables.top)
     if to_ground:
         length = distance_to_bottom(r, start_mu, tables.bottom)
-    return r, start_mu, start_mu_s, nu, length
-
-
-@inlined
-def ring_place(line, observer, tables):
-    """Distance of a line's start inside the shell from the plane of the rings, and its slope.
-
-    Parameters
-    ----------
-    line, observer, tables :
-        Arguments of ``look``.
-
-    Returns
-    -------
-    height, slope : float
-        Distance to the north [m], and its change along the line [1].
-    """
-    pole = observer.ring_pole
-    height = observer.r * pole.z
-    if observer.outside:
-        impact = min(observer.r * line.sine, tables.top)
-        across, up = first_intersection(impact, line.sine, tables.top)
-        height = across * line.ring_side + up * pole.z
-    return height, line.sine * line.ring_side + line.mu * pole.z
+    return way, r, start_mu, start_mu_s, nu, length
 
 
 @inlined
@@ -220,22 +211,23 @@ def look(line, air, peaks, polarised, observer, tables, work):
         Angle of refraction of a line that ends on the ground. [rad]
     """
     half_sine, to_ground = line.half_sine, line.to_ground
-    r, start_mu, start_mu_s, nu, length = line_of_sight(line, observer, tables)
+    way, r, start_mu, start_mu_s, nu, length = line_of_sight(line, observer, tables)
     angle = 0.0
     unseparated_phases(half_sine, tables.phase, tables, work.phase)
     if polarised:
         unseparated_phases(half_sine, tables.phase_f12, tables, work.phase_f12)
-    height, slope = 0.0, 0.0
-    if tables.rings.ringed:
-        height, slope = ring_place(line, observer, tables)
-    segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length, height, slope, line.ring_sun)
+    ring = no_rings()
+    if tables.rings.ringed and dot(line.ray, line.ray) > 0.0:
+        start, sun = scaled(line.ray, way), Vec3(observer.sun_x, 0.0, observer.sun_z)
+        ring = ring_line(minus(start, observer.centre), line.ray, observer.ground_z, sun)
+    segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length, ring)
     terms = MarchTerms(air, peaks, polarised)
     march(segment, observer.orders, terms, tables, work, work.radiance)
     if air and to_ground:
         column = work.columns_total[tables.constituents - 1]
         mu_s, angle = star_on_ground(line, r, start_mu, nu, length, column, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
-        left = ring_shade_on(length, tables.bottom, mu_s, segment, tables)
+        left = ring_shade_on(length, segment, tables)
         for at in range(0, tables.lanes, LANES):
             received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)
             found[1] = (received[0] + received[1]) * np.float32(left) * INVERSE_PI * found[1]
@@ -284,7 +276,7 @@ def line_of_texel(column, row, window, observer, tables):
     side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
     ray = Vec3(sine * cos_azimuth, sine * side, mu)
     half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
-    return SightLine(mu, sine, cos_azimuth, half_sine, not sky, 0.0, 0.0)
+    return SightLine(mu, sine, cos_azimuth, half_sine, not sky, Vec3(0.0, 0.0, 0.0))
 
 
 @inlined
@@ -293,7 +285,7 @@ def upright(line):
     mu, sine = line.mu, line.sine
     if sine < UPRIGHT:
         mu, sine = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if mu > 0.0 else -1.0), UPRIGHT
-    return SightLine(mu, sine, line.cos_azimuth, line.half_sine, line.to_ground, 0.0, 0.0)
+    return SightLine(mu, sine, line.cos_azimuth, line.half_sine, line.to_ground, line.ray)
 
 
 @kernel

@@ -206,22 +206,22 @@ def scattered_lamps(k, channel, rise, slant, depth, view):
 
 
 @inlined
-def lamps_below(ray, reach, length, k, frame):
+def lamps_below(ray, reach, length, k, observer, frame):
     """Light of the ground that irradiates a layer, times the length of the line in it. [m sr]
 
     Parameters
     ----------
-    ray, frame :
+    ray, observer, frame :
         Arguments of ``skyglow_color``.
     reach, length : float
         Distance to the layer, and length of the line in it. [m]
     k : int
         Layer.
     """
-    observer, view = frame.observer, frame.camera
+    view = frame.camera
     end = Vec3(reach * ray.x, reach * ray.y, observer.r + reach * ray.z)
     latitude, longitude = latitude_longitude(
-        components(end, view.ground_x, view.ground_y, view.ground_z)
+        components(end, observer.ground_x, observer.ground_y, observer.ground_z)
     )
     level = log2(FIRST * view.over_rows / (pi * frame.tables.bottom))
     # a layer is crossed over many texels near the horizon: no mean is narrower than that
@@ -237,7 +237,7 @@ def lamps_below(ray, reach, length, k, frame):
 
 
 @inlined
-def skyglow_color(ray, sine, to_ground, frame):
+def skyglow_color(ray, sine, to_ground, observer, frame):
     """Skyglow along a line of sight through the air, as colour of ``basis``. [sr⁻¹]
 
     Parameters
@@ -248,10 +248,10 @@ def skyglow_color(ray, sine, to_ground, frame):
         Sine of its zenith angle. [1]
     to_ground : bool
         Whether it ends on the ground.
-    frame : FrameTables
-        What the pixels read.
+    observer, frame : Observer, FrameTables
+        Observer, and what the pixels read.
     """
-    observer, view, bottom = frame.observer, frame.camera, frame.tables.bottom
+    view, bottom = frame.camera, frame.tables.bottom
     red, green, blue = 0.0, 0.0, 0.0
     impact, start = observer.r * sine, observer.r * ray.z
     height = observer.optical_altitude
@@ -274,7 +274,7 @@ def skyglow_color(ray, sine, to_ground, frame):
                 near, far = crossing(bottom + low, bottom + max(high, low), impact, start, falling)
                 if far > near:
                     half = 0.5 * (near + far)
-                    light = lamps_below(ray, half, far - near, k, frame)
+                    light = lamps_below(ray, half, far - near, k, observer, frame)
                     rise = (half + start) / (bottom + 0.5 * (low + high))
                     slant = half / max(0.5 * (low + high) - height, 1.0)
                     if start < 0.0:

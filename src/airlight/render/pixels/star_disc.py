@@ -13,9 +13,10 @@ import numpy as np
 
 from airlight.geometry.mappings.sky_view import angle_above_horizon
 from airlight.geometry.refraction import refraction_angle
-from airlight.geometry.vectors import Vec3, combined, cross, dot, minus, scaled
+from airlight.geometry.vectors import Vec3, combined, cross, dot, minus, plus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.render.pixels.disc_shading import DiscPlace, disc_powers, whole_powers
+from airlight.render.pixels.oblate import displaced_axes
 from airlight.render.pixels.sky_view_lut import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.solver.tables.column_ratios import columns_to_top
@@ -68,16 +69,23 @@ def leaving_air(ray, observer, tables, columns):
         Whether the line misses the ground.
     """
     level = sqrt(ray.x * ray.x + ray.y * ray.y)
-    impact = observer.r * level
-    start_r, start_mu = observer.r, ray.z
+    r, z, up = observer.r, ray.z, Vec3(0.0, 0.0, 1.0)
+    if observer.outside and observer.flattening > 0.0:
+        _, up, lateral, ahead = displaced_axes(
+            ray, r, observer.ground_z, observer.flattening, tables.bottom
+        )
+        r = sqrt(lateral * lateral + ahead * ahead)
+        level, z = lateral / r, ahead / r
+    impact = r * level
+    start_r, start_mu = r, z
     inside, free = True, True
     if observer.outside:
-        inside = ray.z < 0.0 and impact < tables.top
+        inside = z < 0.0 and impact < tables.top
         free = not (inside and impact < tables.bottom)
         start_r = tables.top
         start_mu = -sqrt(max((tables.top - impact) * (tables.top + impact), 0.0)) / tables.top
     else:
-        free = angle_above_horizon(ray.z, level, observer.horizon_mu, observer.horizon_sine) >= 0.0
+        free = angle_above_horizon(z, level, observer.horizon_mu, observer.horizon_sine) >= 0.0
     for c in range(tables.constituents):
         columns[c] = 0.0
     if inside and free:
@@ -96,8 +104,9 @@ def leaving_air(ray, observer, tables, columns):
                 start_r, start_mu, tables.refraction_strength, columns[tables.constituents - 1]
             )
             turn, keep = sin(angle), cos(angle)
-            scale = (level * keep + ray.z * turn) / max(level, 1e-30)
-            return Vec3(ray.x * scale, ray.y * scale, ray.z * keep - level * turn), free
+            scale = (level * keep + z * turn) / max(level, 1e-30)
+            across = scaled(minus(ray, scaled(up, z)), scale)
+            return plus(across, scaled(up, z * keep - level * turn)), free
     return ray, free
 
 

@@ -101,7 +101,8 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         uniforms["disc"] *= disc_factor(source.occulter.left)
     uniforms |= shading_uniforms(source.phase, source.limb, sun_level, float(sun[2]))
     uniforms["faced"] = float(source.face is not None)
-    uniforms |= _vector("ring_pole", scene.ground_frame[2])
+    uniforms["flattening"] = solution.medium.flattening if outside else 0.0
+    uniforms |= _vector("centre", np.array([0.0, 0.0, -r]))
     for name, axis in zip(("right", "up", "forward"), camera.axes, strict=True):
         uniforms |= _vector(name, axis)
     ground = solution.medium.surface.map
@@ -113,6 +114,13 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         whole, part = lattice_origin(float(row[2]), bottom, cell)
         uniforms |= {f"whole_{name}": whole, f"part_{name}": part}
     return uniforms
+
+
+def is_always_marched(scene: Scene, solution: MomentsSolution) -> bool:
+    """Whether every pixel is marched: among rings, and of an oblate planet from outside the air."""
+    medium = solution.medium
+    oblate = medium.flattening > 0.0 and scene.altitude >= medium.thickness
+    return bool(medium.rings) or oblate
 
 
 def observer_uniforms(

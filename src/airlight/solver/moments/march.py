@@ -145,7 +145,7 @@ def add_point(point, segment, orders, terms, faint, plane, tables, work, result)
         Plane of line and star.
     """
     mu_sq, nu_q = star_place(point, segment.r, segment.mu_s, segment.nu, tables)
-    weight = point.weight * ring_shade_on(point.t, point.q, mu_sq, segment, tables)
+    weight = point.weight * ring_shade_on(point.t, segment, tables)
     seen, spread = 0.0, False
     if orders != 0:
         seen, spread = star_columns(point.q, mu_sq, tables, work)
@@ -189,22 +189,21 @@ def add_point(point, segment, orders, terms, faint, plane, tables, work, result)
 
 
 @inlined
-def ring_shade_on(t, q, mu_s, segment, tables):
+def ring_shade_on(t, segment, tables):
     """Transmittance of the rings between a point of a segment and the star. [1]
 
     Parameters
     ----------
-    t, q : float
-        Distance of the point from the start, and its radius. [m]
-    mu_s : float
-        Cosine of the star's zenith angle there. [1]
+    t : float
+        Distance of the point from the start. [m]
     segment, tables :
         Arguments of ``march``.
     """
-    left = 1.0
+    left, ring = 1.0, segment.ring
     if tables.rings.ringed:
-        height = segment.ring_height + t * segment.ring_slope
-        left = ring_shade(q, mu_s, height, segment.ring_sun, tables.star_radius, tables.rings)
+        square = max(ring.square + t * (2.0 * ring.rise + t), 1.0)
+        along, height = ring.along + t * segment.nu, ring.height + t * ring.slope
+        left = ring_shade(square, along, height, ring.sun, tables.star_radius, tables.rings)
     return left
 
 

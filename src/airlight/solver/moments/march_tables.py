@@ -24,7 +24,7 @@ from airlight.kernel.shader_fields import (
     spectra,
 )
 from airlight.physics.optics.reflection import Reflection
-from airlight.solver.tables.ring_shadow import Rings
+from airlight.solver.tables.ring_shadow import RingLine, Rings
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -49,11 +49,8 @@ class Segment(NamedTuple):
         sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
     length : float
         Length, to the ground or to the top. [m]
-    ring_height, ring_slope : float
-        Distance of the start from the plane of the rings, to the north [m], and its change along
-        the line [1].
-    ring_sun : float
-        Cosine of the angle between the star and the north pole; 0 without shadow of rings. [1]
+    ring : RingLine
+        The line among the rings.
     """
 
     r: float
@@ -62,9 +59,7 @@ class Segment(NamedTuple):
     nu: float
     half_sine: float
     length: float
-    ring_height: float
-    ring_slope: float
-    ring_sun: float
+    ring: RingLine
 
 
 class MarchTerms(NamedTuple):

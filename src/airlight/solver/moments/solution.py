@@ -47,7 +47,7 @@ from airlight.solver.report import Report
 from airlight.solver.solution import Solution
 from airlight.solver.tables.column_ratios import column_rows, rational_mean_density
 from airlight.solver.tables.columns import ColumnTable, density_table
-from airlight.solver.tables.ring_shadow import Rings, ring_tables
+from airlight.solver.tables.ring_shadow import Rings, no_rings, ring_tables
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -404,7 +404,7 @@ def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work
     bottom, ground = tables.bottom, np.empty(tables.lanes, np.float32)
     terms = MarchTerms(True, False, stokes)
     for k in range(r.size):
-        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], 0.0, 0.0, 0.0)
+        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], no_rings())
         work.phase[:] = phase[k]
         work.phase_f12[:] = phase_f12[k]
         march(segment, orders, terms, tables, work, work.radiance)

@@ -13,7 +13,7 @@ from typing import Annotated, Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from airlight.geometry.vectors import Vec3
+from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import inlined, kernel
 from airlight.kernel.shader_fields import scalars, spectra
 from airlight.physics.optics.ring_layer import power_law_norm
@@ -131,8 +131,59 @@ class RingShadow(NamedTuple):
     rings: Rings
 
 
+class RingLine(NamedTuple):
+    """Line of sight among the rings.
+
+    Attributes
+    ----------
+    square, along : float
+        Square of the distance of its start from the centre of the rings [m²], and component of
+        that distance towards the star [m].
+    height : float
+        Distance of the start from the plane of the rings, to the north. [m]
+    rise, slope : float
+        Component of the first distance along the line [m], and change of height along it [1].
+    sun : float
+        Cosine of the angle between the star and the north pole. [1]
+    """
+
+    square: float
+    along: float
+    height: float
+    rise: float
+    slope: float
+    sun: float
+
+
+@kernel
+def no_rings():
+    """``RingLine`` where the shadow of rings is left out."""
+    return RingLine(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@kernel
+def ring_line(start, ray, pole, sun):
+    """``RingLine`` of a line of sight.
+
+    Parameters
+    ----------
+    start : Vec3
+        Its start, from the centre of the rings. [m]
+    ray, pole, sun : Vec3
+        Directions of the line, of the north pole, and of the star. [1]
+    """
+    return RingLine(
+        dot(start, start),
+        dot(start, sun),
+        dot(start, pole),
+        dot(start, ray),
+        dot(ray, pole),
+        dot(sun, pole),
+    )
+
+
 @inlined
-def ring_shade(q, mu_s, height, sun, star_radius, rings):
+def ring_shade(square, along, height, sun, star_radius, rings):
     """Transmittance of the rings between a point and the star. [1]
 
     The star's disc is five points on the line along which the radius of the crossing varies most:
@@ -140,8 +191,9 @@ def ring_shade(q, mu_s, height, sun, star_radius, rings):
 
     Parameters
     ----------
-    q, mu_s : float
-        Radius of the point [m]; cosine of the star's zenith angle there. [1]
+    square, along : float
+        Square of the distance of the point from the centre [m²], and component of that distance
+        towards the star [m].
     height : float
         Signed distance of the point from the plane of the rings, to the north. [m]
     sun : float
@@ -154,11 +206,11 @@ def ring_shade(q, mu_s, height, sun, star_radius, rings):
     left = 1.0
     if height * sun < 0.0:
         way = -height / sun
-        across = q * mu_s + way
-        radius = sqrt(max(q * q + way * (q * mu_s + across), 0.0))
-        if radius > rings.ring_inner - 0.05 * q and radius < rings.ring_outer + 0.05 * q:
-            slope = across / (radius * sun)
-            wide = star_radius * way * sqrt(1.0 + slope * slope)
+        across = along + way
+        radius = sqrt(max(square + way * (along + across), 1.0))
+        slope = across / (radius * sun)
+        wide = star_radius * way * sqrt(1.0 + slope * slope)
+        if radius > rings.ring_inner - wide and radius < rings.ring_outer + wide:
             steep = 1.0 / abs(sun)
             left = 0.0
             for k in range(1, 6):

@@ -110,10 +110,11 @@ class Viewer(anywidget.AnyWidget):
         self._telling = False
         self._shown: object = None
         self._waiting: Mapping[str, Any] = {}
+        tables = self.session.planet.tables
         super().__init__(
             height=height,
             device=device,
-            program=program(),
+            program=program(bool(tables.get("rings")) or tables.get("flattening", 0.0) > 0.0),
             first=thumbnail_address(str(self.session.planet.source)),
             **self._state_message(),
         )

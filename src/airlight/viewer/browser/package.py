@@ -81,8 +81,14 @@ _DIGITS: Final = 6
 _RADII: Final = 1024
 
 
-def plan() -> dict[str, Any]:
-    """Rendering and display passes, and offset of each uniform; see ``web/drawing/program.js``."""
+def plan(marched: bool = False) -> dict[str, Any]:
+    """Rendering and display passes, and offset of each uniform; see ``web/drawing/program.js``.
+
+    Parameters
+    ----------
+    marched : bool
+        Argument of ``web_shaders``.
+    """
     columns, rows = SKY_VIEW_SIZE
     where = FRAME.layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
@@ -113,7 +119,7 @@ def plan() -> dict[str, Any]:
             "targets": targets,
         }
 
-    picture = picture_shader(False)
+    picture = picture_shader(marched, (), marched)
     own = {"disc": "disc_2", **{name: f"{name}_2" for name in LAYERS}}
 
     def summed(name: str) -> list[dict[str, Any]]:
@@ -200,11 +206,18 @@ def plan() -> dict[str, Any]:
     }
 
 
-def program() -> dict[str, Any]:
-    """Planet-independent data, as JSON values."""
+def program(marched: bool = False) -> dict[str, Any]:
+    """Data for all solutions, as JSON values.
+
+    Parameters
+    ----------
+    marched : bool
+        Argument of ``web_shaders``; without it rings have no shadow, and planets are spheres.
+    """
     return {
-        "plan": plan(),
-        "shaders": web_shaders(),
+        "plan": plan(marched),
+        "shaders": web_shaders(marched),
+        "marched": marched,
         "sky": {
             "full": list(SKY_VIEW_SIZE),
             "medium": list(MEDIUM_SKY_VIEW_SIZE),
@@ -247,9 +260,9 @@ def solution_package(
     -------
     numbers : dict
         JSON values: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the shell
-        [m], ``star`` (angular radius [rad]), ``star_white`` (its chromaticity), ``geometry`` of
-        refracted rays, the ``ground`` map,
-        the ``body`` of the planet, data of a ``second`` light, and ``viewpoints``.
+        [m], ``flattening``, ``star`` (angular radius [rad]), ``star_white`` (its chromaticity),
+        ``geometry`` of refracted rays, the ``ground`` map, the ``body`` of the planet, data of a
+        ``second`` light, and ``viewpoints``.
     tables : dict
         Format and values of each texture.
     """
@@ -268,6 +281,7 @@ def solution_package(
         "uniforms": uniforms,
         "radius": float(medium.bottom_radius),
         "thickness": float(medium.thickness),
+        "flattening": float(medium.flattening),
         "star": float(star.angular_radius),
         "star_white": star_white(star.spectrum),
         "geometry": refracted_geometry(solution),

@@ -21,7 +21,6 @@ from airlight.image.display import to_display
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import texel_wavelengths
-from airlight.planets.rings import warn_of_rings
 from airlight.render import render
 from airlight.render.solve_planet import solve_planet
 from airlight.solver.moments.harmonics import moment_count
@@ -123,7 +122,8 @@ def page_data(
     edited = () if planet is None else amounts_of(planet, MOST)
     body = None if solution.planet is None else solution.planet.body
     parameters = page_parameters(dated=body is not None)
-    fixed = program()
+    medium = solution.medium
+    fixed = program(bool(medium.rings) or medium.flattening > 0.0)
     return {
         "title": title,
         "planet": name,
@@ -210,7 +210,6 @@ def export_page(
             raise ParameterError("view", path, known)
         session.set(path, value)
     world = load_planet(planet, dict(changes or {}), progress=progress)
-    warn_of_rings(world.rings, "page")
     title = f"{world.name} – airlight"
     for level in dict.fromkeys((quality, "preview")):
         solution = solve_planet(

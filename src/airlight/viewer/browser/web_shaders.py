@@ -30,8 +30,13 @@ FILL: Final = "fill"
 
 
 @cache
-def web_shaders() -> dict[str, dict[str, Any]]:
+def web_shaders(marched: bool = False) -> dict[str, dict[str, Any]]:
     """Rendering and display shaders, for ``web/drawing/program.js``.
+
+    Parameters
+    ----------
+    marched : bool
+        Whether every pixel is marched, as with rings or an oblate planet.
 
     Returns
     -------
@@ -45,7 +50,7 @@ def web_shaders() -> dict[str, dict[str, Any]]:
             sky_peaks_shader(dialect),
             sky_polarised_shader(dialect),
             sky_mirrored_shader(dialect),
-            picture_shader(False, (), dialect),
+            picture_shader(marched, (), marched, dialect),
             coarser_shader(dialect),
             spread_shader(dialect),
             added_shader(dialect),

@@ -133,6 +133,7 @@ def all_shaders() -> tuple[Shader, ...]:
         sky_mirrored_shader(),
         picture_shader(False),
         picture_shader(True),
+        picture_shader(True, (), True),
         transmittance_shader(),
         body_shader(False, ()),
         body_shader(True, ()),

@@ -86,7 +86,7 @@ class FramePasses:
             Light.
         """
         if CLOUDY not in uniforms:
-            return picture_shader(exact, fixed)
+            return picture_shader(exact, fixed, uniforms["flattening"] > 0.0)
         return self._clouds[light].shader(uniforms, exact, fixed)
 
     def _buffer(self, struct: UniformStruct) -> Any:

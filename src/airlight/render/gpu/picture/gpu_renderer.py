@@ -33,6 +33,7 @@ from airlight.render.pixels.sky_view_window import COARSEST
 from airlight.render.pixels.view_uniforms import (
     checked_samples,
     display_uniforms,
+    is_always_marched,
     night_uniforms,
     order_number,
     view_uniforms,
@@ -154,7 +155,7 @@ class GpuRenderer:
         scene : Scene
             Observer, lights and camera; frames of several lights are added on the CPU.
         exact : bool
-            Whether every pixel is marched, as with rings; otherwise the sky-view LUT is read.
+            Whether every pixel is marched; otherwise the sky-view LUT is read if it can be.
         orders : str
             ``all``, ``single`` or ``multiple``.
         disc : bool
@@ -176,7 +177,7 @@ class GpuRenderer:
         if width > (limit := self.device.device.limits["max-texture-dimension-2d"]):
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
         solution = self._require_solution()
-        exact = exact or bool(solution.medium.rings)
+        exact = exact or is_always_marched(scene, solution)
         lights = scenes_by_light(scene, solution)
         rendered = width * height * checked_samples(samples) ** 2 * len(lights)
         rgb = zeros((height, width, 3), np.float32)
@@ -196,6 +197,7 @@ class GpuRenderer:
                         light.solution, light.scene, light=scene.lights.index(light.light)
                     )
                     uniforms |= set_clouds(self.passes, number, light, lit, uniforms, exact)
+                    uniforms["flattening"] = 0.0
                 for rows, strip in self._strips(number, light, uniforms, exact, cancel):
                     rgb[rows] += strip
                     release(rgb[rows])
@@ -335,7 +337,7 @@ class GpuRenderer:
         window : (int, int, int, int), optional
             First column and row, and size of the target in the frame; by default all. [pixel]
         """
-        exact = exact or bool(self._require_solution().medium.rings)
+        exact = exact or is_always_marched(lights[0].scene, self._require_solution())
         by_light = [self.uniforms(one, size, exact, orders, disc) for one in lights]
         target = size
         if window is not None:

@@ -31,6 +31,7 @@ from airlight.render.pixels.ground import GROUND_VALUES
 from airlight.render.pixels.pixel import (
     FrameTables,
     ViewUniforms,
+    oblate_light,
     pixel_light,
 )
 from airlight.render.pixels.pixel_transmittance import pixel_transmittance
@@ -249,7 +250,9 @@ def _whole_window() -> StructValue:
 
 
 @cache
-def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
+def picture_shader(
+    exact: bool, fixed: Fixed = (), oblate: bool = False, dialect: ShaderDialect = WGSL
+) -> Shader:
     """Shader of linear radiance of pixels, from the sky-view LUT or marched.
 
     Parameters
@@ -259,10 +262,13 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     fixed : tuple of (str, value)
         Integer and boolean uniforms bound as constants; otherwise a software GPU evaluates both
         sides of every branch.
+    oblate : bool
+        Whether pixels are those of an oblate planet from outside the air, all marched.
     """
     # a shader of rows without an edge has no loop over samples
     once = dict(fixed).get("samples") == 1 and not dict(fixed).get("edges", True)
-    lines, emitter = _of_pixels(pixel_light, exact, once, fixed, dialect)
+    light = oblate_light if oblate else pixel_light
+    lines, emitter = _of_pixels(light, exact, once, fixed, dialect)
     return linear_shader("picture", "linear_picture", lines, emitter)
 
 

@@ -2,7 +2,8 @@
  * Renderer of a planet: uploads the tables of a solution and runs the rendering passes.
  *
  * A description from viewer/browser/package.py has planet-independent data — `plan`
- * and `shaders` (see program.js), `sky` (sizes of the sky-view LUT), `layers` (its textures),
+ * and `shaders` (see program.js), `marched` (whether pixels are marched, and read no LUT), `sky`
+ * (sizes of the sky-view LUT), `layers` (its textures),
  * `metering` (longer side of the metered frame), `filter_exposure` (exposure added for a polariser),
  * `projections` with their fields of view, `display` (uniforms of an 8-bit display), `primaries`,
  * `white_balances`, `orders`, and `view_uniforms` (uniforms that are view values) — and data of a
@@ -86,6 +87,7 @@ export class Picture {
       if (texture) this.program.takeTexture(name, texture);
     }
     for (const [name, value] of Object.entries(solution.uniforms)) this.program.set(name, value);
+    if (this.fixed.marched) this.program.setAll({ separated_1: -1, separated_2: -1 });
     if (!this.laws) this.takeLaw(EVEN);
     this.planet = solution;
     this.solutions += 1;
@@ -235,7 +237,7 @@ export class Picture {
   /** Fill the sky-view LUTs of the lights, unless they are up to date. */
   async fillSkyView(lights, effort) {
     const { program, fixed, planet } = this;
-    const peaks = planet.uniforms.separated_1 >= 0;
+    const peaks = !fixed.marched && planet.uniforms.separated_1 >= 0;
     const keys = lights.map((light) => (light.air ? this.skyViewKey(light) : ""));
     const shape = this.shapeFor(effort);
     if (lights.length > 1) this.takeLaw(lights[1].law ?? EVEN);
@@ -245,6 +247,10 @@ export class Picture {
     this.shape = shape;
     const [columns, rows] = fixed.sky[shape];
     program.setAll({ separated_phases: Number(peaks), sky_columns: columns, sky_rows: rows });
+    if (fixed.marched && !planet.uniforms.wet) {
+      this.skyViews = keys;
+      return;
+    }
     const began = performance.now();
     let rendered = 0;
     lights.forEach((light, i) => {

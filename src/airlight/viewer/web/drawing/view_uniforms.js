@@ -11,12 +11,13 @@ import { NOMINAL_ROWS } from "../generated/sizes.js";
 /**
  * Uniforms of the observer and the star.
  *
- * @param {object} planet `radius`, `thickness` [m], `star` [rad], and `geometry` with refraction.
+ * @param {object} planet `radius`, `thickness` [m], `flattening` [1], `star` [rad], and `geometry`
+ *     with refraction.
  * @param {number} altitude Altitude of the observer. [m]
  * @param {number[]} sun Unit vector towards the star, in the observer's frame.
  */
 export function observerUniforms(planet, altitude, sun) {
-  const { radius, thickness, star, geometry } = planet;
+  const { radius, thickness, flattening, star, geometry } = planet;
   const outside = altitude >= thickness;
   const r = geometry ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = geometry ? geometry.bottom : radius;
@@ -36,6 +37,8 @@ export function observerUniforms(planet, altitude, sun) {
     r: Math.fround(bottom) + (r - bottom),
     optical_altitude: r - bottom,
     outside: Number(outside),
+    flattening: outside ? flattening : 0,
+    ...vectors({ centre: [0, 0, -r] }),
     horizon_mu: horizonMu,
     horizon_sine: horizonSine,
     sun_x: level,
