@@ -12,6 +12,7 @@ from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, SPECTRA, Always, InTexture, scalars
 from airlight.physics.optics.clouds import GroundFactors
 from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_night, night_light
+from airlight.render.pixels.deck import shade_deck
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground
@@ -67,6 +68,10 @@ class ViewUniforms(NamedTuple):
     map_rows: int
     map_columns: int
     map_levels: int
+    decked: bool
+    deck_altitude: float
+    deck_radius: float
+    deck_gain: Vec3
     ground_x: Vec3
     ground_y: Vec3
     ground_z: Vec3
@@ -412,6 +417,7 @@ def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
     whole = seen.whole
     if view.shines > 0 and seen.through_air:
         add_ring_shine(ray, found, seen, frame, work, color, result)
+    shade_deck(ray, found, frame, color, result)
     if tables.rings.ringed:
         whole = ring_light(px, py, ray, found, seen, frame, work, result)
     if view.draws_disc and not seen.to_ground:

@@ -86,6 +86,9 @@ export class Picture {
       if (texture) this.program.takeTexture(name, texture);
     }
     for (const [name, value] of Object.entries(solution.uniforms)) this.program.set(name, value);
+    const decked = Number(solution.uniforms.decked > 0);
+    const mapped = Number(solution.ground !== null);
+    this.program.setAll({ mapped: mapped * (1 - decked), decked: mapped * decked });
     if (!this.laws) this.takeLaw(EVEN);
     this.planet = solution;
     this.solutions += 1;
