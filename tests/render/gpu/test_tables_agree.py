@@ -430,6 +430,7 @@ WHOLE = {
         "ring_crossing", "sum_rings", "ring_light", "mean_attenuation", "power_law",
         "single_scattering_layer", "ring_phase",
     ),
+    "test_deck.py::test_a_deck_is_that_of_the_cpu": ("meets_deck", "shade_deck"),
     "test_lights.py::test_several_lights_are_shown_as_by_the_cpu": ("added_texel",),
     "test_system_renderer.py::test_planets_before_each_other_are_drawn_as_by_the_cpu": (
         "layered_texel", "light_of_centre", "pixel_transmittance",
