@@ -28,7 +28,7 @@ from airlight.validation.published.rayleigh_sphere import geometric_albedo
         ("moon", (550.0, 440.0), (0.1498, 0.1168), 0.01),
         # NASA, Pluto Fact Sheet: 0.52 in the visible, from 0.72, which the ground has
         ("pluto", (550.0,), (0.52,), 0.10),
-        # NASA, Neptunian Satellite Fact Sheet: 0.76, two digits, by Hapke's law with published grains
+        # NASA, Neptunian Satellite Fact Sheet: 0.76, two digits; published grains
         ("triton", (550.0,), (0.76,), 0.10),
         # NASA, Saturnian Satellite Fact Sheet: 0.2, one digit
         pytest.param("titan", (550.0,), (0.2,), 0.25, marks=pytest.mark.slow),
