@@ -235,7 +235,8 @@ class Ground(TomlModel):
     regolith: str = key(
         help="Published grains and roughness for Hapke's law.",
         note="`moon`: Sato et al. (2014); `mars`: Vincendon (2013); `triton`: Hillier et al."
-        " (1994). The keys below replace single values; the albedo sets level and colour at all wavelengths.",
+        " (1994). The keys below replace single values; the albedo sets level and colour at all"
+        " wavelengths.",
         choices=lambda: tuple(REGOLITHS),
         offered=_of_regolith,
         default="moon",
