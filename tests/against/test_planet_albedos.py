@@ -92,7 +92,7 @@ def test_discs_of_the_giant_planets_and_titan_have_the_albedos_that_telescopes_s
     tell: Callable[[str], None],
 ) -> None:
     # Karkoschka (1998), means over 10 nm; targets: median 10 %, worst 20 %. Wavelengths between
-    # those of the presets' lists and the bands of Uranus and Neptune were not fitted, nor was Titan.
+    # those of the presets' lists, the bands of Uranus and Neptune, and Titan were not fitted.
     nm, seen = seen_albedos(name)
     nm, seen = nm[4:35:2], seen[4:35:2]
     ours = disc_albedo(solved(load_planet(name), tuple(nm.tolist()), "preview"), name)
