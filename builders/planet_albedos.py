@@ -1,4 +1,5 @@
-"""Remake ``full-disc-albedos.csv``: what telescopes see of the giant planets, by Karkoschka (1998).
+"""Remake ``full-disc-albedos.csv``: what telescopes see of the giant planets and Titan, by
+Karkoschka (1998).
 
 Run with ``python builders/planet_albedos.py FOLDER``, where FOLDER is ``spectra/files/Karkoschka``
 of the public repository Askaniy/TrueColorTools (as of 808d62e1f731): the albedos of ``1995low.tab``
@@ -15,7 +16,7 @@ import numpy as np
 FILE = (
     Path(__file__).parents[1] / "src" / "airlight" / "validation" / "data" / "full-disc-albedos.csv"
 )
-PLANETS = ("Jupiter", "Saturn", "Uranus", "Neptune")
+PLANETS = ("Jupiter", "Saturn", "Uranus", "Neptune", "Titan")
 #: Wavelengths, and the width of the means. [nm]
 WAVELENGTHS = np.arange(360.0, 761.0, 10.0)
 WIDTH = 10.0
@@ -23,8 +24,8 @@ HEADER = """\
 # Albedo of the full disc in July 1995, means over 10 nm: Karkoschka (1998), Methane, ammonia, and
 # temperature measurements of the Jovian planets and Titan from CCD-spectrophotometry, Icarus 133,
 # 134, doi:10.1006/icar.1998.5913; NASA PDS GBAT_0001, 1995low.tab; second-hand, from files of
-# Askaniy/TrueColorTools. Phase angles 6.8, 5.7, 0.7 and 0.3 degrees; calibration 4 %; Saturn
-# without rings. Licence: figures of a public archive. Made by builders/planet_albedos.py.
+# Askaniy/TrueColorTools. Phase angles 6.8, 5.7, 0.7, 0.3 and 5.7 degrees; calibration 4 %;
+# Saturn without rings. Licence: figures of a public archive. Made by builders/planet_albedos.py.
 """
 
 

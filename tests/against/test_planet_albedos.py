@@ -28,6 +28,8 @@ from airlight.validation.published.rayleigh_sphere import geometric_albedo
         ("moon", (550.0, 440.0), (0.1498, 0.1168), 0.01),
         # NASA, Pluto Fact Sheet: 0.52 in the visible, from 0.72, which the ground has
         ("pluto", (550.0,), (0.52,), 0.10),
+        # NASA, Neptunian Satellite Fact Sheet: 0.76, two digits; published grains
+        ("triton", (550.0,), (0.76,), 0.10),
         # NASA, Saturnian Satellite Fact Sheet: 0.2, one digit
         pytest.param("titan", (550.0,), (0.2,), 0.25, marks=pytest.mark.slow),
         # Mallama, Wang & Howard (2006), Icarus 182, 10: V 0.67; clouds vary by some per cent
@@ -83,14 +85,14 @@ def test_the_light_on_the_ground_of_venus_and_titan_is_orange(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["jupiter", "saturn", "uranus", "neptune"])
-def test_discs_of_the_giant_planets_have_the_albedos_that_telescopes_see(
+@pytest.mark.parametrize("name", ["jupiter", "saturn", "uranus", "neptune", "titan"])
+def test_discs_of_the_giant_planets_and_titan_have_the_albedos_that_telescopes_see(
     name: str,
     solved: Callable[..., MomentsSolution],
     tell: Callable[[str], None],
 ) -> None:
     # Karkoschka (1998), means over 10 nm; targets: median 10 %, worst 20 %. Wavelengths between
-    # those of the presets' lists and the bands of Uranus and Neptune were not fitted.
+    # those of the presets' lists, the bands of Uranus and Neptune, and Titan were not fitted.
     nm, seen = seen_albedos(name)
     nm, seen = nm[4:35:2], seen[4:35:2]
     ours = disc_albedo(solved(load_planet(name), tuple(nm.tolist()), "preview"), name)

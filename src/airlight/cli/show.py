@@ -115,6 +115,8 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     table.add_row("ground albedo", _spectral(medium.ground_albedo))
     if medium.surface.map is not None:
         table.add_row("ground map", medium.surface.map)
+    if medium.surface.deck is not None:
+        table.add_row("map of the deck", f"{medium.surface.deck}; not in the numbers")
     if medium.surface.map is not None or medium.surface.clouds is not None:
         table.add_row(
             "surface albedo used by the solver", "as given" if given else _ground_below(planet)

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.errors import ParameterError
 from airlight.physics.optics.droplet_layer import THICKEST
 from airlight.physics.optics.hapke import REGOLITHS, regolith
 from airlight.physics.optics.reflection import LAWS, Reflection, largest_albedo, law_number
@@ -69,6 +70,8 @@ class Ground(TomlModel):
     map : str, optional
         Name of a picture of the ground, for rendering and ``airlight.local_ground``; otherwise
         solvers use ``albedo``.
+    deck : str, optional
+        Name or path of a picture of a cloud deck, belts and zones, which pictures alone show.
     lights : str, optional
         Name of a picture of city lights, which light the air in pictures alone.
     clouds : str, optional
@@ -122,6 +125,16 @@ class Ground(TomlModel):
         " the observer over that of the whole map.",
         range=(1.0, 100.0),
         example="the name of a map of the ground",
+        default=None,
+    )
+    deck: str | None = key(
+        help="Name of a map of a cloud deck, or path of a picture of it: belts and zones.",
+        note="`jupiter`, `saturn`, or a picture as for the map. In pictures the light of lines of"
+        " sight that meet the deck from above is multiplied by it, over its mean over the full"
+        " disc; radiances and spectra have the mean. Instead of `map`.",
+        range=(1.0, 100.0),
+        example="the name of a map of a cloud deck",
+        synonyms=("belts", "zones", "bands", "cloud tops"),
         default=None,
     )
     lights: str | None = key(
@@ -221,8 +234,9 @@ class Ground(TomlModel):
 
     regolith: str = key(
         help="Published grains and roughness for Hapke's law.",
-        note="`moon`: Sato et al. (2014); `mars`: Vincendon (2013). The keys below replace single"
-        " values; the albedo sets level and colour at all wavelengths.",
+        note="`moon`: Sato et al. (2014); `mars`: Vincendon (2013); `triton`: Hillier et al."
+        " (1994). The keys below replace single values; the albedo sets level and colour at all"
+        " wavelengths.",
         choices=lambda: tuple(REGOLITHS),
         offered=_of_regolith,
         default="moon",
@@ -268,6 +282,10 @@ class Ground(TomlModel):
     )
 
     local: Annotated[LocalGround | None, instance_of(LocalGround, type(None))] = None
+
+    def __post_init__(self) -> None:
+        if self.deck is not None and self.map is not None:
+            raise ParameterError("deck", self.deck, "one of deck and map")
 
     @property
     def limits(self) -> Limits:

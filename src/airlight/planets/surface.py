@@ -20,8 +20,8 @@ class Surface:
 
     Parameters
     ----------
-    map, lights, clouds, clouds_from_space, relief : str or None
-        Names or paths of the maps of colour, city lights, clouds and heights.
+    map, deck, lights, clouds, clouds_from_space, relief : str or None
+        Names or paths of the maps of colour, of a cloud deck, city lights, clouds and heights.
     rocks : float
         Share of bare ground below rocks. [1]
     brightness : float
@@ -35,6 +35,7 @@ class Surface:
     """
 
     map: str | None = None
+    deck: str | None = None
     lights: str | None = None
     clouds: str | None = None
     clouds_from_space: str | None = None
@@ -50,6 +51,7 @@ class Surface:
         """Surface of a planet's ground, under its airglow."""
         return cls(
             map=ground.map,
+            deck=ground.deck,
             lights=ground.lights,
             clouds=ground.clouds,
             clouds_from_space=ground.clouds_from_space,
@@ -68,6 +70,11 @@ class Surface:
         if self.overlay[1] is None:
             return no_layer(wavelengths.size)
         return droplet_layer(self.cloud_optical_depth, wavelengths)
+
+    @property
+    def picture(self) -> str | None:
+        """Map of colour, of the ground or of a deck."""
+        return self.map or self.deck
 
     @property
     def overlay(self) -> tuple[str | None, str | None, str | None]:

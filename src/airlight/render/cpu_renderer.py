@@ -119,7 +119,7 @@ class CpuRenderer:
             points=resolution.points,
             panels=resolution.panels,
         )
-        name = solution.medium.surface.map
+        name = solution.medium.surface.picture
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
         self._overlay = ground_overlay(*medium.surface.overlay)

@@ -76,11 +76,21 @@ class SurfaceMap:
         level : int
             Level that is averaged; coarser levels are faster, but their texels are rounded.
         """
-        full = self.levels[level]
-        edges = np.sin(np.linspace(0.5 * math.pi, -0.5 * math.pi, full.shape[0] + 1))
+        edges = np.sin(np.linspace(0.5 * math.pi, -0.5 * math.pi, len(self.levels[level]) + 1))
         bands = 0.5 * (edges[:-1] - edges[1:])
+        return np.asarray(bands @ self.zonal(level))
+
+    def zonal(self, level: int) -> NDArray[np.float64]:
+        """Means along latitudes of reflectance and water fraction, north first, shape (h, 4). [1]
+
+        Parameters
+        ----------
+        level : int
+            Argument of ``mean``.
+        """
+        full = self.levels[level]
         rows = [DECODED[c][full[..., c]].mean(axis=1, dtype=np.float64) for c in range(CHANNELS)]
-        return np.asarray(rows) @ bands
+        return np.stack(rows, axis=-1)
 
     @cached_property
     def water_rgb(self) -> NDArray[np.float64]:

@@ -87,3 +87,37 @@ def test_other_worlds_have_no_known_moon() -> None:
 
     with pytest.raises(ParameterError, match="body is 'mars'; allowed: earth"):
         moon_seen(Place(body="mars", latitude=0.0, longitude=0.0), datetime.now(UTC))
+
+
+@pytest.mark.parametrize(
+    ("body", "time", "latitude", "within"),
+    [
+        # equinox of Saturn, 6 May 2025, and of Uranus, 7 December 2007 (NASA)
+        ("saturn", datetime(2025, 5, 6, tzinfo=UTC), 0.0, 0.1),
+        ("uranus", datetime(2007, 12, 7, tzinfo=UTC), 0.0, 0.2),
+        # New Horizons: the sun over 51.6 N when it passed Pluto
+        ("pluto", datetime(2015, 7, 14, 12, tzinfo=UTC), 51.6, 0.3),
+        # a year of Mercury, whose axis is upright to 0.034 deg (Archinal et al. 2018)
+        ("mercury", datetime(2026, 2, 1, tzinfo=UTC), 0.0, 0.04),
+    ],
+)
+def test_the_sun_stands_where_missions_say(
+    body: str, time: datetime, latitude: float, within: float
+) -> None:
+    assert abs(solar_point(world_named(body), days_of(time)).latitude - latitude) < within
+
+
+def test_at_full_moon_the_sun_is_over_the_near_side() -> None:
+    # Full moon of 3 January 2026, 10:03 UTC: the moon's longitudes are from the mean Earth, off
+    # which the sun then is by the libration and the moon's latitude, below 8 deg
+    point = solar_point(world_named("moon"), days_of(datetime(2026, 1, 3, 10, 3, tzinfo=UTC)))
+    assert abs(point.longitude) < 8.0
+    assert abs(point.latitude) < 1.6
+
+
+@pytest.mark.parametrize("name", ["mercury", "venus", "jupiter", "saturn", "uranus", "pluto"])
+def test_a_solar_day_brings_the_sun_back(name: str) -> None:
+    # NASA's days; Mercury's differ by its eccentric orbit, whose period is half of its day's
+    world = world_named(name)
+    first, next_ = (solar_point(world, k * world.solar_day).longitude for k in (0.0, 2.0))
+    assert abs(math.remainder(next_ - first, 360.0)) < 2.0

@@ -111,7 +111,7 @@ def test_no_regolith_reflects_more_than_arrives() -> None:
     mu = np.linspace(0.01, 1.0, 12)
     assert directional_albedo(mu, regolith(1.0, 0.0, 0.0, 0.0, 0.05, 0.0)).max() < 1.0
     for values in REGOLITHS.values():
-        assert directional_albedo(mu, regolith(*values)).max() < 0.6
+        assert directional_albedo(mu, regolith(*values)).max() < 1.0
 
 
 def test_the_moon_s_constants_are_its_parameters() -> None:

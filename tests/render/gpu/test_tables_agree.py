@@ -435,6 +435,7 @@ WHOLE = {
         "same_observer", "lowest_point", "stretched", "unit", "height_above_limb",
         "beside_shadow", "point_below",
     ),
+    "test_deck.py::test_a_deck_is_that_of_the_cpu": ("meets_deck", "shade_deck"),
     "test_lights.py::test_several_lights_are_shown_as_by_the_cpu": ("added_texel",),
     "test_system_renderer.py::test_planets_before_each_other_are_drawn_as_by_the_cpu": (
         "layered_texel", "light_of_centre", "pixel_transmittance",

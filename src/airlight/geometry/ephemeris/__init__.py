@@ -1,4 +1,4 @@
-"""Positions of sun and moon in the sky of Earth, Mars and Titan."""
+"""Positions of sun and moon in the sky of bodies of the solar system."""
 
 from __future__ import annotations
 

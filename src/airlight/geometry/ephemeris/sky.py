@@ -30,7 +30,7 @@ class Place:
     Parameters
     ----------
     body : str
-        Name of the world: ``earth``, ``mars`` or ``titan``.
+        Name of the world, from ``WORLDS``.
     latitude : float
         Latitude, north positive, -90 to 90: on Earth geographic, elsewhere planetocentric. [deg]
     longitude : float

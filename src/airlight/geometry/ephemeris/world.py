@@ -73,7 +73,9 @@ _TITAN: Final = Spin(
 #: 10747 days between its spring equinoxes (Williams, NASA Saturn Fact Sheet). Basins: the shore of
 #: the Dead Sea, 430 m below the sea in 2017 and falling by more than a metre a year; the floor of
 #: Hellas, Smith et al. (1999), Science 284, 1495; Titan's map of Lorenz et al. (2013), Icarus 225,
-#: 367.
+#: 367. The others' days and years: NASA's Planetary Fact Sheets, of Pluto the sidereal year; the
+#: Moon's: its synodic month and the draconic year, of Cassini's laws; their basins are not given.
+#: Triton, whose pole turns about Neptune's, has none.
 WORLDS: Final = {
     "earth": World(
         name="earth",
@@ -99,6 +101,24 @@ WORLDS: Final = {
         year=10747.0,
         deepest_basin=-1700.0,
     ),
+    "mercury": World(
+        name="mercury", orbit="Mercury", solar_day=175.942, year=87.968, deepest_basin=0.0
+    ),
+    "venus": World(name="venus", orbit="Venus", solar_day=116.75, year=224.695, deepest_basin=0.0),
+    "moon": World(name="moon", orbit="Moon", solar_day=29.530589, year=346.62, deepest_basin=0.0),
+    "jupiter": World(
+        name="jupiter", orbit="Jupiter", solar_day=0.41358, year=4330.595, deepest_basin=0.0
+    ),
+    "saturn": World(
+        name="saturn", orbit="Saturn", solar_day=0.444, year=10746.94, deepest_basin=0.0
+    ),
+    "uranus": World(
+        name="uranus", orbit="Uranus", solar_day=0.71833, year=30588.74, deepest_basin=0.0
+    ),
+    "neptune": World(
+        name="neptune", orbit="Neptune", solar_day=0.67125, year=59799.9, deepest_basin=0.0
+    ),
+    "pluto": World(name="pluto", orbit="Pluto", solar_day=6.3872, year=90560.0, deepest_basin=0.0),
 }
 
 

@@ -38,9 +38,13 @@ FloatArray = NDArray[np.float64]
 #:
 #: ``mars``: Vincendon (2013), Planetary and Space Science 76, 87, mean surface; its c of 0.6 is
 #: taken as the share of the backward lobe, (1 + c)/2 here, as rovers' photometry counts it.
+#:
+#: ``triton``: Hillier et al. (1994), Icarus 109, 296, abstract: w of 0.98 or higher, asymmetries of
+#: -0.35 to -0.45 for most units, θ̄ of 14°; the first end of these and 0.99 are taken, no surge.
 REGOLITHS: Final = {
     "moon": (0.3854, 0.2375, 0.3253, 1.686, 0.0672, 23.4),
     "mars": (0.85, 0.12, 0.2, 1.0, 0.05, 17.0),
+    "triton": (0.99, 0.35, 1.0, 0.0, 0.05, 14.0),
 }
 
 #: Slope below which ground is level. [1]

@@ -18,6 +18,7 @@ from airlight.geometry.vectors import Vec3, components, dot, plus, scaled
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, store
 from airlight.physics.optics.cox_munk import mean_square_slope, mirrored_cosine
+from airlight.render.pixels.deck import shade_deck
 from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.pixel import ground_along, ground_radiance
 from airlight.render.pixels.render_cpu import each_pixel
@@ -66,9 +67,10 @@ def eclipsed_light(px, py, ray, beyond, exact, frame, work, color, result):
     """
     turn, eclipse, found = work
     observer, tables, march_work = frame.observer, frame.tables, eclipse.work
-    sine, _, through_air, to_ground = classify_ray(ray, observer, tables)
+    seen = classify_ray(ray, observer, tables)
+    sine, to_ground = seen.sine, seen.to_ground
     result[:] = 0.0
-    if not through_air:
+    if not seen.through_air:
         return
     x_axis, y_axis, z_axis = turn
     along = components(ray, x_axis, y_axis, z_axis)
@@ -89,6 +91,7 @@ def eclipsed_light(px, py, ray, beyond, exact, frame, work, color, result):
     march_eclipsed(line, TOTAL, march_work.phase, eclipse, found)
     result[:] = found[0]
     if not to_ground:
+        shade_deck(ray, seen, observer, frame, color, result)
         return
     x, y, z, mu_r = end_on_ground(line, eclipse)
     refraction = 0.0
@@ -110,6 +113,7 @@ def eclipsed_light(px, py, ray, beyond, exact, frame, work, color, result):
         white = (received[0] + received[1]) * INVERSE_PI * behind[1]
         ground = ground_radiance(white, factors, color, frame, march_work, at)
         store(result, at, load(result, at) + ground)
+    shade_deck(ray, seen, observer, frame, color, result)
 
 
 @inlined

@@ -12,6 +12,7 @@ from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, SPECTRA, Always, InTexture, scalars
 from airlight.physics.optics.clouds import GroundFactors
 from airlight.render.pixels.airglow import airglow_color, airglow_on_ground, by_night, night_light
+from airlight.render.pixels.deck import shade_deck
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground
@@ -63,6 +64,10 @@ class ViewUniforms(NamedTuple):
     map_rows: int
     map_columns: int
     map_levels: int
+    decked: bool
+    deck_altitude: float
+    deck_radius: float
+    deck_gain: Vec3
     sky_columns: int
     sky_rows: int
     separated_phases: bool
@@ -383,6 +388,7 @@ def pixel_light(px, py, ray, beyond, exact, frame, work, color, result):
     store_line(seen, frame, work, color, result)
     if frame.camera.shines > 0 and seen.through_air:
         add_ring_shine(ray, found, seen, frame.observer, frame, work, color, result)
+    shade_deck(ray, found, frame.observer, frame, color, result)
     add_beyond_air(px, py, ray, found, seen, frame, work, result)
 
 
@@ -403,4 +409,5 @@ def oblate_light(px, py, ray, beyond, exact, frame, work, color, result):
     store_line(seen, frame, work, color, result)
     if frame.camera.shines > 0 and seen.through_air:
         add_ring_shine(moved.ray, found, seen, moved.observer, frame, work, color, result)
+    shade_deck(moved.ray, found, moved.observer, frame, color, result)
     add_beyond_air(px, py, ray, found, seen, frame, work, result)

@@ -22,6 +22,7 @@ from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.physics.spectra.blackbody import planck_radiance
 from airlight.planets.light_source import Occulter
 from airlight.render.pixels.airglow import basis_colors
+from airlight.render.pixels.deck import deck_uniforms
 from airlight.render.pixels.disc_shading import OCCULTER, shading_uniforms
 from airlight.render.pixels.night_tables import NightTables
 from airlight.render.pixels.occulted_light import disc_factor
@@ -207,7 +208,7 @@ def cpu_view_uniforms(
     shine : RingShine
         Light of the rings on the planet.
     """
-    uniforms = uniforms | size_uniforms(ground, overlay)
+    uniforms = uniforms | size_uniforms(ground, overlay, uniforms["decked"])
     uniforms |= {"width": camera.width, "height": camera.height, "sky_columns": 0, "sky_rows": 0}
     uniforms["separated_phases"] = len(layers.first) > 1
     uniforms["shines"] = int(len(shine.irradiance) > 1)
@@ -228,15 +229,21 @@ def cpu_view_uniforms(
     )
 
 
-def size_uniforms(ground: SurfaceMap | None, overlay: SurfaceMap | None) -> dict[str, int]:
+def size_uniforms(
+    ground: SurfaceMap | None, overlay: SurfaceMap | None, decked: float
+) -> dict[str, float]:
     """Uniforms of the sizes of maps.
 
     Parameters
     ----------
     ground, overlay : SurfaceMap
-        Map of the ground; city lights and clouds; None without these.
+        Map of the ground or of the deck; city lights and clouds; None without these.
+    decked : float
+        Whether the first is that of the deck.
     """
-    uniforms = {"mapped": int(ground is not None), "overlaid": int(overlay is not None)}
+    has_map = float(ground is not None)
+    uniforms = {"mapped": has_map * (1.0 - decked), "decked": has_map * decked}
+    uniforms["overlaid"] = float(overlay is not None)
     for name, image in (("map", ground), ("over", overlay)):
         size = (1, 1, 1) if image is None else (image.rows, image.columns, len(image.levels))
         sides = (f"{name}_rows", f"{name}_columns", f"{name}_levels")
@@ -261,7 +268,9 @@ def overlay_uniforms(
     return (
         night_uniforms(solution, weights)
         | land_uniforms(medium.surface.map)
+        | deck_uniforms(medium)
         | {
+            "decked": float(medium.surface.deck is not None),
             "clouded": float(medium.surface.overlay[1] is not None),
             "clouds_from_space": float(medium.surface.clouds is None),
             "relieved": float(medium.surface.relief is not None),

@@ -302,6 +302,8 @@ def _planet_files(planet: Planet) -> tuple[Path, ...]:
     ground, found = planet.ground, []
     if ground.map is not None:
         found += [map_file(ground.map), water_file(ground.map)]
+    if ground.deck is not None:
+        found.append(map_file(ground.deck))
     if ground.lights is not None:
         found.append(lights_file(ground.lights))
     found += [cloud_file(one) for one in (ground.clouds, ground.clouds_from_space) if one]

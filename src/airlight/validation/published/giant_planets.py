@@ -1,8 +1,9 @@
-"""Discs of Jupiter, Saturn, Uranus and Neptune against those that telescopes see.
+"""Discs of the giant planets and Titan against those that telescopes see.
 
 Karkoschka (1998), Icarus 133, 134: albedo of the full disc in July 1995, ``full-disc-albedos.csv``;
 calibrated to 4 %. The presets' hazes absorb so that the discs agree at the nine to twelve
 wavelengths of their lists; the bands of methane and what lies between are not adjusted one by one.
+Titan's haze is as Huygens measured it, without any adjustment.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from airlight.validation.suite import SuiteRun, Threshold
 FloatArray = NDArray[np.float64]
 
 #: Phase angle of the spectra: Karkoschka (1998), Table II (second-hand: notes that quote it). [deg]
-PHASES: Final = {"jupiter": 6.8, "saturn": 5.7, "uranus": 0.7, "neptune": 0.3}
+PHASES: Final = {"jupiter": 6.8, "saturn": 5.7, "uranus": 0.7, "neptune": 0.3, "titan": 5.7}
 #: Wavelengths of the rows: bands of methane, and others that no preset is adjusted at. [nm]
 ROWS: Final = (410.0, 490.0, 540.0, 620.0, 660.0, 700.0, 730.0)
 #: Wavelengths over which errors are summed up. [nm]
@@ -72,7 +73,7 @@ def giant_planets(run: SuiteRun) -> PublishedSection:
                 Threshold(f"{name}: {word} error, 400 to 700 nm", float(value), most, "%", "target")
             )
     return PublishedSection(
-        title="Discs of the giant planets",
+        title="Discs of the giant planets and Titan",
         rows=rows,
         aims=aims,
         note="At none of these wavelengths is a preset adjusted. The tables of methane and of the "

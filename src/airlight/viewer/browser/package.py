@@ -272,7 +272,7 @@ def solution_package(
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
     uniforms |= overlay_uniforms(solution, weights)
-    star, mapped = solution.lights[0], medium.surface.map
+    star, picture = solution.lights[0], medium.surface.picture
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: solution.wavelengths.size] = star.colors(weights)
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
@@ -285,7 +285,7 @@ def solution_package(
         "star": float(star.angular_radius),
         "star_white": star_white(star.spectrum),
         "geometry": refracted_geometry(solution),
-        "ground": ground_map(None if mapped is None else surface_map(mapped)),
+        "ground": ground_map(None if picture is None else surface_map(picture)),
         "body": None if solution.planet is None else solution.planet.body,
         "second": second_light_data(solution),
         "overlay": ground_map(ground_overlay(*medium.surface.overlay), overlay=True),

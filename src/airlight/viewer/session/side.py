@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import ParameterError
+from airlight.geometry.ephemeris.sun_formula import NUMBERED
 from airlight.planets.schema.toml_table import suggestion
 from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
@@ -73,7 +74,7 @@ class Side:
         """Amounts of the planet, its declared parameters, and those of the view."""
         amounts, planet, groups = self.planet.amounts, self.planet.parameters, self.planet.groups
         if self._listed is None or self._listed[0] is not planet or self._listed[1] != groups:
-            dated = self.planet.tables.get("body") is not None
+            dated = self.planet.tables.get("body") in NUMBERED
             view = (one for one in view_parameters(groups) if dated or one.path not in OF_DATE)
             whole = (*amounts, *planet, *view)
             self._listed = (planet, groups, whole, {one.path: one for one in whole})

@@ -326,6 +326,8 @@ def _left_out(medium: Medium) -> list[str]:
     notes = []
     if medium.surface.map is not None:
         notes.append("the map of the ground is left out: give the program its own")
+    if medium.surface.deck is not None:
+        notes.append("the map of the deck is left out: its mean is shown")
     if medium.surface.lights is not None:
         notes.append("lights of towns are left out")
     if medium.surface.clouds is not None:

@@ -126,7 +126,7 @@ class SolutionTextures:
         for one, contents in made.textures.items():
             if one not in textures:
                 textures[one] = flat_texture(device, uneven(contents), one)
-        name = medium.surface.map if maps else None
+        name = medium.surface.picture if maps else None
         found = None if name is None else surface_map(name)
         if before is not None and before.textures.get("map of") == name:
             textures["ground"] = before.textures["ground"]
@@ -144,9 +144,8 @@ class SolutionTextures:
             textures["overlay"] = packed_texture(device, texels, "overlay")
             release(texels)
         textures["overlay of"] = over
-        sizes = size_uniforms(found, overlay)
-        uniforms = made.uniforms | {key: float(n) for key, n in sizes.items()}
-        uniforms |= overlay_uniforms(solution, weights)
+        uniforms = made.uniforms | overlay_uniforms(solution, weights)
+        uniforms |= size_uniforms(found, overlay, uniforms["decked"])
         return cls(uniforms, made.places, textures)
 
 

@@ -88,6 +88,9 @@ export class Picture {
     }
     for (const [name, value] of Object.entries(solution.uniforms)) this.program.set(name, value);
     if (this.fixed.marched) this.program.setAll({ separated_1: -1, separated_2: -1 });
+    const decked = Number(solution.uniforms.decked > 0);
+    const mapped = Number(solution.ground !== null);
+    this.program.setAll({ mapped: mapped * (1 - decked), decked: mapped * decked });
     if (!this.laws) this.takeLaw(EVEN);
     this.planet = solution;
     this.solutions += 1;

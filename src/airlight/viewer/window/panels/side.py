@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
+from airlight.geometry.ephemeris.sun_formula import NUMBERED
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
@@ -303,7 +304,7 @@ class SidePanel:
         from imgui_bundle import imgui
 
         view = self._session.view
-        if self._session.planet.tables.get("body") is not None:
+        if self._session.planet.tables.get("body") in NUMBERED:
             width = imgui.get_content_region_avail().x
             changes = self._calendar.draw(view, width, on=bool(view[CLOCK]))
             if changes:
