@@ -168,6 +168,11 @@ CASES: dict[str, tuple[Any, ...]] = {
     "light_left": (numbers(1e-3, 0.1), numbers(0.0, 0.3), numbers(1e-3, 0.1)),
     "covered_half_arc": (numbers(1e-3, 0.1), numbers(1e-3, 0.3), numbers(1e-3, 0.1)),
     "left_out": (numbers(0.0, 0.1), numbers(0.0, 0.1)),
+    "clouds_shown": (numbers(0.0, 2e5), True, True),
+    "dehazed_exposure": (
+        numbers(-9.0, 9.0), numbers(0.0, 60.0), numbers(-1.0, 1.0), numbers(0.0, 1.0),
+        numbers(0.0, 2e5),
+    ),
     "metering_weight": (RNG.integers(0, len(formulas.PROJECTIONS), COUNT), *POINTS, SUN, 0.9),
     "projected_ray": (RNG.integers(0, len(formulas.PROJECTIONS), COUNT), *POINTS),
     "perspective_ray": POINTS,

@@ -25,6 +25,7 @@ VIEW = {
     "view.roll": 17.0,
     "view.filter": True,
     "view.polariser": 40.0,
+    "view.dehaze": 0.9,
     "view.field_of_view": 55.0,
     "view.projection": "perspective",
     "view.sun_zenith": 66.0,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Self
 
 import typer
 
@@ -87,12 +87,33 @@ class CameraOptions(DirectionOptions):
         "{scene.scene_fields:POLARISER}.",
         "ANGLE",
     )
+    dehaze: float | None = option(
+        "{scene.scene_fields:DEHAZE} (0.9; 0 in linear files and with --show).", "NUMBER"
+    )
     crop: str | None = option(
         "Window of the picture to render, in pixels from the left and top edge. Only it is "
         "computed for an .exr or .hdr, or with --exposure EV and --glare 0.",
         "X,Y,W,H",
     )
     samples: Samples = None
+
+    def hazy(self, linear: bool, own: bool) -> Self:
+        """Options with their haze removal: none in a picture of radiance, else by default some.
+
+        Parameters
+        ----------
+        linear : bool
+            Whether the picture holds radiance or its polarisation.
+        own : bool
+            Whether a scene file has a default of its own.
+        """
+        from airlight.scene.scene_fields import DEHAZE
+
+        if linear and self.dehaze:
+            raise ConflictError("--dehaze", "does not apply to pictures of radiance")
+        if self.dehaze is not None or (own and not linear):
+            return self
+        return replace(self, dehaze=0.0 if linear else DEHAZE.initial)
 
     @property
     def parallel(self) -> bool:
@@ -138,6 +159,7 @@ class CameraOptions(DirectionOptions):
             look_azimuth=azimuth,
             roll=self.roll or 0.0,
             polariser=self.polariser,
+            dehaze=self.dehaze or 0.0,
         )
         if self.parallel:
             return replace(scene, camera=camera, altitude=0.0).north_up()

@@ -103,7 +103,7 @@ def render(
     Values may have units (400km, 85deg); the defaults are metres and degrees.
     """
     started = time.perf_counter()
-    from airlight.render.picture import picture_suffix, write_picture
+    from airlight.render.picture import LINEAR, picture_suffix, write_picture
     from airlight.render.render_scene import render_scene
     from airlight.scene.system import is_scene_file
 
@@ -111,6 +111,8 @@ def render(
     display.check(suffix, picture.show is not None)
     picture.check_polarised(suffix, camera.polariser, solve.no_polarisation)
     options.projection(camera.projection)
+    linear = suffix in LINEAR or picture.show is not None
+    camera = camera.hazy(linear, is_scene_file(planet.planet))
     # The lens spreads light into a window from outside, and metering uses the whole picture.
     whole = suffix == ".png" and picture.show is None
     whole = whole and (display.settings().glare > 0.0 or display.ev == "auto")

@@ -126,6 +126,8 @@ def _of_camera(given: CameraOptions, tables: Mapping[str, Any], system: System) 
     for name, angle in (("field_of_view", fov), *given_values(given, *_ANGLES).items()):
         if angle is not None:
             changes[f"camera.{name}"] = f"{angle!r} deg"
+    if given.dehaze is not None:
+        changes["camera.dehaze"] = given.dehaze
     for name in given_options(given, "projection").values():
         changes["camera.projection"] = name
     if given.look_at is None:

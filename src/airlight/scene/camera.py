@@ -16,6 +16,7 @@ from airlight.scene.limits import HIGHEST_ALTITUDE
 from airlight.scene.projections import PROJECTIONS, Projection
 from airlight.scene.projections.projected import projected_rays
 from airlight.scene.scene_fields import (
+    DEHAZE,
     EXTENT,
     FIELD_OF_VIEW,
     LOOK_AZIMUTH,
@@ -73,6 +74,9 @@ class Camera:
     polariser : float, optional
         Ideal polarising filter: angle of its axis, counterclockwise from the camera's up; no filter
         by default. It halves unpolarised radiance. [deg]
+    dehaze : float
+        Fraction of the haze over sunlit ground that a picture from more than 60 km leaves out, see
+        ``airlight.render.pixels.haze_removal``: the frame is then no radiance. Default 0. [1]
     extent : float, optional
         Length between the left and the right edge, required for an orthographic camera; see
         ``airlight.scene.projections.orthographic.disc_extent``. [m]
@@ -100,6 +104,7 @@ class Camera:
     look_azimuth: Measured[float] = measured(0.0)
     roll: Measured[float] = measured(0.0)
     polariser: Measured[float | None] = measured(None)
+    dehaze: float = 0.0
     extent: Measured[float | None] = measured(None)
     crop: tuple[int, int, int, int] | None = None
 
@@ -119,6 +124,7 @@ class Camera:
         if not form.fits(self.width, self.height):
             raise ParameterError("camera.size", size, f"{form.shape} for {form.name}")
         self._check_parallel()
+        object.__setattr__(self, "dehaze", within_range("camera.dehaze", self.dehaze, DEHAZE))
         defaults = {"field_of_view": form.field_of_view, "look_zenith": form.look_zenith}
         field_of_view = replace(FIELD_OF_VIEW, range=form.field_of_view_limits)
         for name, declared in {**_ANGLES, "field_of_view": field_of_view}.items():

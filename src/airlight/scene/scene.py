@@ -341,6 +341,8 @@ class Scene:
         moment = {} if self.time is None else {"time": universal_time(self.time)}
         angle = camera.polariser
         behind = {} if angle is None else {"polariser": f"{angle:.10g} deg"}
+        if camera.dehaze > 0.0:
+            behind["dehaze"] = f"{camera.dehaze:g}"
         window = {} if camera.crop is None else {"crop": ",".join(map(str, camera.crop))}
         secondary_lights = {
             f"light_{k}": one.metadata() for k, one in enumerate(self.secondary_lights, start=2)

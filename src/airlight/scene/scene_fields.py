@@ -114,6 +114,14 @@ POLARISER: Final = Field(
     example="90 deg",
     synonyms=("polarizer", "polarisation", "polarization", "rotate"),
 )
+DEHAZE: Final = Field(
+    label="haze removal",
+    help="Fraction of the haze over sunlit ground that pictures from space leave out.",
+    range=(0.0, 1.0),
+    initial=0.9,
+    example="0.5",
+    synonyms=("dehaze", "haze", "contrast", "clarity", "washed out", "fog"),
+)
 PROJECTION: Final = Field(
     label="projection",
     help="Projection of the picture.",

@@ -16,6 +16,7 @@ from airlight.render.pixels.deck import shade_deck
 from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, whole_powers
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground
+from airlight.render.pixels.haze_removal import kept_haze, removed_haze
 from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.oblate import displaced_line
 from airlight.render.pixels.polarising_filter import filter_shares
@@ -93,6 +94,7 @@ class ViewUniforms(NamedTuple):
     skyglow: float
     shines: Annotated[int, Always(0)]
     filter: Annotated[int, CHOICE]
+    dehaze: float
     texels: Annotated[np.ndarray, InTexture("ground", packed=True)]
     over_texels: Annotated[np.ndarray, InTexture("overlay", packed=True)]
     sky_air: Annotated[np.ndarray, InTexture("air", spectral=True, whole=True)]
@@ -141,6 +143,8 @@ class SeenLine(NamedTuple):
         Refraction angle of a line that ends on the ground. [rad]
     factors : GroundFactors
         Reflectances of the ground.
+    dehaze : float
+        Fraction of haze that is removed, ``removed_haze``. [1]
     glow, lit : Vec3
         Arguments of ``night_light``.
     whole, stokes_q, stokes_u : float
@@ -152,6 +156,7 @@ class SeenLine(NamedTuple):
     dark: bool
     refraction: float
     factors: GroundFactors
+    dehaze: float
     glow: Vec3
     lit: Vec3
     whole: float
@@ -172,7 +177,7 @@ def seen_line(ray, found, exact, observer, frame, work, color):
     """
     view = frame.camera
     through_air, to_ground = found.through_air and view.draws_air, found.to_ground
-    factors, refraction = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0), 0.0
+    factors, refraction, dehaze = GroundFactors(1.0, 0.0, 1.0, 0.0, 0.0), 0.0, 0.0
     dark = by_night(ray, found.sine, to_ground, observer, frame)
     glow, lit = Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0)
     if dark and view.skyglow > 0.0 and through_air:
@@ -181,6 +186,8 @@ def seen_line(ray, found, exact, observer, frame, work, color):
         refraction = sky_lookup(ray, found, exact, observer, frame, work)
         if to_ground:
             factors = ground_along(ray, found.sine, refraction, dark, observer, frame, work, color)
+            if view.dehaze > 0.0:
+                dehaze = removed_haze(ray, found.sine, refraction, observer, frame)
             if view.clouded:
                 glow = scaled(glow, 1.0 - color[9])
     if dark:
@@ -192,7 +199,17 @@ def seen_line(ray, found, exact, observer, frame, work, color):
     if view.filter > 0:
         whole, stokes_q, stokes_u = filter_shares(ray, observer, view)
     return SeenLine(
-        through_air, to_ground, dark, refraction, factors, glow, lit, whole, stokes_q, stokes_u
+        through_air,
+        to_ground,
+        dark,
+        refraction,
+        factors,
+        dehaze,
+        glow,
+        lit,
+        whole,
+        stokes_q,
+        stokes_u,
     )
 
 
@@ -211,7 +228,7 @@ def ground_along(ray, sine, refraction, dark, observer, frame, work, color):
         Arguments of ``pixel_light``, and the observer.
     """
     factors = ground_reflectances(ray, sine, refraction, observer, frame, work, color)
-    if frame.camera.overlaid or dark:
+    if frame.camera.overlaid or frame.camera.dehaze > 0.0 or dark:
         columns_to_ground(
             ray.z, sine, observer, frame.tables, work.columns_total, work.columns_so_far
         )
@@ -258,6 +275,12 @@ def line_radiance(air, seen, color, frame, work, at):
     total = splat(0.0)
     if seen.through_air:
         total = air
+        if seen.dehaze > 0.0:
+            kept = kept_haze(seen.dehaze, tables, work.columns_total, at)
+            total = air * kept
+            if view.filter > 0:
+                radiance[4] = radiance[4] * kept
+                radiance[5] = radiance[5] * kept
     if seen.to_ground and view.draws_air:
         total = total + ground_radiance(radiance[1], seen.factors, color, frame, work, at)
     if seen.dark:

@@ -97,6 +97,7 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     source = solution.lights[0]
     uniforms["filter"] = NONE if camera.polariser is None else CAMERA
     uniforms |= _vector("filter_axis", camera.filter_axis)
+    uniforms["dehaze"] = camera.dehaze
     uniforms |= _occulter_uniforms(source.occulter)
     if source.occulter is not None:
         uniforms["disc"] *= disc_factor(source.occulter.left)

@@ -10,6 +10,7 @@ from airlight.scene.camera import Camera
 from airlight.scene.limits import HIGHEST_ALTITUDE
 from airlight.scene.scene_fields import (
     ALTITUDE,
+    DEHAZE,
     FIELD_OF_VIEW,
     LATITUDE,
     LONGITUDE,
@@ -78,6 +79,8 @@ class View(TomlModel):
         Clockwise rotation of the camera about its line of sight. [deg]
     polariser : float, optional
         Axis of a polarising filter, counterclockwise from the camera's up. [deg]
+    dehaze : float
+        Fraction of the haze that pictures from space leave out, see ``Camera``. [1]
     field_of_view : float, optional
         Angle as for ``Camera``. [deg]
     """
@@ -110,6 +113,7 @@ class View(TomlModel):
     )
     roll: float = key(ROLL, default=0.0)
     polariser: float | None = key(POLARISER, default=None)
+    dehaze: float = key(DEHAZE, default=0.0)
     projection: str = key(NEAR_PROJECTION, default="perspective")
     field_of_view: float | None = key(FIELD_OF_VIEW, default=None)
 
@@ -140,6 +144,7 @@ class View(TomlModel):
             width=width,
             height=height,
             polariser=self.polariser,
+            dehaze=self.dehaze,
             field_of_view=self.field_of_view,
             crop=crop,
         )

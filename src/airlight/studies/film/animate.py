@@ -12,6 +12,7 @@ import numpy as np
 
 from airlight.kernel import disk
 from airlight.kernel.cost import announce_all
+from airlight.render.picture import LINEAR
 from airlight.scene.metering import METERED
 from airlight.studies.distribution import Runner, opened_runner
 from airlight.studies.distribution.fingerprint import check_code, code_digest, digest
@@ -176,7 +177,8 @@ class _Job:
         if number not in self._specs:
             if len(self._specs) >= _CACHE_SIZE:
                 self._specs.clear()
-            self._specs[number] = self._film.frame_spec(number, self._how)
+            spec = self._film.frame_spec(number, self._how)
+            self._specs[number] = spec.of_radiance() if self._finish.suffix in LINEAR else spec
         return self._specs[number]
 
     def _digest(self, number: int) -> str:
@@ -190,7 +192,7 @@ class _Job:
 
     def curve(self, opened: Callable[[], Runner]) -> Callable[[int], float] | None:
         """Exposure curve of the film; None for linear files."""
-        if self._finish.suffix == ".exr":
+        if self._finish.suffix in LINEAR:
             return None
         exposure = self._finish.exposure
         if isinstance(exposure, (int, float)):

@@ -14,6 +14,7 @@ from airlight.kernel.cache import Cache
 from airlight.kernel.cost import LINES
 from airlight.planets.cloud_cover import cloud_file
 from airlight.planets.clouds import CloudFile
+from airlight.planets.parameters import replace as replaced
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.planets.planet import Planet
 from airlight.render.clouds.cloud_time import CloudTime, clouds_at
@@ -106,6 +107,9 @@ class FrameSpec(Protocol):
 
     def metadata(self) -> dict[str, str]:
         """Metadata for the file header."""
+
+    def of_radiance(self) -> FrameSpec:
+        """Specification of the frame with all its haze."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -212,6 +216,11 @@ class PlanetFrameSpec:
         """See ``FrameSpec``."""
         return {"planet": self.planet.name, **self.scene.metadata()}
 
+    def of_radiance(self) -> PlanetFrameSpec:
+        """See ``FrameSpec``."""
+        hazy = replace(self.scene.camera, dehaze=0.0)
+        return replace(self, scene=replace(self.scene, camera=hazy))
+
 
 @dataclass(frozen=True, kw_only=True)
 class SystemFrameSpec:
@@ -291,6 +300,12 @@ class SystemFrameSpec:
         """See ``FrameSpec``."""
         moment = self.system.time
         return {} if moment is None else {"time": moment.isoformat()}
+
+    def of_radiance(self) -> SystemFrameSpec:
+        """See ``FrameSpec``."""
+        return replace(
+            self, system=replace(self.system, view=replaced(self.system.view, dehaze=0.0))
+        )
 
 
 def _refuse(reason: str) -> None:

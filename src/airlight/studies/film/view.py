@@ -19,6 +19,7 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.orthographic import disc_extent
 from airlight.scene.scene_fields import (
     ALTITUDE,
+    DEHAZE,
     EXTENT,
     FIELD_OF_VIEW,
     GROUND,
@@ -60,6 +61,8 @@ class PlanetView(TomlModel):
         Clockwise rotation of the camera. [deg]
     polariser : float, optional
         Axis of a polarising filter, counterclockwise from the camera's up. [deg]
+    dehaze : float
+        Fraction of the haze that pictures from space leave out, see ``Camera``. [1]
     field_of_view : float, optional
         Angle as for ``Camera``. [deg]
     extent : float, optional
@@ -104,6 +107,7 @@ class PlanetView(TomlModel):
     )
     roll: float = key(ROLL, default=0.0)
     polariser: float | None = key(POLARISER, default=None)
+    dehaze: float = key(DEHAZE, default=DEHAZE.initial)
     projection: str = key(PROJECTION, default="perspective")
     field_of_view: float | None = key(FIELD_OF_VIEW, default=None)
     extent: float | None = key(EXTENT, default=None)
@@ -147,6 +151,7 @@ class PlanetView(TomlModel):
             look_zenith=self.look_zenith,
             look_azimuth=self.look_azimuth or 0.0,
             polariser=self.polariser,
+            dehaze=self.dehaze,
             extent=extent,
         )
         looks = (self.look_zenith, self.look_azimuth, self.look_bearing)

@@ -34,7 +34,7 @@ from airlight.render.pixels.scenes_by_light import light_visibility
 from airlight.render.pixels.view_uniforms import observer_uniforms
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of, rolled
-from airlight.scene.metering import left_out, metering_weight
+from airlight.scene.metering import dehazed_exposure, left_out, metering_weight
 from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
@@ -81,6 +81,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     scene_weight: (),
     white_gains: (I32, *(F32 for _ in range(6))),
     left_out: (),
+    dehazed_exposure: (),
     metering_weight: (I32, *(F32 for _ in range(5)), VEC3, F32),
     glare_levels: (),
     sky_magnitude: (),

@@ -210,7 +210,7 @@ class FlightRecorder:
             planet = str(Path(planet).resolve())
         values = session.view
         projection = str(values["view.projection"])
-        view = {"projection": projection, "ground": values["view.ground"]}
+        view = {name: values[f"view.{name}"] for name in ("projection", "ground", "dehaze")}
         if values["view.filter"]:
             view["polariser"] = f"{values['view.polariser']!r} deg"
         low, high = PROJECTIONS[projection].field_of_view_limits

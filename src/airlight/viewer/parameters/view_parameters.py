@@ -20,6 +20,7 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import Scene
 from airlight.scene.scene_fields import (
     ALTITUDE,
+    DEHAZE,
     FIELD_OF_VIEW,
     GROUND,
     LATITUDE,
@@ -126,6 +127,7 @@ VIEW_VALUES: Final = (
               synonyms=("polariser", "polarizer", "polarisation", "polarization", "degree",
                         "sunglasses")),
     _of("view.polariser", "camera", POLARISER, 0.0, "filter angle", step=1.0, wraps=True),
+    _of("view.dehaze", "camera", DEHAZE, DEHAZE.initial, step=0.1),
     _of("view.field_of_view", "camera", FIELD_OF_VIEW, 60.0, least=1e-3, step=1.0),
     _of("view.projection", "camera", NEAR_PROJECTION, "perspective"),
     _of("view.ground", "camera", GROUND, "detailed"),
@@ -291,6 +293,7 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
             look_azimuth=turn,
             roll=float(view["view.roll"]),
             polariser=float(view["view.polariser"]) if view["view.filter"] else None,
+            dehaze=float(view["view.dehaze"]),
         ),
         altitude=float(view["view.altitude"]),
         sun_zenith=float(view["view.sun_zenith"]),

@@ -109,6 +109,7 @@ class SceneAround:
         system, scene = self.system, self._scene(self.system)
         found: dict[str, Value] = {
             "view.projection": scene.camera.projection,
+            "view.dehaze": system.view.dehaze,
             "view.field_of_view": float(scene.camera.field_of_view or 60.0),
             "view.latitude": scene.latitude,
             "view.longitude": scene.longitude,
@@ -178,9 +179,16 @@ class SceneAround:
         """
         by_date = self.dated and bool(view[CLOCK])
         system = self._at(view) if by_date else self.system
-        tilt, heading, roll, field_of_view, polariser = (
+        tilt, heading, roll, field_of_view, polariser, dehaze = (
             float(view[f"view.{name}"])
-            for name in ("look_zenith", "heading", "roll", "field_of_view", "polariser")
+            for name in (
+                "look_zenith",
+                "heading",
+                "roll",
+                "field_of_view",
+                "polariser",
+                "dehaze",
+            )
         )
         system = replace(
             system,
@@ -192,6 +200,7 @@ class SceneAround:
                 field_of_view=field_of_view,
                 projection=str(view["view.projection"]),
                 polariser=polariser if view["view.filter"] else None,
+                dehaze=dehaze,
             ),
             given=self.system.planets | ({} if planet is None else {self.body: planet}),
         )

@@ -23,6 +23,7 @@ import {
   CIRCULAR,
   CONNECTED,
   PIXEL_ANGLES,
+  dehazed_exposure,
   disc_factor,
   glare_levels,
   glare_share,
@@ -340,7 +341,11 @@ export class Picture {
     const elements = lights[0].camera.filter ? [NONE, ALONG, ASLANT] : [NONE];
     const found = [];
     for (const filter of elements) {
-      const numbers = lights.map((one) => ({ ...this.uniformsOf(one, ...size), filter }));
+      const numbers = lights.map((one) => ({
+        ...this.uniformsOf(one, ...size),
+        dehaze: 0,
+        filter,
+      }));
       this.sum("metering", numbers, ...size, area);
       found.push(await program.read("metering", area));
     }
@@ -367,13 +372,15 @@ export class Picture {
     const [wide, high] = this.meteredSize(width, height);
     // A polariser is left out: see unfiltered in scene/metering.py.
     const rgba = await this.metered(lights, width, height, { filter: NONE });
-    const { camera, suns } = lights[0];
+    const { camera, suns, numbers } = lights[0];
     const number = Object.keys(fixed.projections).indexOf(camera.projection);
     const colors = [planet.uniforms, ...lights.slice(1).map((one) => one.numbers)];
     const white = colors.reduce((sum, one) => sum + whiteOf(one), 0);
     const seen = { ...camera, suns };
     const found = automaticExposure(rgba, [wide, high], seen, number, planet.star, white);
-    return found + (camera.filter ? fixed.filter_exposure : 0);
+    const { sun_z: sun, optical_altitude: altitude } = numbers;
+    const exposure = dehazed_exposure(found, white, sun, camera.dehaze, altitude);
+    return exposure + (camera.filter ? fixed.filter_exposure : 0);
   }
 }
 

@@ -23,8 +23,8 @@ export function fitting(projection, width, height) {
  * @param {Object<string, number | string>} values View values by path.
  * @param {Object<string, [number, number]>} limits Limits of each projection's field of view. [deg]
  * @returns {{axes: number[][], sun: number[], fieldOfView: number, projection: string,
- *     detailed: boolean, ground: number[][], filter: number[] | null}} Camera, with the field of
- *     view in radians, and the axis of its polarising filter.
+ *     detailed: boolean, ground: number[][], filter: number[] | null, dehaze: number}} Camera, with
+ *     the field of view in radians, and the axis of its polarising filter.
  */
 export function cameraOf(values, limits) {
   const projection = values["view.projection"];
@@ -35,6 +35,7 @@ export function cameraOf(values, limits) {
   return {
     projection,
     axes,
+    dehaze: values["view.dehaze"],
     filter: values["view.filter"] ? rolled(axes[1], axes[0], values["view.polariser"]) : null,
     sun: direction_of(values["view.sun_zenith"], 0),
     fieldOfView: Math.min(Math.max(values["view.field_of_view"], low), high) * RADIAN,

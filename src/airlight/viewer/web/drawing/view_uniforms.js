@@ -52,7 +52,7 @@ export function observerUniforms(planet, altitude, sun) {
 
 /** Uniforms of the camera. */
 export function cameraUniforms(camera, width, height, projections) {
-  const { projection, fieldOfView: field, axes, ground, filter } = camera;
+  const { projection, fieldOfView: field, axes, ground, filter, dehaze } = camera;
   return {
     width,
     height,
@@ -61,6 +61,7 @@ export function cameraUniforms(camera, width, height, projections) {
     samples: 1,
     edges: 1,
     filter: Number(Boolean(filter)),
+    dehaze,
     pixel_angle: PIXEL_ANGLES[projection](width, height, field),
     ...vectors({ filter_axis: filter ?? [0, 0, 0] }),
     ...vectors({ right: axes[0], up: axes[1], forward: axes[2] }),

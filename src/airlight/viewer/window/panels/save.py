@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import AirlightError
 from airlight.plain_text import plain
+from airlight.planets.parameters import replace as replaced
 from airlight.render.live_system_renderer import solutions_around
-from airlight.render.picture import picture_suffix, write_picture
+from airlight.render.picture import LINEAR, picture_suffix, write_picture
 from airlight.render.render_scene import render_solution
 from airlight.render.render_system import render_solved_system
 from airlight.render.scene_lights import SceneLights
@@ -113,6 +115,8 @@ class Saving:
 
     def _write(self, path: str, picture: Picture, scene: Scene) -> str:
         request, exposure, clouds = picture.request, picture.exposure, None
+        if picture_suffix(path) in LINEAR:
+            scene = replace(scene, camera=replace(scene.camera, dehaze=0.0))
         report: dict[str, Any] = {
             "cancel": lambda: self._cancelled,
             "progress": self._progress,
@@ -120,7 +124,9 @@ class Saving:
         if request.system is not None:
             solution = request.solution
             solutions = solutions_around(solution, request.system, request.body, {})
-            lights = SceneLights(request.system, solution.wavelengths, solutions)
+            view = replaced(request.system.view, dehaze=scene.camera.dehaze)
+            system = replace(request.system, view=view)
+            lights = SceneLights(system, solution.wavelengths, solutions)
             whole = scene.camera.width, scene.camera.height, None
             frame = render_solved_system(lights, whole, **report)
         else:
