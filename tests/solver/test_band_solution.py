@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 import airlight
-from airlight.errors import ConflictError, ParameterError
+from airlight.errors import AirlightWarning, ConflictError, ParameterError
 from airlight.physics.optics.band_transmission import band_transmittance
 from airlight.planets import Planet, load_planet
 from airlight.planets.medium import Medium
@@ -17,7 +17,9 @@ from airlight.solver.band_columns import BandColumns
 
 #: Air mass of ASTM G173, sun at 48.2° from the zenith.
 AIR_MASS = 1.497
-OXYGEN = 4.5e28  # m⁻²
+#: Columns of ``earth`` [m⁻²], and optical depths of pairs of oxygen by wavelength [nm].
+OXYGEN, WATER = 4.5e28, 4.737e26
+PAIRS = {690.0: 0.0003, 762.0: 0.0034}
 
 
 def beam(planet: Planet, nm: np.ndarray, air_mass: float) -> np.ndarray:
@@ -27,10 +29,10 @@ def beam(planet: Planet, nm: np.ndarray, air_mass: float) -> np.ndarray:
     return bands.mean(np.exp(-air_mass * depth))
 
 
-def standard_planet(amount: float = 1.035, water: float = 1.0) -> Planet:
-    """``earth`` with G173's aerosol, 0.084 at 500 nm with the stratosphere's, and 370 ppm of CO2."""
+def standard_planet() -> Planet:
+    """``earth`` with G173's aerosol, 0.084 at 500 nm in all, and 370 ppm of CO₂."""
     earth = load_planet("earth")
-    factors = {"aerosol": amount, "carbon dioxide": 370.0 / 330.0, "water vapour": water}
+    factors = {"aerosol": 1.035, "carbon dioxide": 370.0 / 330.0}
 
     def changed(parts):
         return tuple(replace(one, amount=factors.get(one.name, 1.0)) for one in parts)
@@ -46,18 +48,17 @@ def banded() -> airlight.solver.Solution:
 def test_the_transmittance_of_a_band_is_that_of_its_gases_at_every_air_mass(banded) -> None:
     # What Beer's law with a mean coefficient misses by -42 % with the sun 15° high (762 nm). The
     # rest of the air, whose extinction is smooth, is that of the solution without gases.
-    zenith = [0.0, 60.0, 75.0, 85.0]
-    bare = airlight.solve("earth", [550.0, 690.0, 762.0], "preview", cache=False)
+    zenith = [0.0, 48.2, 60.0, 75.0]
+    with pytest.warns(AirlightWarning, match="are omitted"):
+        bare = airlight.solve("earth", [550.0, 690.0, 762.0], "preview", cache=False)
     where = {"altitude": 0.0, "view_zenith": zenith}
     ratio = banded.transmittance(**where).values / bare.transmittance(**where).values
-    # Air masses of oxygen by its own profile: pairs and water vapour add less than 0.02.
-    height = 4440.0 / 6371e3
-    sine = np.sin(np.radians(zenith))
-    air = 1.0 / np.sqrt(1.0 - (sine / (1.0 + 0.5 * height)) ** 2)
+    air = 1.0 / np.cos(np.radians(zenith))  # 0.5 % more than through curved layers of 2 to 4 km
     for k, nm in ((1, 690.0), (2, 762.0)):
         true = band_transmittance("oxygen-transmission", nm, 10.0, OXYGEN * air)
-        assert_allclose(ratio[:, k], true, atol=0.03)
-    assert_allclose(ratio[:3, 2], true[:3], atol=0.015)
+        true *= band_transmittance("water-vapour-transmission", nm, 10.0, WATER * air)
+        true *= np.exp(-PAIRS[nm] * air)
+        assert_allclose(ratio[:, k], true, atol=0.004)
 
 
 def test_without_gases_a_band_is_its_middle() -> None:
@@ -107,11 +108,12 @@ def test_direct_light_is_that_of_the_standard_in_bands_of_10_nm() -> None:
 
 @pytest.mark.parametrize("air_mass", [1.0, 2.0, 3.0, 5.0])
 def test_water_s_bands_follow_bird_and_riordan_at_every_air_mass(air_mass: float) -> None:
-    # Eq. 2-8 of the report of spectrl2, SERI/TR-215-2436, a fit to measurements and LOWTRAN with
-    # coefficients for about 10 nm: means over 60 nm of the bands at 720, 820 and 940 nm.
+    # Eq. 2-8 of the report of spectrl2, SERI/TR-215-2436, with coefficients for about 10 nm: means
+    # over 60 nm of the bands at 720, 820 and 940 nm. At 940 nm, where its own figures are few, it
+    # transmits 0.63 at air mass 1.5, these tables 0.58 and G173 0.57.
     known = pytest.importorskip("pvlib.spectrum.spectrl2")._SPECTRL2_COEFFS
     column = 1.42e4 / 18.01528 * 6.02214076e23
-    for centre, within in ((725.0, 0.03), (820.0, 0.04), (940.0, 0.09)):
+    for centre, within in ((725.0, 0.03), (820.0, 0.02), (940.0, 0.18)):
         nm = np.arange(centre - 30.0, centre + 30.1)
         factor = np.interp(nm, known["wavelength"], known["water_vapor_absorption"])
         amount = factor * 1.42 * air_mass
