@@ -61,7 +61,8 @@ class IrradianceSolveOptions(BandOptions):
     """Options of a solution whose spectra are integrated."""
 
     wavelengths: str | None = wavelengths_option(
-        "as many as integrals need, from 280 nm as far as the planet's data reach"
+        "as many as integrals need, or adjacent bands, from 280 nm as far as the planet's data "
+        "reach"
     )
 
 
@@ -85,13 +86,19 @@ def irradiance(
     """
     started = time.perf_counter()
     from airlight.studies.observables.irradiance import irradiance as computed
-    from airlight.studies.observables.spectral_integrals import irradiance_wavelengths
+    from airlight.studies.observables.spectral_integrals import (
+        band_wavelengths,
+        irradiance_wavelengths,
+    )
     from airlight.studies.observables.spectrum_files import table_of, write_spectrum
 
     files = _checked(output or [])
     plane = product.plane()
     world, scenes = at_place(planet, place)
-    nm = solve.nm(world) or irradiance_wavelengths(world)
+    if solve.bandwidth is None:
+        nm = solve.nm(world) or irradiance_wavelengths(world)
+    else:
+        nm = solve.nm(world) or band_wavelengths(world, solve.bandwidth)
 
     from airlight.solver import solve as solved
 

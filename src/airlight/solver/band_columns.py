@@ -32,8 +32,8 @@ FloatArray = NDArray[np.float64]
 
 #: Largest width of a band: scattering is that of its middle. [nm]
 WIDEST: Final = 100.0
-#: Optical depth of a gas at air mass 1 below which it is left out. [1]
-_LEAST: Final = 1e-5
+#: Transmittance of the largest of ``MULTIPLES`` from which a gas is left out. [1]
+_CLEAR: Final = 0.999
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,26 +88,29 @@ class BandColumns:
         """
         nm = np.atleast_1d(wavelengths)
         widths = _widths(bandwidth, nm.size)
-        whole = planet.with_gases
-        gases = [isinstance(one.absorption, BandAbsorption) for one in whole.constituents]
-        bare = tuple(
-            replace(one, absorption=0.0) if gas else one
-            for one, gas in zip(whole.constituents, gases, strict=True)
-        )
+        whole = planet.with_gases.constituents
+        curves = {
+            one.name: _transmittances(one, nm, widths)
+            for one in whole
+            if isinstance(one.absorption, BandAbsorption)
+        }
+        absorb = {name for name, curve in curves.items() if (curve[:, -1] < _CLEAR).any()}
+        kept = [
+            one for one in whole if one.name not in curves or one.name in absorb or one.scatters
+        ]
+        bare = tuple(replace(one, absorption=0.0) if one.name in curves else one for one in kept)
         medium = Medium.from_planet(
-            replace(whole, constituents=bare), nm, progress=progress, cancel=cancel
+            replace(planet, constituents=bare, gases=()), nm, progress=progress, cancel=cancel
         )
         medium = replace(medium, solar_irradiance=_band_irradiance(planet, nm, widths))
-        rows = [row for row, gas in enumerate(gases) if gas]
-        parts = [whole.constituents[row] for row in rows]
-        terms = [_terms(parts, c, w) for c, w in zip(nm.tolist(), widths.tolist(), strict=True)]
+        rows = [row for row, one in enumerate(kept) if one.name in absorb]
+        terms = [_terms([curves[kept[row].name][k] for row in rows]) for k in range(nm.size)]
         band = np.repeat(np.arange(nm.size), [one.weights.size for one, _ in terms])
         absorption = medium.absorption[:, band]
-        if rows:
-            depths = np.concatenate([depth for _, depth in terms], axis=1)
-            for row, one, depth in zip(rows, parts, depths, strict=True):
-                height = one.profile.column(planet.thickness)
-                absorption[row] += reference_coefficient(1.0, height, depth)
+        for part, row in enumerate(rows):
+            depth = np.concatenate([depths[part] for _, depths in terms])
+            height = kept[row].profile.column(planet.thickness)
+            absorption[row] += reference_coefficient(1.0, height, depth)
         columns = replace(
             medium,
             wavelengths=medium.wavelengths[band],
@@ -146,20 +149,19 @@ def _band_irradiance(planet: Planet, nm: FloatArray, widths: FloatArray) -> Floa
     return np.array(found)
 
 
-def _terms(
-    gases: list[Constituent], centre: float, width: float
-) -> tuple[ExponentialSum, FloatArray]:
+def _transmittances(one: Constituent, nm: FloatArray, widths: FloatArray) -> FloatArray:
+    """Mean transmittance of each band for ``MULTIPLES`` of a gas, shape (nl, 48). [1]"""
+    assert isinstance(one.absorption, BandAbsorption)
+    of, multiples = one.absorption.transmittances, one.amount * MULTIPLES
+    return np.array([of(c, w, multiples) for c, w in zip(nm, widths, strict=True)])
+
+
+def _terms(curves: list[FloatArray]) -> tuple[ExponentialSum, FloatArray]:
     """Exponential sum of all gases over a band, and the gases' parts of its rates, (gases, nt)."""
-    curves = [_transmittances(one, centre, width) for one in gases]
-    lines = [k for k, curve in enumerate(curves) if curve[-1] < 1.0 - MULTIPLES[-1] * _LEAST]
+    lines = [k for k, curve in enumerate(curves) if curve[-1] < _CLEAR]
     if not lines:
-        return NOTHING, np.zeros((len(gases), 1))
+        return NOTHING, np.zeros((len(curves), 1))
     total = exponential_sum(reduce(np.multiply, [curves[k] for k in lines]))
-    depths = np.zeros((len(gases), total.rates.size))
+    depths = np.zeros((len(curves), total.rates.size))
     depths[lines] = divided(total, [exponential_sum(curves[k]) for k in lines])
     return total, depths
-
-
-def _transmittances(one: Constituent, centre: float, width: float) -> FloatArray:
-    assert isinstance(one.absorption, BandAbsorption)
-    return one.absorption.transmittances(centre, width, one.amount * MULTIPLES)

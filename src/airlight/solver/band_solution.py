@@ -47,7 +47,7 @@ class BandSolution(Solution):
         return [float(residual[self.bands.band == k].max()) for k in range(self.wavelengths.size)]
 
     @property
-    def geometry(self) -> RefractedGeometry:  # type: ignore[override]
+    def geometry(self) -> RefractedGeometry:
         """Refracted geometry of the terms."""
         return self.terms.geometry
 
