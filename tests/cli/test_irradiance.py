@@ -71,3 +71,20 @@ def test_what_cannot_be_is_refused_on_one_line(
     assert main([*EARTH, *arguments]) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert words in line
+
+
+def test_bands_have_the_lines_of_gases(capsys: pytest.CaptureFixture[str]) -> None:
+    # 762 nm lies in the A band of oxygen, of which 10 nm transmit 0.6 of the direct light at 48°;
+    # at single wavelengths the planet has none.
+    command = ("irradiance", "earth", "--quality", "preview", "--sun-zenith", "48.2", "--spectral")
+    dni = []
+    for width in ((), ("--bandwidth", "10nm")):
+        assert main([*command, "--wavelengths", "748,762", *width]) == 0
+        rows = capsys.readouterr().out.splitlines()
+        names = rows[0].split()
+        dni.append([float(one.split()[names.index("dni")]) for one in rows[2:]])
+    ratio = np.array(dni[1]) / np.array(dni[0])
+    assert 0.95 < ratio[0] < 1.03  # the sun's lines within 10 nm
+    assert 0.5 < ratio[1] < 0.75
+    assert main([*command, "--wavelengths", "762", "--bandwidth", "0"]) != 0
+    assert "--bandwidth is 0.0; allowed: more than 0" in capsys.readouterr().err

@@ -13,7 +13,7 @@ from airlight.cli.dataset_table import say_table
 from airlight.cli.option_groups import OptionGroup, named_errors, option
 from airlight.cli.planet_options import GroundOptions
 from airlight.cli.series_options import SeriesOptions, at_place
-from airlight.cli.solve_options import SolveOptions, wavelengths_option
+from airlight.cli.solve_options import BandOptions, wavelengths_option
 from airlight.errors import ConflictError, FileError
 
 if TYPE_CHECKING:
@@ -23,6 +23,8 @@ EPILOG = examples(
     "airlight irradiance earth --at 40N,3.7W --time 2026-06-21T12:00Z",
     "airlight irradiance earth --sun-zenith 48.2 --tilt 37 --azimuth S",
     "airlight irradiance earth --sun-zenith 48.2 --spectral -o spectrum.csv",
+    "airlight irradiance earth --sun-zenith 75 --spectral --wavelengths 355:995:10 "
+    "--bandwidth 10nm",
     "airlight irradiance earth --at 40N,3.7W --start 2026-06-21T04:00Z --end 2026-06-21T20:00Z "
     "--step 10min -o day.nc",
     "airlight irradiance mars --at 4.59S,137.44E --ls 250 --time noon",
@@ -55,11 +57,12 @@ class ProductOptions(OptionGroup):
 
 
 @dataclass(frozen=True, kw_only=True)
-class IrradianceSolveOptions(SolveOptions):
+class IrradianceSolveOptions(BandOptions):
     """Options of a solution whose spectra are integrated."""
 
     wavelengths: str | None = wavelengths_option(
-        "as many as integrals need, from 280 nm as far as the planet's data reach"
+        "as many as integrals need, or adjacent bands, from 280 nm as far as the planet's data "
+        "reach"
     )
 
 
@@ -83,17 +86,23 @@ def irradiance(
     """
     started = time.perf_counter()
     from airlight.studies.observables.irradiance import irradiance as computed
-    from airlight.studies.observables.spectral_integrals import irradiance_wavelengths
+    from airlight.studies.observables.spectral_integrals import (
+        band_wavelengths,
+        irradiance_wavelengths,
+    )
     from airlight.studies.observables.spectrum_files import table_of, write_spectrum
 
     files = _checked(output or [])
     plane = product.plane()
     world, scenes = at_place(planet, place)
-    nm = solve.nm(world) or irradiance_wavelengths(world)
+    if solve.bandwidth is None:
+        nm = solve.nm(world) or irradiance_wavelengths(world)
+    else:
+        nm = solve.nm(world) or band_wavelengths(world, solve.bandwidth)
 
     from airlight.solver import solve as solved
 
-    with shown_progress() as report, named_errors("wavelengths", "altitude"):
+    with shown_progress() as report, named_errors("wavelengths", "bandwidth", "altitude"):
         data = computed(
             solved(world, wavelengths=nm, progress=report, **solve.keywords()),
             scenes,

@@ -76,6 +76,11 @@ def lengths(text: str, option: str) -> tuple[float, ...]:
     return tuple(values(text, "m", option))
 
 
+def wavelength_width(text: str, option: str) -> float:
+    """Parse the width of a band such as ``10nm``; nm without a unit. [nm]"""
+    return quantity(text, "nm", option, bare=True)
+
+
 def angles(text: str, option: str) -> tuple[float, ...]:
     """Parse a list or range of angles, see ``values``. [deg]"""
     return tuple(values(text, "deg", option))

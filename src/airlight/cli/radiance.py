@@ -17,7 +17,7 @@ from airlight.cli.place_options import on_floor
 from airlight.cli.planet_options import LocalGroundOptions
 from airlight.cli.radiance_observers import ObserverOptions, timed_cases
 from airlight.cli.series_options import TimesOptions
-from airlight.cli.solve_options import DistributionOptions, SolveOptions, wavelengths_option
+from airlight.cli.solve_options import BandOptions, DistributionOptions, wavelengths_option
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ BLOCK = 4096
 
 
 @dataclass(frozen=True, kw_only=True)
-class SolverOptions(SolveOptions):
+class SolverOptions(BandOptions):
     """Options of the solution and of the solver."""
 
     wavelengths: str | None = wavelengths_option("those of the planet")
@@ -96,6 +96,8 @@ class SolverOptions(SolveOptions):
         if self.photometric and (self.stokes or self.solver == "montecarlo"):
             other = "--stokes" if self.stokes else "--solver montecarlo"
             raise ConflictError("--photometric", f"cannot be combined with {other}")
+        if self.solver == "montecarlo" and self.bandwidth is not None:
+            raise ConflictError("--bandwidth", "cannot be combined with --solver montecarlo")
         if self.solver != "montecarlo":
             for one in given_options(self, "relative_error", "seed"):
                 raise ConflictError(one, "requires --solver montecarlo")
@@ -148,7 +150,7 @@ def radiance(
 
     errors: NDArray[np.float64] | None = None
     histories: NDArray[np.int64] | None = None
-    with shown_progress() as report:
+    with shown_progress() as report, named_errors("bandwidth"):
         how = {**solve.keywords(), "quality": settings, "progress": report}
         solution: Any = solved(world, wavelengths=nm, solver=solve.solver, **how)
         if sampled:

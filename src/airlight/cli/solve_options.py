@@ -94,6 +94,22 @@ class SolveOptions(AccuracyOptions):
 
 
 @dataclass(frozen=True, kw_only=True)
+class BandOptions(SolveOptions):
+    """Options of a solution at wavelengths, or of bands around them."""
+
+    bandwidth: float | None = option(
+        "Full width of bands around the wavelengths, e.g. 10nm: means, with the lines of gases.",
+        "WIDTH",
+        read=options.wavelength_width,
+    )
+
+    def keywords(self) -> dict[str, Any]:
+        """Keyword arguments of a solver."""
+        given = {} if self.bandwidth is None else {"bandwidth": self.bandwidth}
+        return {**super().keywords(), **given}
+
+
+@dataclass(frozen=True, kw_only=True)
 class RenderOptions(SolveOptions):
     """Options of a solution and of a picture's rendering."""
 

@@ -17,7 +17,7 @@ from airlight.cli.option_groups import (
     option,
 )
 from airlight.cli.planet_options import PlanetOptions
-from airlight.cli.solve_options import SolveOptions, wavelengths_option
+from airlight.cli.solve_options import BandOptions, wavelengths_option
 from airlight.errors import FileError
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ class ObservableOptions(OptionGroup):
 
 
 @dataclass(frozen=True, kw_only=True)
-class SpectrumOptions(SolveOptions):
+class SpectrumOptions(BandOptions):
     """Options of a solution at the wavelengths of a spectrum."""
 
     wavelengths: str | None = wavelengths_option("360:830:10")

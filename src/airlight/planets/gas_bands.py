@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.physics.optics.band_transmission import TABLES as LINES
 from airlight.physics.spectra.tables import read_spectrum
 from airlight.physics.units import values_in
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
+from airlight.planets.matter.band_absorption import BandAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.planets.matter.gases import GasScattering, density_of_state
 
@@ -131,7 +133,8 @@ def omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[OmittedBa
     found = [
         _omitted(formula, table, columns[formula], wavelengths)
         for formula, table in (*tables, (PAIR, PAIRS))
-        if columns.get(formula, 0.0) > 0.0 and not _absorbs(planet, formula, table)
+        if columns.get(formula, 0.0) > 0.0
+        and not (_absorbs(planet, formula, table) or absorbs_lines(planet, formula))
     ]
     return tuple(one for one in found if not one.strongest < LEAST)
 
@@ -174,6 +177,14 @@ def _absorbs(planet: Planet, formula: str, table: str) -> bool:
             if own == table or (named and not isinstance(own, str)):
                 return True
     return False
+
+
+def absorbs_lines(planet: Planet, formula: str) -> bool:
+    """Whether a constituent absorbs by k-distributions of this gas."""
+    found = [one.absorption for one in planet.constituents]
+    return any(
+        isinstance(o, BandAbsorption) and o.transmission == LINES.get(formula) for o in found
+    )
 
 
 def _squared_column(densities: DensitySegments, index: int) -> float:

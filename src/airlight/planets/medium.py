@@ -55,7 +55,7 @@ class Medium:
     bottom_radius, top_radius : float
         Radii of the ground and of the top of the atmosphere, see ``effective_top``. [m]
     wavelengths : array, shape (nl,)
-        Wavelengths in the order given. [nm]
+        Wavelengths in the order given, repeated for terms of a band. [nm]
     names : tuple of str, length nc
         Names of the constituents.
     scattering, absorption : array, shape (nc, nl)
@@ -322,30 +322,24 @@ class Medium:
         array, shape (..., nc, nl)
             Phase functions. [sr⁻¹]
         """
-        return np.stack(
-            [one.phase_values(nu, self.wavelengths) for one in self.constituents], axis=-2
-        )
+        nm, back = self._distinct
+        found = [one.phase_values(nu, nm) for one in self.constituents]
+        return np.stack(found, axis=-2)[..., back]
 
     def phase_f12(self, nu: npt.ArrayLike) -> FloatArray:
         """Elements F₁₂ of the phase matrices.
 
-        Parameters
-        ----------
-        nu : array, shape (...)
-            Cosine of the scattering angle. [1]
-
-        Returns
-        -------
-        array, shape (..., nc, nl)
-            Negative where light is polarised normal to the scattering plane. [sr⁻¹]
+        Negative where light is polarised normal to the scattering plane; arguments and shape are
+        those of ``phase_function``. [sr⁻¹]
         """
-        return np.stack(
-            [one.polarising_values(nu, self.wavelengths) for one in self.constituents], axis=-2
-        )
+        nm, back = self._distinct
+        found = [one.polarising_values(nu, nm) for one in self.constituents]
+        return np.stack(found, axis=-2)[..., back]
 
     def polarising_moments(self) -> FloatArray:
         """Expansion coefficients of the phase matrix, see ``PhaseFunction``, (nc, nl, 3). [1]"""
-        return np.stack([one.polarising_moments(self.wavelengths) for one in self.constituents])
+        nm, back = self._distinct
+        return np.stack([one.polarising_moments(nm)[back] for one in self.constituents])
 
     def phase_moments(self, degree: int) -> FloatArray:
         """Legendre moments g_l of the phase functions; see ``physics.optics.legendre``.
@@ -367,7 +361,13 @@ class Medium:
 
     def _moments(self, degree: int) -> FloatArray:
         """Legendre moments as integrated, g_0 not set to 1; shape (nc, nl, degree + 1). [1]"""
-        return np.stack([one.phase_moments(self.wavelengths, degree) for one in self.constituents])
+        nm, back = self._distinct
+        return np.stack([one.phase_moments(nm, degree)[back] for one in self.constituents])
+
+    @cached_property
+    def _distinct(self) -> tuple[FloatArray, npt.NDArray[np.intp]]:
+        """Each wavelength once [nm], and the index of every one of the medium's in them."""
+        return np.unique(self.wavelengths, return_inverse=True)
 
     def fingerprint(self) -> str:
         """SHA-256 of everything that a solution depends on.

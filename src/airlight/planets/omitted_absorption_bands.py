@@ -11,7 +11,7 @@ import numpy.typing as npt
 from airlight.errors import ParameterError, warn
 from airlight.image.four_wavelengths import CHOSEN
 from airlight.physics.units import values_in
-from airlight.planets.gas_bands import AIRMASS, gas_columns, omitted_bands
+from airlight.planets.gas_bands import AIRMASS, absorbs_lines, gas_columns, omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 
@@ -85,7 +85,7 @@ def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list
     columns = gas_columns(planet)
     met: dict[str, list[str]] = {}
     for formula, bands in BANDS.items():
-        if columns.get(formula, 0.0) < LEAST:
+        if columns.get(formula, 0.0) < LEAST or absorbs_lines(planet, formula):
             continue
         for low, high in bands:
             if ((nm >= low) & (nm <= high)).any():

@@ -132,6 +132,8 @@ class Planet(TomlModel):
         Flattening in pictures from outside the air. [1]
     constituents : tuple of Constituent
         Constituents, 1 to 64.
+    gases : tuple of Constituent
+        Further constituents, counted only in bands, see ``with_gases``.
     clouds : tuple of Clouds
         Three-dimensional clouds, at most 8.
     rings : tuple of Ring
@@ -236,6 +238,14 @@ class Planet(TomlModel):
         table=Constituent,
         example="a list of tables [[constituents]]",
     )
+    gases: tuple[Annotated[Constituent, instance_of(Constituent)], ...] = key(
+        help="Further constituents, counted only in bands, where a bandwidth is given.",
+        note="Otherwise as `constituents`, one of which replaces a gas of its name.",
+        table=Constituent,
+        example="a list of tables [[gases]]",
+        mode="advanced",
+        default=(),
+    )
     clouds: tuple[Annotated[Clouds, instance_of(Clouds)], ...] = key(
         help="Three-dimensional clouds.",
         note="Up to 8 tables, each with a name or kind of its own.",
@@ -304,13 +314,11 @@ class Planet(TomlModel):
             )
         if self.body is not None:
             world_named(self.body)
-        names: set[str] = set()
-        for index, constituent in enumerate(self.constituents):
-            if constituent.name in names:
-                raise ParameterError(
-                    f"constituents[{index}].name", constituent.name, "a unique name"
-                )
-            names.add(constituent.name)
+        for key_name, parts in (("constituents", self.constituents), ("gases", self.gases)):
+            names = [one.name for one in parts]
+            for index, one in enumerate(names):
+                if one in names[:index]:
+                    raise ParameterError(f"{key_name}[{index}].name", one, "a unique name")
         self._check_clouds()
         check_rings(self.rings, self.top_radius)
         if self.wavelength_limits[0] > self.wavelength_limits[1]:
@@ -335,6 +343,13 @@ class Planet(TomlModel):
     def without_clouds(self) -> Planet:
         """The planet without its three-dimensional clouds; itself if it has none."""
         return dataclasses.replace(self, clouds=()) if self.clouds else self
+
+    @cached_property
+    def with_gases(self) -> Planet:
+        """Planet whose ``gases`` are constituents, unless a constituent has their name."""
+        names = {one.name for one in self.constituents}
+        further = (one for one in self.gases if one.name not in names)
+        return dataclasses.replace(self, constituents=(*self.constituents, *further), gases=())
 
     @cached_property
     def media(self) -> Cache[bytes, Any]:

@@ -349,7 +349,7 @@ class Solution(ABC):
         depth = columns(lines.r, lines.mu, length, drawn.bottom_radius, drawn.density)
         if air_mass is not None:
             self._replace_air_mass(depth, air_mass, arrays[0], arrays[1], distance)
-        values = np.exp(-(depth @ drawn.extinction))
+        values = self._over_bands(np.exp(-(depth @ drawn.extinction)))
         values[blocked] = 0.0
         return self._labelled(values, axes, "transmittance", "1")
 
@@ -422,6 +422,10 @@ class Solution(ABC):
     def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
         """Diffuse irradiance over that of the star [1], its label, and its error if known."""
         return {"diffuse": ("diffuse irradiance", self.relative_sky_irradiance(r, mu_s))}
+
+    def _over_bands(self, values: FloatArray) -> FloatArray:
+        """Values per wavelength from those of the medium of ``geometry``, shape (n, nl)."""
+        return values
 
     def _labelled(
         self, values: NDArray[Any], axes: NamedAxes, name: str, unit: str

@@ -7,9 +7,7 @@ from dataclasses import replace
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Final, Literal, overload
 
-import numpy as np
-
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress
@@ -18,6 +16,8 @@ from airlight.planets.medium import Medium
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.solver.band_columns import BandColumns
+from airlight.solver.band_solution import BandSolution
 from airlight.solver.solution import Solution
 
 if TYPE_CHECKING:
@@ -86,6 +86,21 @@ def solve(
     wavelengths: Measures | None = None,
     quality: Any = "default",
     *,
+    solver: str = "moments",
+    bandwidth: Measures | None,
+    polarisation: bool = True,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution: ...
+
+
+@overload
+def solve(
+    planet: PlanetLike,
+    wavelengths: Measures | None = None,
+    quality: Any = "default",
+    *,
     solver: str,
     polarisation: bool = True,
     cache: bool = True,
@@ -100,6 +115,7 @@ def solve(
     quality: Any = "default",
     *,
     solver: str = "moments",
+    bandwidth: Measures | None = None,
     polarisation: bool = True,
     cache: bool = True,
     progress: Progress | None = None,
@@ -120,6 +136,10 @@ def solve(
     solver : str
         ``"moments"``, for all uses; ``"direct"``, successive orders by the equations of the
         Atmosphere Plus notes, slow; ``"montecarlo"``, the reference, with standard errors.
+    bandwidth : float or array, shape (nl,), optional
+        Full widths of bands around the wavelengths, at most 100 nm: results are means over them,
+        lines of gases by k-distributions, and the planet's ``gases`` are included; default: single
+        wavelengths, without them. Not with ``"montecarlo"``. [nm]
     polarisation : bool
         Whether transfer is polarised, which changes radiance by some percent; ``"direct"`` is
         always scalar.
@@ -160,6 +180,8 @@ def solve(
     """
     if solver not in SOLVERS:
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
+    if solver == "montecarlo" and bandwidth is not None:
+        raise ConflictError("bandwidth", "requires solver moments or direct")
     if solver == "moments":
         from airlight.solver.moments.loops import LOOPS
 
@@ -173,13 +195,21 @@ def solve(
     nm = values_in(given, "nm", "wavelengths")
 
     def solved(one: Planet, report: Progress | None) -> Solution:
+        if bandwidth is None:
+            bands, whole = None, one
+            medium = Medium.from_planet(one, nm, progress=report, cancel=cancel)
+        else:
+            whole = one.with_gases
+            bands = BandColumns.of(one, nm, bandwidth, progress=report, cancel=cancel)
+            medium = bands.columns
         if solver == "moments":
-            _check_memory(settings, np.size(nm))
-        medium = Medium.from_planet(one, nm, progress=report, cancel=cancel)
-        warn_of_omitted_bands(one, medium.wavelengths)
+            _check_memory(settings, medium.wavelengths.size)
+        warn_of_omitted_bands(whole, nm)
         solution: Solution = import_module(module).solve(
             medium, settings, cache=cache, progress=report, cancel=cancel
         )
+        if bands is not None:
+            solution = BandSolution(bands, solution)
         return solution.of(one)
 
     if planet.clouds:

@@ -102,7 +102,7 @@ def spectrum_names() -> tuple[str, ...]:
     Examples
     --------
     >>> spectrum_names()[:4]
-    ('astm-g173', 'cie-1931', 'earth-albedo', 'methane-bands')
+    ('astm-g173', 'carbon-dioxide-transmission', 'cie-1931', 'earth-albedo')
     """
     folder = files("airlight.physics.spectra") / "data"
     found = (entry.name.removesuffix(".csv") for entry in folder.iterdir() if ".csv" in entry.name)

@@ -10,12 +10,12 @@ import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError
 from airlight.physics.optics.gas_absorption import reference_coefficient, small_particle_absorption
+from airlight.planets.matter.band_absorption import BandAbsorption
 from airlight.planets.matter.matter import Absorber
 from airlight.planets.matter.particle_index import INDICES
-from airlight.planets.matter.state_keys import DENSITY, RADIUS
+from airlight.planets.matter.state_keys import COLUMN, DENSITY, RADIUS
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Field, Wavelengths, key
-from airlight.planets.schema.measures import DOBSON, column_of_gas
 from airlight.planets.schema.tagged_union import Alternatives, NestedTable
 from airlight.planets.schema.toml_table import TomlTable, spectral_of, suggestion
 from airlight.planets.spectral import (
@@ -33,23 +33,6 @@ from airlight.planets.spectral import (
 FloatArray = npt.NDArray[np.float64]
 
 
-def _column(table: TomlTable, name: str, wavelengths: Wavelengths) -> float:
-    """Read a column of molecules. [m⁻²]"""
-    return column_of_gas(table.required(name, "a column such as '345 DU'"), table.name_of(name))
-
-
-_COLUMN: Final = Field(
-    help="All of the gas above the ground.",
-    unit="1/m^2",
-    range=(0.0, 1e33),
-    read=_column,
-    example="345 DU",
-    shown=DOBSON,
-    slider=(1.0, 2000.0),
-    scale="log",
-)
-
-
 @parameters
 class OzoneAbsorption(Absorber):
     """Absorption by ozone of a given column, with any profile.
@@ -63,7 +46,7 @@ class OzoneAbsorption(Absorber):
     keyword = "ozone"
 
     column: float = key(
-        _COLUMN,
+        COLUMN,
         label="ozone column",
         help="All the ozone above the ground.",
         range=(0.0, 1e25),
@@ -178,7 +161,7 @@ class CrossSectionAbsorption(Absorber):
         scale="log",
         choices=_areas,
     )
-    column: float | None = key(_COLUMN, default=None)
+    column: float | None = key(COLUMN, default=None)
     number_density: float | None = key(
         DENSITY,
         help="Molecules of the air in a cubic metre, where the profile is 1.",
@@ -309,6 +292,7 @@ ABSORBERS: Final[Alternatives[Absorber]] = Alternatives(
     (
         OzoneAbsorption,
         CrossSectionAbsorption,
+        BandAbsorption,
         NestedTable(
             Field(
                 name="small_particles",

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from airlight.planets.schema.field import Field
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.measures import DOBSON, column_of_gas
+from airlight.planets.schema.toml_table import TomlTable
 
 #: State of a gas: density, temperature and pressure where its profile is 1.
 TEMPERATURE: Final = Field(
@@ -103,5 +105,23 @@ GRAVITY_RADIUS: Final = Field(
     example="6356.766 km",
     shown="km",
     slider=(10.0, 1e5),
+    scale="log",
+)
+
+
+def _column(table: TomlTable, name: str, wavelengths: Wavelengths) -> float:
+    """Read a column of molecules. [m⁻²]"""
+    return column_of_gas(table.required(name, "a column such as '345 DU'"), table.name_of(name))
+
+
+#: Vertical column of a gas.
+COLUMN: Final = Field(
+    help="All of the gas above the ground.",
+    unit="1/m^2",
+    range=(0.0, 1e33),
+    read=_column,
+    example="345 DU",
+    shown=DOBSON,
+    slider=(1.0, 2000.0),
     scale="log",
 )

@@ -1,8 +1,9 @@
 """Overrides of single keys of a planet file: ``dust.particles.optical_depth = 1``.
 
 A path consists of nested keys with dots and of list indices: ``shell.top_radius``,
-``ground.albedo[2]``. Constituents are referred to by name, or as ``constituents[0]``; clouds as
-``clouds.cover`` if there is one table, ``clouds.cirrus.cover`` by name or kind, or ``clouds[0]``.
+``ground.albedo[2]``. Constituents and gases are referred to by name, or as ``constituents[0]``;
+clouds as ``clouds.cover`` if there is one table, ``clouds.cirrus.cover`` by name or kind, or
+``clouds[0]``.
 """
 
 from __future__ import annotations
@@ -30,6 +31,8 @@ MOST_OVERRIDES: Final = 1000
 
 _Step = str | int
 _STEPS: Final = re.compile(r"[^.\[\]]+|\[\d{1,6}\]|\.")
+#: Lists whose tables are referred to by name.
+_NAMED: Final = ("constituents", "gases")
 
 
 def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[str, Any]:
@@ -220,10 +223,10 @@ def _steps(root: Mapping[str, Any], path: Any) -> list[_Step]:
         return _cloud_steps(root, path)
     if first in root:
         return _split(root, path)
-    for index, name in sorted(_names(root), key=lambda found: -len(found[1])):
+    for (key, index), name in sorted(_names(root).items(), key=lambda found: -len(found[1])):
         if path == name or path.startswith((f"{name}.", f"{name}[")):
             rest = path[len(name) :].removeprefix(".")
-            return ["constituents", index, *(_split(root, rest) if rest else [])]
+            return [key, index, *(_split(root, rest) if rest else [])]
     if re.fullmatch(r"\w+", path):  # a key of the file, which its reader may know
         return [path]
     raise _nowhere(root, path)
@@ -262,22 +265,21 @@ def _split(root: Mapping[str, Any], path: str) -> list[_Step]:
     return [int(part[1:-1]) if part[0] == "[" else part for part in parts if part != "."]
 
 
-def _names(root: Mapping[str, Any]) -> list[tuple[int, str]]:
-    """Indices and names of the constituents, if there are any."""
-    listed = root.get("constituents")
-    if not isinstance(listed, list):
-        return []
-    return [
-        (index, one["name"])
-        for index, one in enumerate(listed)
+def _names(root: Mapping[str, Any]) -> dict[tuple[str, int], str]:
+    """Names of constituents and gases, by list and index, where they have one."""
+    return {
+        (key, index): one["name"]
+        for key in _NAMED
+        for index, one in enumerate(root[key] if isinstance(root.get(key), list) else [])
         if isinstance(one, dict) and isinstance(one.get("name"), str) and one["name"]
-    ]
+    }
 
 
 def _nowhere(root: Mapping[str, Any], path: str) -> ParameterError:
     known = _paths(root)
     near = _nearest(path, known)
-    tables = [key for key in root if key != "constituents"] + [name for _, name in _names(root)]
+    own = [name for (key, _), name in _names(root).items() if key == _NAMED[0]]
+    tables = [key for key in root if key not in _NAMED] + own
     allowed = f"a path into {', '.join(tables)}" + (f" (did you mean {near!r}?)" if near else "")
     return ParameterError(FIELD, path, allowed)
 
@@ -295,7 +297,7 @@ def _nearest(path: str, known: list[str], least: float = 0.5) -> str | None:
 
 def _paths(root: Mapping[str, Any]) -> list[str]:
     """All paths of a file, constituents by name."""
-    names = dict(_names(root))
+    names = _names(root)
     found: list[str] = []
     for key, value in root.items():
         found.append(key)
@@ -303,11 +305,11 @@ def _paths(root: Mapping[str, Any]) -> list[str]:
             titles = _cloud_titles(root)
             for title, one in zip(titles, value if isinstance(value, list) else [], strict=False):
                 found += _below("clouds" if len(titles) == 1 else f"clouds.{title}", one)
-        elif key != "constituents":
+        elif key not in _NAMED:
             found += _below(key, value)
         else:
             for index, one in enumerate(value if isinstance(value, list) else []):
-                found += _below(names.get(index, f"constituents[{index}]"), one)
+                found += _below(names.get((key, index), f"{key}[{index}]"), one)
     return found
 
 

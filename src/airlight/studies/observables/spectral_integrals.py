@@ -219,3 +219,26 @@ def irradiance_wavelengths(planet: Planet) -> tuple[float, ...]:
             break
         places.add(worst)
     return tuple(dense[sorted(places)].tolist())
+
+
+def band_wavelengths(planet: Planet, bandwidth: float) -> tuple[float, ...]:
+    """Middles of adjacent bands over the range of ``irradiance_wavelengths``. [nm]
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet with its gases, whose data limit the range, at most 280 to 4000 nm.
+    bandwidth : float
+        Width of the bands. [nm]
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> middles = band_wavelengths(load_planet("earth"), 10.0)
+    >>> middles[0], middles[-1], len(middles)
+    (285.0, 1005.0, 73)
+    """
+    low, high = planet.with_gases.wavelength_limits
+    low, high = max(low, SHORTEST), min(high, LONGEST)
+    count = max(int((high - low) / bandwidth), 1)
+    return tuple((low + bandwidth * (np.arange(count) + 0.5)).tolist())

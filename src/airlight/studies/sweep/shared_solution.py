@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     import xarray
 
     from airlight.kernel.threads import Progress
-    from airlight.solver.moments.solution import MomentsSolution
+    from airlight.solver.solution import Solution
 
 #: Solution of the last task, which the next task usually shares.
-_CACHED: Final[Cache[str, MomentsSolution]] = Cache(1)
+_CACHED: Final[Cache[str, Solution]] = Cache(1)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,6 +44,8 @@ class RadianceTask:
         Whether I, Q and U, degree and angle of polarisation are computed.
     cache : bool
         Whether the solution is looked for on disk, and kept there.
+    bandwidth : float, optional
+        Full width of bands around the wavelengths. [nm]
     """
 
     planet: Planet
@@ -52,16 +54,20 @@ class RadianceTask:
     polarisation: bool = True
     stokes: bool = False
     cache: bool = True
+    bandwidth: float | None = None
 
-    def solution(self, progress: Progress | None = None) -> MomentsSolution:
+    def solution(self, progress: Progress | None = None) -> Solution:
         """Solution of the planet; the last is cached in memory."""
-        key = digest((self.planet, self.wavelengths, self.quality, self.polarisation))
+        key = digest(
+            (self.planet, self.wavelengths, self.bandwidth, self.quality, self.polarisation)
+        )
 
-        def solved() -> MomentsSolution:
+        def solved() -> Solution:
             return solve(
                 self.planet,
                 wavelengths=self.wavelengths,
                 quality=self.quality,
+                bandwidth=self.bandwidth,
                 polarisation=self.polarisation,
                 cache=self.cache,
                 progress=progress,
