@@ -42,9 +42,9 @@ from airlight.validation.published.giant_planets import seen_albedos
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
 FloatArray = NDArray[np.float64]
 #: Rows of the maps; Mars' source has 256, enlarged so that its pixels do not show.
-ROWS = {"moon": 1536, "mars": 512, "jupiter": 1024, "saturn": 512, "pluto": 768}
+ROWS = {"moon": 1536, "mars": 512, "jupiter": 768, "saturn": 512, "pluto": 512}
 #: Quality of the JPEG files.
-QUALITY = {"moon": 85, "mars": 97, "jupiter": 85, "saturn": 90, "pluto": 85}
+QUALITY = {"moon": 85, "mars": 97, "jupiter": 80, "saturn": 90, "pluto": 80}
 #: Albedos of Mars without ice that 2 % of the ground are below and above: Christensen et al.
 #: (2001), JGR 106, 23823, Thermal Emission Spectrometer, 0.10 and 0.30 from above the dust, of
 #: which its optical depth of 0.5 adds about 0.04 over dark ground. [1]
@@ -64,6 +64,8 @@ POLAR = 70.0
 ICE = np.array([0.47, 0.45, 0.40])
 #: Bodies whose map is that of a cloud deck.
 DECKS = ("jupiter", "saturn")
+#: Bodies whose source has the longitude of 180° in its middle.
+CENTRED_ON_180 = ("jupiter", "saturn", "pluto")
 #: Luminance of Pluto's picture below which the ground was not seen.
 UNSEEN = 0.02
 #: Wavelengths of colours. [nm]
@@ -113,6 +115,8 @@ def main() -> None:
         linear, ice = mars_ground(srgb_decode(linear))
     if name == "pluto":
         linear = pluto_ground(linear)
+    if name in CENTRED_ON_180:
+        linear = np.roll(linear, linear.shape[1] // 2, axis=1)
     linear = np.stack([resized(linear[..., c], rows) for c in range(3)], axis=-1)
     ice = np.minimum(resized(ice, rows), 1.0)[..., None]
     # over the sphere, or over the full disc by Lambert's law, seen from the equator
