@@ -7,6 +7,8 @@ from dataclasses import replace
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Final, Literal, overload
 
+import numpy as np
+
 from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_memory
@@ -192,7 +194,7 @@ def solve(
     if not polarisation and hasattr(settings, "polarisation"):
         settings = replace(settings, polarisation=False)
     given = planet.wavelengths if wavelengths is None else wavelengths
-    nm = values_in(given, "nm", "wavelengths")
+    nm = np.atleast_1d(values_in(given, "nm", "wavelengths"))
 
     def solved(one: Planet, report: Progress | None) -> Solution:
         if bandwidth is None:
