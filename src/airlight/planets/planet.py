@@ -303,41 +303,30 @@ class Planet(TomlModel):
         least = self.bottom_radius * (1.0 + LEAST_THICKNESS)
         most = self.bottom_radius * LARGEST_RATIO
         if not least <= self.top_radius <= most:
-            raise ParameterError(
-                "top_radius",
-                self.top_radius,
-                f"{least:.10g} to {most:.10g} m",
-            )
+            allowed = f"{least:.10g} to {most:.10g} m"
+            raise ParameterError("top_radius", self.top_radius, allowed)
         if not 1 <= len(self.constituents) <= MAX_CONSTITUENTS:
-            raise ParameterError(
-                "constituents", len(self.constituents), f"1 to {MAX_CONSTITUENTS} constituents"
-            )
+            allowed = f"1 to {MAX_CONSTITUENTS} constituents"
+            raise ParameterError("constituents", len(self.constituents), allowed)
         if self.body is not None:
             world_named(self.body)
-        for key_name, parts in (("constituents", self.constituents), ("gases", self.gases)):
-            names = [one.name for one in parts]
-            for index, one in enumerate(names):
-                if one in names[:index]:
-                    raise ParameterError(f"{key_name}[{index}].name", one, "a unique name")
-        self._check_clouds()
-        check_rings(self.rings, self.top_radius)
-        if self.wavelength_limits[0] > self.wavelength_limits[1]:
-            raise ParameterError(
-                "wavelengths",
-                self._limits_by_part(),
-                "parts with a common wavelength range",
-            )
-        if self.default_wavelengths is not None:
-            check_wavelength_list(self.default_wavelengths)
-            self.check_wavelengths(self.default_wavelengths)
-
-    def _check_clouds(self) -> None:
         if len(self.clouds) > MAX_CLOUDS:
             raise ParameterError("clouds", len(self.clouds), f"at most {MAX_CLOUDS} of them")
-        titles = [one.title for one in self.clouds]
-        for index, title in enumerate(titles):
-            if title in titles[:index]:
-                raise ParameterError(f"clouds[{index}].name", title, "a unique name")
+        for table, names in (
+            ("constituents", [one.name for one in self.constituents]),
+            ("gases", [one.name for one in self.gases]),
+            ("clouds", [one.title for one in self.clouds]),
+        ):
+            for index, one in enumerate(names):
+                if one in names[:index]:
+                    raise ParameterError(f"{table}[{index}].name", one, "a unique name")
+        check_rings(self.rings, self.top_radius)
+        if self.wavelength_limits[0] > self.wavelength_limits[1]:
+            allowed = "parts with a common wavelength range"
+            raise ParameterError("wavelengths", self._limits_by_part(), allowed)
+        if (default := self.default_wavelengths) is not None:
+            check_wavelength_list(default)
+            self.check_wavelengths(default)
 
     @cached_property
     def without_clouds(self) -> Planet:

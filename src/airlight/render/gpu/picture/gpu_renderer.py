@@ -193,9 +193,8 @@ class GpuRenderer:
                 if clouds is not None and light.air:
                     from airlight.render.gpu.picture.cloud_textures import set_clouds
 
-                    lit = clouds.lit(
-                        light.solution, light.scene, light=scene.lights.index(light.light)
-                    )
+                    number_of = scene.lights.index(light.light)
+                    lit = clouds.lit(light.solution, light.scene, light=number_of)
                     uniforms |= set_clouds(self.passes, number, light, lit, uniforms, exact)
                     uniforms["flattening"] = 0.0
                 for rows, strip in self._strips(number, light, uniforms, exact, cancel):
