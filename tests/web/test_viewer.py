@@ -32,6 +32,7 @@ VIEW = {
     "view.projection": "perspective",
     "view.sun_zenith": 60.0,
     "view.sun_azimuth": 180.0,
+    "view.dehaze": 0.0,
     "display.automatic": False,
     "display.exposure": 0.5,
     "display.tone_map": "hable",
