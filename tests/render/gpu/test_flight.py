@@ -30,6 +30,7 @@ from airlight.solver.moments.march import march
 from airlight.solver.moments.march_tables import MarchTables, MarchTerms, Segment
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.source import read_phase
+from airlight.solver.tables.ring_shadow import no_rings
 
 NM = (440.0, 500.0, 560.0, 620.0)
 
@@ -106,7 +107,7 @@ def test_the_top_of_the_air_is_crossed_without_a_jump(
 def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
     """Light of the air between an observer and an object, as the shaders march it."""
     read_phase(half_sine, light.phase, work.phase)
-    segment = Segment(r, mu, mu_s, nu, half_sine, length, 0.0, 0.0, 0.0)
+    segment = Segment(r, mu, mu_s, nu, half_sine, length, no_rings())
     march(segment, 2, MarchTerms(True, False, False), light, work, result)
 
 
