@@ -196,6 +196,9 @@ def solve(
     given = planet.wavelengths if wavelengths is None else wavelengths
     nm = np.atleast_1d(values_in(given, "nm", "wavelengths"))
 
+    if solver == "moments":
+        _check_memory(settings, nm.size)
+
     def solved(one: Planet, report: Progress | None) -> Solution:
         if bandwidth is None:
             bands, whole = None, one
@@ -204,8 +207,8 @@ def solve(
             whole = one.with_gases
             bands = BandColumns.of(one, nm, bandwidth, progress=report, cancel=cancel)
             medium = bands.columns
-        if solver == "moments":
-            _check_memory(settings, medium.wavelengths.size)
+            if solver == "moments":
+                _check_memory(settings, medium.wavelengths.size)
         warn_of_omitted_bands(whole, nm)
         solution: Solution = import_module(module).solve(
             medium, settings, cache=cache, progress=report, cancel=cancel

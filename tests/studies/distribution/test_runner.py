@@ -101,11 +101,13 @@ def test_a_cluster_by_its_address_works_until_its_scheduler_is_lost(tmp_path: Pa
          "--no-dashboard", "--scheduler-file", str(file)], **quiet)  # type: ignore[call-overload]  # fmt: skip
     worker = None
     try:
-        deadline = time.monotonic() + 60.0
-        while not file.exists() and time.monotonic() < deadline:
-            time.sleep(0.1)
         import json
 
+        deadline = time.monotonic() + 60.0
+        # Dask's file is there before its text.
+        while not (file.exists() and file.read_text().endswith("}")):
+            assert time.monotonic() < deadline
+            time.sleep(0.1)
         address = json.loads(file.read_text())["address"]
         worker = subprocess.Popen(
             [sys.executable, "-c", server.format("worker"), address, "--nthreads", "1",
