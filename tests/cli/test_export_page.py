@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from airlight.cli import main
 
 QUICK = ["--quality", "preview", "--wavelengths", "three"]
+
+
+def page_data(place: Path) -> Any:
+    """Data of a written page."""
+    text = place.read_text(encoding="utf-8")
+    return json.loads(text.partition('id="airlight-data">')[2].partition("</script>")[0])
 
 
 def test_page_is_one_file_below_3_mb_with_the_view_that_was_asked_for(
@@ -21,12 +28,33 @@ def test_page_is_one_file_below_3_mb_with_the_view_that_was_asked_for(
     assert str(place) in capsys.readouterr().out
     assert [file.name for file in tmp_path.iterdir()] == ["mars.html"]
     assert place.stat().st_size < 3e6
-    text = place.read_text(encoding="utf-8")
-    data = json.loads(text.partition('id="airlight-data">')[2].partition("</script>")[0])
+    data = page_data(place)
     assert data["planet"] == "mars-rayleigh"
     assert data["values"]["view.altitude"] == 1500.0
     assert data["values"]["view.projection"] == "fisheye"
     assert data["values"]["display.automatic"] is False
+
+
+def test_page_too_large_with_four_wavelengths_has_three(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # Pluto's sun has no formula for dates, so its page has no control of them.
+    place = tmp_path / "pluto.html"
+    words = ["export-page", "pluto", "--quality", "preview", "-o", str(place)]
+    assert main(words) == 0
+    assert "four wavelengths" in capsys.readouterr().out
+    size = place.stat().st_size
+    assert "view.clock" not in page_data(place)["values"]
+
+    monkeypatch.setattr("airlight.viewer.browser.page.LARGEST", size - 1)
+    assert main(words) == 0
+    assert "three wavelengths" in capsys.readouterr().out
+    assert place.stat().st_size < size
+
+    monkeypatch.setattr("airlight.viewer.browser.page.LARGEST", 100_000)
+    assert main(words) == 2
+    assert "even at the quality preview with three wavelengths" in capsys.readouterr().err
+    assert place.stat().st_size < size  # the page before is kept
 
 
 @pytest.mark.parametrize(

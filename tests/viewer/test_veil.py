@@ -90,7 +90,8 @@ def test_a_side_is_veiled_while_another_planet_is_solved(window: Window, solver:
     held = until(window, lambda: sides.outdated("A"))
     assert held == pytest.approx(before, abs=1.0)  # edits do not flash
     window.session.open("titan")
-    held = until(window, lambda: sides.outdated("A"))
+    # the other side is drawn anew, first with fewer pixels
+    held = until(window, lambda: sides.outdated("A") and sides._is_settled("B"))
     # the veil takes 55 % of the edited side's light, of the other's none
     assert held[0] == pytest.approx(0.45 * before[0], abs=1.0)
     assert held[1] == pytest.approx(before[1], abs=1.0)

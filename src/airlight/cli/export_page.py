@@ -63,7 +63,9 @@ def export_page(
             progress=report,
         )
     seconds = time.perf_counter() - started
-    say(f"{page.path}  {page.size / 1e6:.2f} MB  quality {page.quality}  {seconds:.1f} s")
+    size = f"{page.size / 1e6:.2f} MB"
+    kind = f"quality {page.quality}  {page.wavelengths} wavelengths"
+    say(f"{page.path}  {size}  {kind}  {seconds:.1f} s")
 
 
 def _view_value(text: str) -> tuple[str, float | str | bool]:

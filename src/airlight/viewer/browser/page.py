@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.files.atomic_file import atomic_file, check_target
+from airlight.geometry.ephemeris.sun_formula import NUMBERED
 from airlight.image.display import to_display
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
@@ -73,11 +74,14 @@ class Page:
         Size of the file. [byte]
     quality : str
         Quality of the solution; ``preview`` if the requested quality is too large for a page.
+    wavelengths : str
+        ``three`` or ``four``; ``three`` if four are too large for a page.
     """
 
     path: Path
     size: int
     quality: str
+    wavelengths: str
 
 
 def page_parameters(*, dated: bool = True) -> tuple[Parameter, ...]:
@@ -86,7 +90,7 @@ def page_parameters(*, dated: bool = True) -> tuple[Parameter, ...]:
     Parameters
     ----------
     dated : bool
-        Whether the planet has a ``body``, so that a date determines its sun.
+        Whether a date determines the sun of the planet's ``body`` in the page.
     """
     return tuple(
         one for one in VIEW_VALUES if one.part != "planet" and (dated or one.path not in OF_DATE)
@@ -121,7 +125,7 @@ def page_data(
     planet = solution.planet
     edited = () if planet is None else amounts_of(planet, MOST)
     body = None if solution.planet is None else solution.planet.body
-    parameters = page_parameters(dated=body is not None)
+    parameters = page_parameters(dated=body in NUMBERED)
     medium = solution.medium
     fixed = program(bool(medium.rings) or medium.flattening > 0.0)
     return {
@@ -191,36 +195,39 @@ def export_page(
     quality : str
         ``preview``, ``default`` or ``fine``; replaced by ``preview`` above 5 MB.
     wavelengths : str
-        Number of wavelengths, ``three`` or ``four``.
+        Number of wavelengths, ``three`` or ``four``; replaced by ``three`` if the page has more
+        than 5 MB at ``preview``.
     cache : bool
         Whether solutions are cached on disk.
 
     Raises
     ------
     FileError
-        If the page cannot be written, or would be larger than 5 MB even at ``preview``.
+        If the page cannot be written, or would be larger than 5 MB even at ``preview`` with three
+        wavelengths.
     """
     check_target(output)
     session = Session(planet)
     if not any(path.startswith("view.") for path in view or {}):
         session.move(view_in(session))
-    for path, value in (view or {}).items():
-        if path not in {one.path for one in page_parameters()}:
-            known = ", ".join(one.path for one in page_parameters())
-            raise ParameterError("view", path, known)
-        session.set(path, value)
     world = load_planet(planet, dict(changes or {}), progress=progress)
+    known = [one.path for one in page_parameters(dated=world.body in NUMBERED)]
+    for path, value in (view or {}).items():
+        if path not in known:
+            raise ParameterError("view", path, ", ".join(known))
+        session.set(path, value)
     title = f"{world.name} – airlight"
-    for level in dict.fromkeys((quality, "preview")):
+    attempts = ((quality, wavelengths), ("preview", wavelengths), ("preview", "three"))
+    for level, count in dict.fromkeys(attempts):
         solution = solve_planet(
             world,
-            texel_wavelengths(world, wavelengths),
+            texel_wavelengths(world, count),
             level,
             cache=cache,
             progress=progress,
             cancel=cancel,
         )
-        data = page_data(solution, str(planet), title, session.values, wavelengths)
+        data = page_data(solution, str(planet), title, session.values, count)
         first = first_picture(solution, session.values, progress=progress, cancel=cancel)
         content = page_text(title, data, first).encode()
         if len(content) <= LARGEST:
@@ -228,11 +235,12 @@ def export_page(
     if len(content) > LARGEST:
         size = f"{len(content) / 1e6:.1f} MB"
         most = f"{LARGEST / 1e6:g} MB"
-        reason = f"the page would have {size}, more than {most}, even at the quality preview"
+        least = "at the quality preview with three wavelengths"
+        reason = f"the page would have {size}, more than {most}, even {least}"
         raise FileError(output, reason)
     with atomic_file(output) as place:
         place.write_bytes(content)
-    return Page(Path(output), len(content), level)
+    return Page(Path(output), len(content), level, count)
 
 
 def first_picture(
