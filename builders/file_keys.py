@@ -22,7 +22,8 @@ from airlight.planets.matter.particle_index import INDICES
 from airlight.planets.matter.particle_sizes import SIZES
 from airlight.planets.matter.phases import PHASES
 from airlight.planets.matter.profiles import PROFILES, BulkGas, Layer
-from airlight.planets.planet import Planet, Shell
+from airlight.planets.planet import Planet
+from airlight.planets.shell import Shell
 from airlight.planets.rings import Ring
 from airlight.planets.schema.field import Field, KindOfTable
 from airlight.planets.schema.measures import converted

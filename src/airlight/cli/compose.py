@@ -213,7 +213,7 @@ def compose(
     clouds = clouds_at(
         world, Scene(latitude=placement.latitude, longitude=placement.longitude),
         quality=solve.quality, cache=not solve.no_cache,
-    )  # fmt: skip
+    )
     settings = {
         "clouds": clouds,
         "white": per_white,

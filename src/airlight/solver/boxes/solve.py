@@ -283,7 +283,7 @@ def _sides(problem: BoxProblem, settings: BoxSettings) -> tuple[Float32Array, Fl
     column = BoxGrid(
         np.zeros((levels, 1, 1), np.float32),
         grid.edges, grid.widths, True, (1, 1, 1), levels, 0,
-    )  # fmt: skip
+    )
     depth = np.zeros((1, 1, 1, levels + 1), np.float32)
     alone = problem._replace(grid=column, beam_depth=depth)
     sides = BoxIteration(alone, settings).run().sides

@@ -101,7 +101,7 @@ def _displayed(name: str, declared: Field) -> ViewValue:
     uniform = "" if name.startswith("white") else name
     step: dict[str, Any] = {"step": _DISPLAY_STEPS[name]} if name in _DISPLAY_STEPS else {}
     return _of(f"display.{name}", "display", declared, declared.initial, part="display",
-               uniform=uniform, **step)  # fmt: skip
+               uniform=uniform, **step)
 
 
 def _choice(
