@@ -22,11 +22,12 @@ from airlight.planets.matter.particle_index import INDICES
 from airlight.planets.matter.particle_sizes import SIZES
 from airlight.planets.matter.phases import PHASES
 from airlight.planets.matter.profiles import PROFILES, BulkGas, Layer
-from airlight.planets.planet import Planet, Shell
+from airlight.planets.planet import Planet
 from airlight.planets.rings import Ring
 from airlight.planets.schema.field import Field, KindOfTable
 from airlight.planets.schema.measures import converted
 from airlight.planets.schema.tagged_union import Alternatives, TaggedUnion
+from airlight.planets.shell import Shell
 from airlight.planets.star import Star
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light

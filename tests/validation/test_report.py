@@ -144,19 +144,25 @@ def test_markdown_names_its_pictures_and_they_are_there(report: ValidationReport
     assert files["shares-of-light.png"] == png("red")
 
 
-def test_all_thresholds_and_long_tables_are_files_beside_the_page(
+def test_thresholds_and_tables_are_files_beside_the_page_and_rankings_are_on_it(
     report: ValidationReport,
 ) -> None:
     # Read again they are what was written; of a table of which rows fail, those stay on the page.
     rows = [(f"case {n}, sun", 0.5 * n) for n in range(30)]
     long = ReportTable(title="All cases", columns=["where", "error [%]"], rows=rows, note="By sun.")
     missed = replace(long, title="Some cases", marks=["fail"] + [""] * 29)
-    suite = Suite(name="x", title="X", summary="", parts=[long, missed])
+    short = replace(long, title="One case", rows=rows[:1])
+    ranking = replace(long, title="Ranking", rows=rows[:2], marks=["ours", ""])
+    suite = Suite(name="x", title="X", summary="", parts=[long, missed, short, ranking])
     report = replace(report, suites=[*report.suites, suite])
     text, files = markdown(report, "plates"), page_files(report)
     assert "All cases (30 rows): [all-cases.csv](plates/all-cases.csv). By sun." in text
-    assert "| **case 0, sun** | **0** |" in text
-    assert "case 1, sun" not in text
+    assert "One case (1 row): [one-case.csv](plates/one-case.csv). By sun." in text
+    page, _, ranked = text.partition("### Ranking")
+    assert "| **case 0, sun** | **0** |" in page
+    assert "case 1, sun" not in page
+    assert "| case 1, sun | 0.5 |" in ranked
+    assert "ranking.csv" not in files
     assert "All rows: [some-cases.csv](plates/some-cases.csv)." in text
 
     def read(name: str) -> list[list[str]]:

@@ -211,9 +211,11 @@ def compose(
     solution = _solved(world.without_clouds, placement, solve)
     kind, passed = layers["depth_kind"], (layers.pop("rgb"), layers.pop("depth"))
     clouds = clouds_at(
-        world, Scene(latitude=placement.latitude, longitude=placement.longitude),
-        quality=solve.quality, cache=not solve.no_cache,
-    )  # fmt: skip
+        world,
+        Scene(latitude=placement.latitude, longitude=placement.longitude),
+        quality=solve.quality,
+        cache=not solve.no_cache,
+    )
     settings = {
         "clouds": clouds,
         "white": per_white,

@@ -150,14 +150,14 @@ def reflecting_depth(optical_depths: NDArray[np.floating], asymmetry: float) -> 
 
 
 def with_even_layer(planet: Planet, layer: EvenLayer, optics: CloudOptics) -> Planet:
-    """Planet without three-dimensional clouds, below a uniform layer that reflects as much.
+    """Planet with an additional uniform layer that reflects as much as three-dimensional clouds.
 
     Parameters
     ----------
     planet : Planet
-        Planet; may have such layers, to which one is added.
+        Planet without three-dimensional clouds, possibly with other such layers.
     layer : EvenLayer
-        Layer.
+        Altitudes of the layer, and optical depths of the clouds' columns.
     optics : CloudOptics
         Optical properties of the particles.
     """

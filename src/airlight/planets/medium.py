@@ -25,6 +25,7 @@ from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Planet
+from airlight.planets.refractivities import refractivities
 from airlight.planets.rings import Ring
 from airlight.planets.spectral import check_wavelength_list
 from airlight.planets.surface import PLAIN, Surface
@@ -38,8 +39,6 @@ PHASE_NODES: Final = 4097
 LARGEST_OPTICAL_DEPTH: Final = 1e4
 #: Name of the constituent whose column is proportional to the refraction angle.
 REFRACTION_COLUMN: Final = "refraction"
-#: Wavelength whose refractivity is used for all. [nm]
-REFRACTION_WAVELENGTH: Final = 550.0
 #: Largest number of wavelengths of one medium.
 MOST_WAVELENGTHS: Final = 2000
 #: Largest number of wavelengths of a medium that a planet keeps.
@@ -222,7 +221,7 @@ class Medium:
             ground_albedo=planet.ground.albedos(nm),
             solar_irradiance=light.irradiance,
             star_angular_radius=light.angular_radius,
-            refractivity=_refractivity(planet),
+            refractivity=refractivities(planet),
             constituents=constituents,
             surface=Surface.of(planet.ground, planet.airglow),
             reflection=planet.ground.reflection,
@@ -426,22 +425,6 @@ class Medium:
                     float(integrals[i][off.argmax()]),
                     f"1 within {INTEGRAL_TOLERANCE:g}",
                 )
-
-
-def _refractivity(planet: Planet) -> FloatArray:
-    """n - 1 of each constituent at relative density 1, shape (nc,); zero without refraction."""
-    result = np.zeros(len(planet.constituents))
-    if planet.refraction == "none":
-        return result
-    low, high = planet.wavelength_limits
-    nm = [min(max(REFRACTION_WAVELENGTH, low), high)]
-    for i, one in enumerate(planet.constituents):
-        result[i] = one.refractivities(nm, planet.thickness)[0]
-    if not result.any():
-        raise ParameterError(
-            "refraction", planet.refraction, "'none', or a gas of known refractivity"
-        )
-    return result
 
 
 def _checked_wavelengths(planet: Planet, wavelengths: npt.ArrayLike) -> FloatArray:

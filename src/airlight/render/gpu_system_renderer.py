@@ -231,7 +231,7 @@ class GpuSystemRenderer:
         self._display.display(values, camera.glare_angle, view, target_format)
 
     def _lights(self, system: System) -> SceneLights:
-        """Lights of a scene, which has nothing that the GPU does not draw."""
+        """Lights of a scene; raises an error for what the GPU cannot render."""
         before = self._lit
         if before is not None and _lit_alike(system, before.system):
             self._lit = replace(before, system=system)

@@ -95,11 +95,8 @@ def atmosphere_layer(
                 system.planets[body.name], scene, clouds, quality=quality, cache=cache
             )
         if moon is None:
-            renderer = CpuRenderer(
-                lit, scene, disc=False,
-                clouds=() if around is None
-                else around.lit(lit, scene, progress=progress, cancel=cancel),
-            )  # fmt: skip
+            lit_clouds = around.lit(lit, scene, progress=progress, cancel=cancel) if around else ()
+            renderer = CpuRenderer(lit, scene, disc=False, clouds=lit_clouds)
             if around is not None and before is None:
                 before = _in_frame(around.before_space(lit, scene), local)
         else:

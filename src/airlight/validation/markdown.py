@@ -1,7 +1,7 @@
 """Validation report as Markdown, with its pictures as files.
 
-Folded tables contain only rows that fail; the HTML report has all rows. Thresholds and long tables
-are files beside the pictures.
+Only rankings are complete; of other tables the page has the rows that fail. Thresholds and tables
+that the HTML report does not collapse are files beside the pictures.
 """
 
 from __future__ import annotations
@@ -30,8 +30,6 @@ from airlight.validation.suite import Part, ReportTable, Suite, cells
 #: File of all thresholds, and its columns.
 _THRESHOLDS: Final = "thresholds.csv"
 _THRESHOLD_FIELDS: Final = cells("suite | quantity | result | target | unit | met | source")
-#: Number of rows above which a table is a file.
-_MOST_ROWS: Final = 8
 
 
 def markdown(report: ValidationReport, folder: str) -> str:
@@ -75,7 +73,7 @@ def markdown(report: ValidationReport, folder: str) -> str:
 def page_files(report: ValidationReport) -> dict[str, bytes]:
     """Contents of the pictures and of the files of tables, by file name."""
     parts = [part for suite in report.suites for part in suite.parts]
-    tables = [part for part in parts if _long(part)]
+    tables = [part for part in parts if _is_file(part)]
     files = files_of(parts)
     files |= {one.file_name: csv_bytes(one.columns, one.rows) for one in tables}
     if len(files) < len(files_of(parts)) + len(tables):
@@ -100,23 +98,22 @@ def _section(suite: Suite, folder: str) -> list[str]:
     return lines
 
 
-def _long(part: Part) -> TypeGuard[ReportTable]:
+def _is_file(part: Part) -> TypeGuard[ReportTable]:
     """Whether a part is a table that is written as a file; rankings stay on the page."""
-    if not isinstance(part, ReportTable) or part.folded or "ours" in part.marks:
-        return False
-    return len(part.rows) > _MOST_ROWS
+    return isinstance(part, ReportTable) and not part.folded and "ours" not in part.marks
 
 
 def _lines(part: Part, folder: str) -> list[str]:
-    """Lines of a part, with only the failing rows of a long or folded table."""
-    if not isinstance(part, ReportTable) or not (part.folded or _long(part)):
+    """Lines of a part, with only the failing rows of a table that is no ranking."""
+    if not isinstance(part, ReportTable) or "ours" in part.marks:
         return part_lines(part, folder)
     where, count = "see the HTML report", len(part.rows)
     if not part.folded:
         where = f"[{part.file_name}]({quote(folder)}/{part.file_name})"
     failed = [row for row, mark in zip(part.rows, part.marks, strict=False) if mark == "fail"]
     if not failed:
-        return [f"{escaped(part.title)} ({count} rows): {where}. {escaped(part.note)}".strip()]
+        rows = f"{count} rows" if count > 1 else f"{count} row"
+        return [f"{escaped(part.title)} ({rows}): {where}. {escaped(part.note)}".strip()]
     title = f"{part.title}: {len(failed)} of {count} rows that fail"
     shown = replace(part, title=title, rows=failed, marks=["fail"] * len(failed), folded=False)
     return [*part_lines(shown, folder), "", f"All rows: {where}."]

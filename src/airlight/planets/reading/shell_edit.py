@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any, Final
 
 from airlight.errors import ParameterError
-from airlight.planets.planet import LARGEST_RATIO, LEAST_THICKNESS
 from airlight.planets.reading.nested_tables import Tables, get, put
 from airlight.planets.schema.measures import number_in, text_of
+from airlight.planets.shell import LARGEST_RATIO, LEAST_THICKNESS
 
 #: Paths of the radii.
 BOTTOM: Final = "shell.bottom_radius"

@@ -282,8 +282,13 @@ def _sides(problem: BoxProblem, settings: BoxSettings) -> tuple[Float32Array, Fl
     levels = grid.extinction.shape[0]
     column = BoxGrid(
         np.zeros((levels, 1, 1), np.float32),
-        grid.edges, grid.widths, True, (1, 1, 1), levels, 0,
-    )  # fmt: skip
+        grid.edges,
+        grid.widths,
+        True,
+        (1, 1, 1),
+        levels,
+        0,
+    )
     depth = np.zeros((1, 1, 1, levels + 1), np.float32)
     alone = problem._replace(grid=column, beam_depth=depth)
     sides = BoxIteration(alone, settings).run().sides

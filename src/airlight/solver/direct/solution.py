@@ -98,7 +98,7 @@ class DirectSolution(Solution):
         return out
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Solution under another light source; see ``Solution``."""
+        """See ``Solution``."""
         air = line_optics(self.medium, self.settings, self.settings.steps)
         out, line = np.empty((r.size, self.wavelengths.size)), new_line(air)
         for k in range(r.size):

@@ -318,7 +318,7 @@ def _add_star(seen, spread, index, light, phase, tables, work, stars):
 
 @inlined
 def _place_direction(mu, tables, work, stars):
-    """Harmonics of the line at a point times the moments' strengths, for a new point."""
+    """Set the factors of a new point: Legendre functions of the ray times scattering moments."""
     degree = tables.degree
     terms = (degree, tables.start, tables.ahead, tables.back)
     legendre_functions(mu, terms, work.functions)

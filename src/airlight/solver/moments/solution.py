@@ -221,7 +221,7 @@ class MomentsSolution(Solution):
 
     @property
     def polarised(self) -> bool:
-        """Solution under another light source; see ``Solution``."""
+        """See ``Solution``."""
         return self.settings.polarisation
 
     def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
@@ -352,7 +352,7 @@ class MomentsSolution(Solution):
         return out, transmittance, polarised, air
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Solution under another light source; see ``Solution``."""
+        """See ``Solution``."""
         work = new_workspace(self.tables)
         x = self.geometry.optical_radius(r)
         return self._received(x, lambda tables, out: direct_irradiance(x, mu_s, tables, work, out))
@@ -384,7 +384,7 @@ class MomentsSolution(Solution):
         return received(direct_irradiance), received(direct_normal_irradiance)
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Solution under another light source; see ``Solution``."""
+        """See ``Solution``."""
         x = self.geometry.optical_radius(r)
         radii = self.moments.grid.radii
         return self._received(x, lambda tables, out: sky_irradiance(x, mu_s, radii, tables, out))

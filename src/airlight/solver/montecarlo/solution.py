@@ -183,7 +183,7 @@ class MonteCarloSolution(Solution):
 
     @property
     def polarised(self) -> bool:
-        """Solution under another light source; see ``Solution``."""
+        """See ``Solution``."""
         return self.settings.polarisation
 
     def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:

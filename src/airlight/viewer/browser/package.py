@@ -44,7 +44,7 @@ from airlight.render.gpu.picture.shaders import (
     sky_polarised_shader,
 )
 from airlight.render.gpu.picture.solution_textures import SolutionTables
-from airlight.render.gpu.picture.uniforms import FRAME, LAYERS
+from airlight.render.gpu.picture.uniforms import FRAME, LAYERS, weight_uniforms
 from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.render.pixels.view_uniforms import ORDERS, display_uniforms, overlay_uniforms
 from airlight.scene.ground_overlay import ground_overlay
@@ -271,12 +271,8 @@ def solution_package(
     uniforms: dict[str, Any] = dict(made.uniforms)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
-    uniforms |= overlay_uniforms(solution, weights)
     star, picture = solution.lights[0], medium.surface.picture
-    shown = np.zeros((WAVELENGTHS, 3))
-    shown[: solution.wavelengths.size] = star.colors(weights)
-    for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
-        uniforms |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
+    uniforms |= overlay_uniforms(solution, weights) | weight_uniforms(star.colors(weights))
     numbers = {
         "uniforms": uniforms,
         "radius": float(medium.bottom_radius),

@@ -100,8 +100,15 @@ def _displayed(name: str, declared: Field) -> ViewValue:
     """View value of a display setting; the shaders have it, but for the colour of white."""
     uniform = "" if name.startswith("white") else name
     step: dict[str, Any] = {"step": _DISPLAY_STEPS[name]} if name in _DISPLAY_STEPS else {}
-    return _of(f"display.{name}", "display", declared, declared.initial, part="display",
-               uniform=uniform, **step)  # fmt: skip
+    return _of(
+        f"display.{name}",
+        "display",
+        declared,
+        declared.initial,
+        part="display",
+        uniform=uniform,
+        **step,
+    )
 
 
 def _choice(

@@ -24,10 +24,10 @@ from airlight.render.gpu.picture.frame_passes import FramePasses
 from airlight.render.gpu.picture.shaders import transmittance_shader
 from airlight.render.gpu.picture.sky_views import SkyViews
 from airlight.render.gpu.picture.solution_textures import SolutionTextures
-from airlight.render.gpu.picture.uniforms import FRAME
+from airlight.render.gpu.picture.uniforms import FRAME, weight_uniforms
 from airlight.render.pixels.capacity import check_capacity
 from airlight.render.pixels.march_points import FEW
-from airlight.render.pixels.render_tables import WAVELENGTHS, render_tables
+from airlight.render.pixels.render_tables import render_tables
 from airlight.render.pixels.scenes_by_light import SceneForLight, scenes_by_light
 from airlight.render.pixels.sky_view_window import COARSEST
 from airlight.render.pixels.view_uniforms import (
@@ -432,11 +432,7 @@ class GpuRenderer:
         if exact and self.device.software:  # limited to 65 535 loop iterations per pixel
             uniforms["edges"] = 0.0
         uniforms |= {"separated_1": -1.0, "separated_2": -1.0} if exact else {}
-        weights = np.zeros((WAVELENGTHS, 3))
-        weights[: solution.wavelengths.size] = solution.lights[0].colors(self._given)
-        for channel, column in zip(("red", "green", "blue"), weights.T, strict=True):
-            uniforms |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
-        return uniforms
+        return uniforms | weight_uniforms(solution.lights[0].colors(self._given))
 
     @property
     def textures(self) -> SolutionTextures:

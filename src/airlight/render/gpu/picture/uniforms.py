@@ -11,6 +11,7 @@ from airlight.kernel.shader_fields import image
 from airlight.render.gpu.emit.uniform_struct import UniformStruct
 from airlight.render.pixels.bare_body import BareBody
 from airlight.render.pixels.pixel import ViewUniforms
+from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.solver.moments.march_tables import MarchTables
 
@@ -59,6 +60,23 @@ class Lens(NamedTuple):
     picture: Annotated[np.ndarray, image("picture")]
     level: Annotated[np.ndarray, image("level")]
     coarser: Annotated[np.ndarray, image("coarser")]
+
+
+def weight_uniforms(weights: np.ndarray) -> dict[str, float]:
+    """Uniforms of the colour matrix.
+
+    Parameters
+    ----------
+    weights : array, shape (nl, 3)
+        Linear sRGB per radiance; missing wavelengths weigh nothing.
+    """
+    matrix = np.zeros((WAVELENGTHS, len(CHANNELS)))
+    matrix[: len(weights)] = weights
+    return {
+        f"{channel}_{i}": float(value)
+        for channel, column in zip(CHANNELS, matrix.T, strict=True)
+        for i, value in enumerate(column)
+    }
 
 
 #: Uniforms and tables of the rendering shaders.
