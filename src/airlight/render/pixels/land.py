@@ -268,7 +268,8 @@ def seen_hill(ray, frame, color):
                 wood = leaf * grown(distance, altitude, near)
                 wood *= woods(finest, blur, view.whole, hill.tone)
                 if wood > 0.0:
-                    height += cell * canopy(finest, view.whole, wood)
+                    crown = canopy(finest, blur, view.whole, wood, aside)
+                    height += cell * crown.height
         if above <= height:
             found, met, under = distance, above, above - height
         else:
@@ -360,7 +361,7 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
         middle = plus(point_below(observer), scaled(place, 1.0 / frame.tables.bottom))
         near = near_hills(observer.optical_altitude, cell, view.pixel_angle)
         high = risen(reach, observer.optical_altitude, near)
-        ascent, tone, wood, height = 0.0, 0.0, 0.0, 0.0
+        ascent, tone, wood, height, leaves = 0.0, 0.0, 0.0, 0.0, 1.0
         if high > 0.0:
             size = hill_size(middle, frame.tables.bottom, uneven, view)
             size *= 1.0 + (SNOWED - 1.0) * snow
@@ -374,7 +375,10 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
             wood *= woods(finest, blur, view.whole, hill.tone)
             height = high * size * max(hill.height - GROUND, 0.0)
             if wood > 0.0 and observer.optical_altitude < LOW:
-                height += cell * canopy(finest, view.whole, wood)
+                trees = canopy(finest, blur, view.whole, wood, way)
+                height += cell * trees.height
+                ascent += trees.ascent
+                leaves = trees.tone
         # the texture lies on the face of a cube
         face = face_of(middle)
         whole, way, place = faced(view.whole, face), faced(way, face), faced(place, face)
@@ -405,7 +409,7 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
         change, hue = texture.tone, texture.hue
         tone *= LOUD
         dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - leaf * ((1.0 - SHADY) * COVER + COMMON))
-        dark *= stony.tone
+        dark *= stony.tone * leaves
         if view.mapped:
             sharp = sharper_share(moved_coast(share, texture.shore), width)
             red = dark * unmixed(color[0], view.water.x, share)
