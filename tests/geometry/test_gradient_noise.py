@@ -14,6 +14,7 @@ from airlight.geometry.gradient_noise import (
     corner_slope,
     gradient_noise,
     plane_noise,
+    sloping_gradient_noise,
     sloping_noise,
     smooth_noise,
 )
@@ -104,3 +105,14 @@ def test_slopes_of_gradient_noise_have_no_direction() -> None:
     corners = [corner_slope(float(c), 0.0, *way) for c in range(289) for way in np.eye(3)]
     means = np.reshape(corners, (289, 3)).mean(axis=0)
     assert_array_less(np.abs(means), 0.04)
+
+
+def test_sloping_gradient_noise_is_gradient_noise_and_its_derivative() -> None:
+    # The central difference over 2e-5 cells errs by 1e-9 of the third derivative, below 1e3.
+    random = np.random.default_rng(11)
+    for place in random.uniform(0.0, PERIOD, (200, 3)):
+        way, step = random.normal(size=3), 1e-5
+        value, slope = sloping_gradient_noise(*place, Vec3(*way))
+        assert_allclose(value, gradient_noise(*place), atol=1e-12)
+        ahead, back = (gradient_noise(*(place + sign * step * way)) for sign in (1.0, -1.0))
+        assert_allclose(slope, (ahead - back) / (2.0 * step), atol=1e-6)

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from airlight.geometry.vectors import Vec3
 from airlight.render.pixels.land import COVER, GROUND, STEEPEST, TOP, leafiness, snowiness
 from airlight.scene.ground_detail import WHOLE_PERIOD, finest_cell
-from airlight.scene.hills import COARSEST, CREST, OCTAVES, TREES, canopy, hills, woods
+from airlight.scene.hills import COARSEST, CREST, CROWNS, OCTAVES, TREES, canopy, hills, woods
 
 CELL = finest_cell(6371e3, 2700)
 AROUND = Vec3(1.0, 0.0, 0.0)
@@ -66,18 +66,39 @@ def test_a_low_observer_stands_on_level_ground() -> None:
     assert GROUND <= 0.0
 
 
-def test_trees_are_higher_than_shrubs_and_lower_than_towers() -> None:
+def trees(count: int, footprint: float = 1.0) -> np.ndarray:
+    """``Canopy`` at random places of a wood."""
     random = np.random.default_rng(4)
-    heights = [
-        CELL
-        * canopy(
-            Vec3(*random.uniform(size=3)),
-            Vec3(*np.floor(random.uniform(0.0, WHOLE_PERIOD, 3))),
-            1.0,
-        )
-        for _ in range(500)
-    ]
-    assert 3.0 < min(heights) < CELL * TREES < max(heights) < 28.0
+    return np.array(
+        [
+            canopy(
+                Vec3(*random.uniform(size=3)),
+                footprint,
+                Vec3(*np.floor(random.uniform(0.0, WHOLE_PERIOD, 3))),
+                1.0,
+                Vec3(0.6, 0.0, -0.8),
+            )
+            for _ in range(count)
+        ]
+    )
+
+
+def test_trees_are_higher_than_shrubs_and_lower_than_towers() -> None:
+    heights = CELL * trees(500)[:, 0]
+    assert 3.0 < heights.min() < CELL * TREES < heights.max() < 28.0
+
+
+def test_crowns_keep_the_mean_light_of_woods() -> None:
+    # Both sides of a crown, and the constant that was fitted to gaps: three standard errors.
+    _, ascent, tone = trees(20_000).T
+    assert abs(ascent.mean()) < 3.0 * ascent.std() / 20_000**0.5
+    assert abs(tone.mean() - 1.0) < 3.0 * tone.std() / 20_000**0.5
+    assert tone.std() > 0.1
+    assert np.abs(ascent).max() < 0.45
+
+
+def test_crowns_below_a_pixel_are_not_seen() -> None:
+    assert np.all(trees(20, CROWNS)[:, 1:] == [0.0, 1.0])
 
 
 def test_classes_of_land_by_colours_of_the_map() -> None:

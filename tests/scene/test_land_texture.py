@@ -43,7 +43,9 @@ def textures(
         part, way = Vec3(*random.uniform(size=3)), random.normal(size=3)
         way /= np.linalg.norm(way)
         longer = 1e9 if rows else footprint
-        found.append(land_texture(part, part, footprint, longer, whole, Vec3(*way), leaf, snow))
+        found.append(
+            land_texture(part, part, footprint, longer, whole, Vec3(*way), leaf, snow, True)
+        )
     return np.array(found)
 
 
@@ -81,7 +83,7 @@ def test_waves_of_sand_have_a_direction_and_sastrugi_have_another() -> None:
             whole = Vec3(*np.floor(random.uniform(0.0, WHOLE_PERIOD, 3)))
             part = Vec3(*random.uniform(size=3))
             for axis, way in enumerate((Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0))):
-                found = land_texture(part, part, 1e-3, 1e-3, whole, way, leaf, snow)
+                found = land_texture(part, part, 1e-3, 1e-3, whole, way, leaf, snow, True)
                 squares[axis] += found.ascent**2
         ratio = math.sqrt(squares[1] / squares[0])
         assert low < ratio < high

@@ -231,6 +231,20 @@ def test_crescents_of_all_thicknesses_are_exposed_for_their_light():
             assert abs(space_exposure(thin) - thick) < 0.5, (lit, dark)
 
 
+@pytest.mark.parametrize("power", [3.0, 5.0])
+def test_the_bright_limb_of_a_crescent_is_not_white(power):
+    # What forward scattering does to Titan and the Earth: light rises steeply from the terminator
+    # to the limb. At most 2 % of the lit part exceed what a display shows, and the limb is no
+    # darker than a mid-grey.
+    shape = disc(0.6, lit=0.6)
+    inward = np.cumsum(shape > 0.0, axis=1) - 1
+    inward = inward / np.maximum(inward.max(axis=1, keepdims=True) + 1, 1)
+    light = 0.6 * shape * (0.01 + 0.99 * (1.0 - inward) ** power)
+    shown = (light * 2.0 ** space_exposure(light) * WHITE)[shape > 0.5]
+    assert np.mean(shown > 1.0) < 0.02
+    assert np.quantile(shown, 0.96) > 0.3
+
+
 def test_a_disc_that_grows_from_a_dot_to_the_frame_is_exposed_without_a_leap():
     # steps of a tenth, from a twentieth of a pixel, which samples miss, to the whole picture: the
     # light is the same; a sample that hits the disc first may show a stop, as any new light, and

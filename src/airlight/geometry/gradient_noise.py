@@ -218,3 +218,43 @@ def gradient_noise(x, y, z):
         above = corner_slope(column, high, across, height, z - 1.0)
         total += share * part * (low * (1.0 - w) + above * w)
     return total
+
+
+@kernel
+def sloping_gradient_noise(x, y, z, way):
+    """Result of ``gradient_noise``, and its slope along a direction. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Position. [cell]
+    way : Vec3
+        Direction. [1]
+    """
+    i, j, k = np.floor(x), np.floor(y), np.floor(z)
+    x, y, z = x - i, y - j, z - k
+    u, v, w = quintic(x), quintic(y), quintic(z)
+    rise_x = way.x * 30.0 * x * x * (1.0 - x) * (1.0 - x)
+    rise_y = way.y * 30.0 * y * y * (1.0 - y) * (1.0 - y)
+    rise_z = way.z * 30.0 * z * z * (1.0 - z) * (1.0 - z)
+    i, j, k = in_period(i), in_period(j), in_period(k)
+    far, high = in_period(j + 1.0), in_period(k + 1.0)
+    left, right = shuffled(i), shuffled(in_period(i + 1.0))
+    total, slope = 0.0, 0.0
+    for corner in range(4):
+        column, start, height, share, more = left, j, y, 1.0 - v, -rise_y
+        if corner > 1:
+            start, height, share, more = far, y - 1.0, v, rise_y
+        across, part, wider = x, 1.0 - u, -rise_x
+        if corner - 2 * (corner // 2) == 1:
+            column, across, part, wider = right, x - 1.0, u, rise_x
+        column = shuffled(column + start)
+        low = corner_slope(column, k, across, height, z)
+        above = corner_slope(column, high, across, height, z - 1.0)
+        level = low + (above - low) * w
+        low_slope = corner_slope(column, k, way.x, way.y, way.z)
+        high_slope = corner_slope(column, high, way.x, way.y, way.z)
+        growth = low_slope + (high_slope - low_slope) * w + (above - low) * rise_z
+        total += share * part * level
+        slope += share * part * growth + (more * part + share * wider) * level
+    return total, slope

@@ -30,7 +30,8 @@ _QUARTER: Final = 0.75
 _BRIGHT_SHARE: Final = 0.96
 _SHADE: Final = 0.25
 _GLINT: Final = 0.8
-#: Largest reduction of the exposure for the bright quarter and the highlights. [EV]
+#: Largest reduction of the exposure for the bright quarter and the highlights, and of a picture
+#: without black space. [EV]
 _PROTECTION: Final = 1.5
 #: Least displayed level of a white surface that faces the star, for highlights. [1]
 _WHITE: Final = 0.75
@@ -48,8 +49,8 @@ _RED: Final = 0.62
 #: space is assumed to hold on this fraction of the picture: five pixels of a metered frame. [1]
 _BODY: Final = 0.12
 _UNSEEN: Final = 5e-4
-#: Factor of the key where most of the picture is black space, and exponent of the fraction that is
-#: not: as photographers expose a planet, a mostly dark picture with bright parts. [1]
+#: Factor of the key and of the highlights where most of the picture is black space, and exponent of
+#: the fraction that is not: as photographers expose a planet, dark with bright parts. [1]
 _LOW_KEY: Final = 0.5
 _LIT_POWER: Final = 0.5
 #: Largest reduction of the key of a picture that consists of dark things in full light, such as
@@ -300,7 +301,8 @@ def exposure_of(bright, weight, black, white):
     shown = shown_key(LUMINOUS_EFFICACY * key)
     # lamps may be as bright in a long exposure as they are above the rest of it
     longer = shown / adapted_key(LUMINOUS_EFFICACY * key)
-    dimmed = max((lit / max(whole, 1e-300)) ** _LIT_POWER, _LOW_KEY)
+    low_key = max((lit / max(whole, 1e-300)) ** _LIT_POWER, _LOW_KEY)
+    dimmed = low_key
     exposure = log2(shown / max(key, NIGHT / LUMINOUS_EFFICACY))
     if white > 0.0:
         dimmed = min(dimmed, full_light_factor(exposure + log2(white)))
@@ -311,8 +313,8 @@ def exposure_of(bright, weight, black, white):
     if white > 0.0:
         exposure = max(exposure, -log2(white))
         limited = max(limited, -log2(white))
-    limited = min(limited, log2(longer * shown / KEY * _HIGHLIGHT / high))
-    limited = max(limited, exposure - _PROTECTION)
+    limited = min(limited, log2(longer * shown / KEY * low_key * _HIGHLIGHT / high))
+    limited = max(limited, exposure - _PROTECTION + log2(low_key))
     if white > 0.0:
         limited = max(limited, log2(_WHITE / white))
     return min(max(limited, -MOST_EXPOSURE), MOST_EXPOSURE)
@@ -378,17 +380,18 @@ def automatic_exposure(
 
     .. math:: 2^\mathrm{EV} = \min\left(\max\left(
               \min\left(\frac{0.42\,d\,a}{\bar L}, \frac{0.7\,a}{L_{75}}\right),
-              \frac{1}{L_w}\right), \frac{1.8\,a}{L_{96}}\right),
+              \frac{1}{L_w}\right), \frac{1.8\,b\,a}{L_{96}}\right),
               \quad a = \left(1 + \frac{34\ \mathrm{cd\,m^{-2}}}
               {\max(\bar L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
 
-    but at least :math:`0.75/L_w`, and at most 1.5 EV below the larger of the key's
-    :math:`0.42\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least 1e-4 cd m⁻², and
-    :math:`d` is the square root of the lit fraction of the picture, at least 0.5. By day a is 1,
-    independent of the light level; in the dark the picture darkens with the cube root of
-    luminance. A white surface is thus shown as white, and clouds and snow brighter than soil,
-    whatever a picture consists of. With the star known, d is at most ``full_light_factor``: blue
-    sky and dark ground in sunlight are not exposed as if they were grey.
+    but at least :math:`0.75/L_w`, and at most :math:`1.5 - \log_2 b` EV below the larger of the
+    key's :math:`0.42\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least
+    1e-4 cd m⁻², and :math:`b = d` is the square root of the lit fraction of the picture, at least
+    0.5: bright parts of a crescent keep their detail. By day a is 1, independent of the light
+    level; in the dark the picture darkens with the cube root of luminance. A white surface is thus
+    shown as white, and clouds and snow brighter than soil, whatever a picture consists of. With the
+    star known, d is at most ``full_light_factor``: blue sky and dark ground in sunlight are not
+    exposed as if they were grey.
 
     Parameters
     ----------

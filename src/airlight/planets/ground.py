@@ -83,6 +83,8 @@ class Ground(TomlModel):
         Name or path of a picture of heights, which shade detailed ground.
     rocks : float
         Share of bare detailed ground below rocks, 0 to 0.2. [1]
+    craters : float
+        Craters of detailed ground wider than D per area D², 0 to 0.3. [1]
     cloud_optical_depth : float
         Optical depth of complete cloud cover, 0 to 1000. [1]
     cloud_altitude : float
@@ -179,6 +181,13 @@ class Ground(TomlModel):
         note="Decoration: their sizes follow Golombek and Rapp (1997) for this share.",
         range=(0.0, 0.2),
         synonyms=("stones", "boulders"),
+        default=0.0,
+    )
+    craters: float = key(
+        help="Craters wider than D per area D², in pictures of detailed ground.",
+        note="Decoration: equilibrium below 1 km; 0.079 on the lunar maria (Trask 1966).",
+        range=(0.0, 0.3),
+        synonyms=("impacts", "moon"),
         default=0.0,
     )
     cloud_optical_depth: float = key(

@@ -24,6 +24,8 @@ class Surface:
         Names or paths of the maps of colour, of a cloud deck, city lights, clouds and heights.
     rocks : float
         Share of bare ground below rocks. [1]
+    craters : float
+        Craters wider than D per area D². [1]
     brightness : float
         Factor of the map of colour. [1]
     cloud_altitude : float
@@ -41,6 +43,7 @@ class Surface:
     clouds_from_space: str | None = None
     relief: str | None = None
     rocks: float = 0.0
+    craters: float = 0.0
     brightness: float = 1.0
     cloud_altitude: float = 0.0
     cloud_optical_depth: float = 0.0
@@ -57,6 +60,7 @@ class Surface:
             clouds_from_space=ground.clouds_from_space,
             relief=ground.relief,
             rocks=ground.rocks,
+            craters=ground.craters,
             brightness=ground.brightness,
             cloud_altitude=ground.cloud_altitude
             if ground.clouds or ground.clouds_from_space

@@ -12,7 +12,13 @@ from __future__ import annotations
 from math import exp, floor
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, PERIOD, gradient_noise
+from airlight.geometry.gradient_noise import (
+    GRADIENT_DEVIATION,
+    PERIOD,
+    gradient_noise,
+    sloping_gradient_noise,
+)
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import OCTAVES as GROUND_OCTAVES
 from airlight.scene.ground_detail import STEP, WHOLE_PERIOD, along_lattice
@@ -44,6 +50,9 @@ VARIED: Final = 3.5
 #: next one, up to 1. By eye. [1]
 SMALL: Final = 0.2
 GROWING: Final = 1.5
+#: Ratio of the heights of tops over that of the contrasts, of an octave and the next coarser one:
+#: light is scattered from slope to slope within some hundred metres. By eye. [1]
+SMOOTH: Final = 0.6
 
 
 class CloudGrain(NamedTuple):
@@ -57,16 +66,23 @@ class CloudGrain(NamedTuple):
         Its variance, less where fine octaves are not shown. [1]
     edge : float
         Reciprocal of the width of edges, in standard deviations of the coarsest octave. [1]
+    ascent : float
+        Growth of the height of tops along a direction, over that of folded noise of the coarsest
+        octave; displacements of places count as even. A reflection of every octave at a place turns
+        it round and leaves the rest, so that its mean is 0 for every noise. [m⁻¹]
     """
 
     noise: float
     variance: float
     edge: float
+    ascent: float
 
 
 @kernel
 def turning_place(whole, beyond, scale):
     """Coordinate in cells of some finest ones; where these repeat sooner than noise, it turns back.
+
+    Its growth, 1 or -1, is the second result.
 
     Parameters
     ----------
@@ -79,52 +95,68 @@ def turning_place(whole, beyond, scale):
 
     Examples
     --------
-    >>> turning_place(5.0, 0.5, 2.0), turning_place(WHOLE_PERIOD - 2.0, 1.0, COARSEST) < 1e-4
-    (2.75, True)
+    >>> turning_place(5.0, 0.5, 2.0)
+    (2.75, 1.0)
+    >>> turning_place(WHOLE_PERIOD - 2.0, 1.0, COARSEST)
+    (7.62939453125e-06, -1.0)
     """
     inverse = 1.0 / scale
-    place, turn = along_lattice(whole, beyond, inverse), WHOLE_PERIOD * inverse
+    place, turn, growth = along_lattice(whole, beyond, inverse), WHOLE_PERIOD * inverse, 1.0
     if turn < PERIOD:
         place -= turn * floor(place / turn)
-        place = min(place, turn - place)
-    return place
+        if place > turn - place:
+            place, growth = turn - place, -1.0
+    return place, growth
 
 
 @kernel
-def cloud_grain(place, footprint, cover, cell, whole, part):
-    """``CloudGrain`` of a place on the ground.
+def cloud_grain(place, footprint, cover, cell, whole, part, way):
+    """``CloudGrain`` of a place.
 
     Parameters
     ----------
     cover : float
         Cover of the map there: few clouds are small ones. [1]
+    way : Vec3
+        Direction of the ascent, in the planet's frame. [1]
     place, footprint, cell, whole, part :
         Arguments of ``ground_detail``.
     """
     coarse = SMALL + GROWING * cover
     beyond_x, beyond_y = part.x + place.x / cell, part.y + place.y / cell
     beyond_z = part.z + place.z / cell
+    scale = float(SOFTNESS)
+    x, _x = turning_place(whole.x, beyond_x, scale)
+    y, _y = turning_place(whole.y, beyond_y, scale)
+    z, _z = turning_place(whole.z, beyond_z, scale)
+    edge = EDGE * exp(VARIED * gradient_noise(x, y, z))
     scale = float(COARSEST)
-    soft = gradient_noise(
-        turning_place(whole.x, beyond_x, float(SOFTNESS)),
-        turning_place(whole.y, beyond_y, float(SOFTNESS)),
-        turning_place(whole.z, beyond_z, float(SOFTNESS)),
-    )
-    edge = EDGE * exp(VARIED * soft)
     total, variance, share = 0.0, 0.0, 1.0
+    ascent, smooth = 0.0, 1.0
     for _octave in range(OCTAVES):
         shown = share * min(coarse, 1.0) * min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
-            moved = WARPED * total
-            noise = gradient_noise(
-                turning_place(whole.x, beyond_x, scale) + moved,
-                turning_place(whole.y, beyond_y, scale) - moved,
-                turning_place(whole.z, beyond_z, scale) + moved,
+            x, along_x = turning_place(whole.x, beyond_x, scale)
+            y, along_y = turning_place(whole.y, beyond_y, scale)
+            z, along_z = turning_place(whole.z, beyond_z, scale)
+            moved, inverse = WARPED * total, 1.0 / (cell * scale)
+            noise, growth = sloping_gradient_noise(
+                x + moved,
+                y - moved,
+                z + moved,
+                Vec3(
+                    along_x * inverse * way.x,
+                    along_y * inverse * way.y,
+                    along_z * inverse * way.z,
+                ),
             )
             puffs = (abs(noise) - FOLDED) / FOLDED_DEVIATION
             total += shown * (PUFFED * puffs + OPEN * noise / GRADIENT_DEVIATION)
+            heaped = growth if noise > 0.0 else -growth
+            ascent += shown * smooth * heaped / FOLDED_DEVIATION
             variance += shown * shown
         share *= FALL
+        smooth *= SMOOTH
         coarse *= 2.0
         scale *= 0.5
-    return CloudGrain(total, variance, edge)
+    return CloudGrain(total, variance, edge, ascent)

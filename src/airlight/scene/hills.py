@@ -4,7 +4,8 @@ Decoration: fractal relief of cells from a texel of the map (7 km on Earth) to a
 it, each with half the height of the next coarser one, so that slopes have no scale of their own.
 Crests are sharp and rough, valleys smooth: finer relief grows with the height of coarser one, as in
 the multifractals of Musgrave, Kolb & Mace (1989, SIGGRAPH Comput. Graph. 23(3), 41), and is bent by
-it, so that valleys wander; slopes leave the bend out. On green land there are woods.
+it, so that valleys wander; slopes leave the bend out. On green land there are woods of trees with
+domes for crowns.
 """
 
 from __future__ import annotations
@@ -35,6 +36,16 @@ CREST: Final = 0.05
 WOODS: Final = 4096.0
 CROWNS: Final = 128.0
 TREES: Final = 125.0
+#: Cells of stands of one height: on Earth 115 m.
+STANDS: Final = 1024.0
+#: Ascent of crowns over the slope of their noise, steepest ascent, and change of the reflectance
+#: with the height of crowns and from leaf to leaf, by eye. [1]
+SIDES: Final = 0.6
+STEEPEST: Final = 0.45
+GAPS: Final = 1.1
+LEAFY: Final = 0.25
+#: Mean of the noise of crowns, of 100 000 places. [1]
+CROWN: Final = 0.333
 #: Noise above which there are woods, and width of their edges. [1]
 WOODED: Final = 0.2
 EDGE: Final = 0.05
@@ -51,6 +62,24 @@ class Hills(NamedTuple):
         Ascent along a horizontal direction, per height of the coarsest octave. [m⁻¹]
     tone : float
         Relative change of the reflectance over that of the coarsest octave. [1]
+    """
+
+    height: float
+    ascent: float
+    tone: float
+
+
+class Canopy(NamedTuple):
+    """Trees at a place.
+
+    Attributes
+    ----------
+    height : float
+        Height. [finest cell]
+    ascent : float
+        Ascent of their crowns along a horizontal direction, of mean 0. [1]
+    tone : float
+        Reflectance over that of the wood, of mean 1: gaps between crowns are dark. [1]
     """
 
     height: float
@@ -150,28 +179,32 @@ def woods(finest, footprint, whole, tone):
 
 
 @kernel
-def canopy(finest, whole, wood):
-    """Height of trees: rounded crowns in stands of several heights, down to the edge of a wood.
+def canopy(finest, footprint, whole, wood, way):
+    """``Canopy`` of a wood: domes of two sizes, in stands of several heights.
 
     Parameters
     ----------
-    finest, whole : Vec3
+    finest, footprint, whole, way :
         Arguments of ``hills``.
     wood : float
         Result of ``woods``. [1]
-
-    Returns
-    -------
-    float
-        Height. [finest cell]
     """
     at = lattice_place(finest, whole, CROWNS)
-    crowns = abs(smooth_noise(at.x, at.y, at.z))
-    at = lattice_place(finest, whole, 0.125 * CROWNS)
-    crowns += 0.15 * smooth_noise(at.x, at.y, at.z)
+    value, slope = sloping_noise(at.x, at.y, at.z, way)
     at = lattice_place(finest, whole, 2.0 * CROWNS)
+    broad, broad_slope = sloping_noise(at.x, at.y, at.z, way)
+    at = lattice_place(finest, whole, STANDS)
     stands = smooth_noise(at.x, at.y, at.z)
+    share = min(max(0.5 + 1.5 * stands, 0.0), 1.0)
+    crown = (1.0 - share) * abs(value) + share * abs(broad)
+    slope *= (1.0 - share) if value > 0.0 else share - 1.0
+    slope += 0.5 * (share if broad > 0.0 else -share) * broad_slope
+    at = lattice_place(finest, whole, 0.125 * CROWNS)
+    leaves = smooth_noise(at.x, at.y, at.z)
+    dome = crown * (2.0 - crown) + 0.08 * leaves
     edge = (1.0 - wood) * (1.0 - wood)
-    return (
-        TREES * (1.0 - edge * edge) * max(0.55 + 0.6 * sqrt(max(crowns, 0.0)) + 0.6 * stands, 0.3)
-    )
+    height = TREES * (1.0 - edge * edge) * max(0.4 + 0.85 * dome + 0.5 * stands, 0.3)
+    shown = wood * min(max(0.3 * CROWNS / footprint - 1.0, 0.0), 1.0)
+    ascent = SIDES * (1.0 - crown) * slope
+    ascent *= shown / sqrt(1.0 + ascent * ascent / (STEEPEST * STEEPEST))
+    return Canopy(height, ascent, 1.0 + shown * (GAPS * (crown - CROWN) + LEAFY * leaves))

@@ -220,7 +220,7 @@ def octave_change(place, scale, whole, way, along, wavy):
 
 
 @kernel
-def land_texture(ground, row, footprint, longer, whole, way, leaf, snow):
+def land_texture(ground, row, footprint, longer, whole, way, leaf, snow, windy):
     """Result of ``LandTexture`` at a place.
 
     Parameters
@@ -235,6 +235,8 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow):
         Horizontal direction towards the star, in the planet's frame, ``faced``. [1]
     leaf, snow : float
         Shares of green plants and of snow. [1]
+    windy : bool
+        Whether sand has waves.
     """
     tone, hue, ascent, shore, scale = 0.0, 0.0, 0.0, 0.0, COARSEST
     sandy, snowy = leaf < GREEN and snow < SNOWY, snow >= SNOWY
@@ -244,7 +246,7 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow):
     for octave in range(OCTAVES):
         shown = min(0.8 * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
-            wavy = sandy and octave - 2 * (octave // 2) == 1
+            wavy = windy and sandy and octave - 2 * (octave // 2) == 1
             along = CREST if wavy else drawn
             flat = min(max(1.2 * scale / longer - 1.0, 0.0), shown)
             here, growth = 0.0, 0.0

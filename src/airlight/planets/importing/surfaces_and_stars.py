@@ -34,8 +34,8 @@ IRRADIANCE: Final = Quantity(
 )
 #: Keys of the ground that show another ground than that of one albedo.
 _SHOWN_GROUND: Final = (
-    *("map", "relief", "rocks", "lights", "clouds", "clouds_from_space", "wind", "brightness"),
-    *("cloud_optical_depth", "cloud_altitude", "wavelengths"),
+    *("map", "relief", "rocks", "craters", "lights", "clouds", "clouds_from_space", "wind"),
+    *("brightness", "cloud_optical_depth", "cloud_altitude", "wavelengths"),
 )
 #: Tolerances of thinning: of the reflectance, and of the logarithm of the irradiance. [1]
 _TOLERANCE: Final = 1e-3

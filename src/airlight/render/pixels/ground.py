@@ -39,12 +39,10 @@ from airlight.render.pixels.sea_surface import (
     resolved_waves,
     spread_glint,
 )
-from airlight.scene.cloud_grain import STEP_OF_COVER, cloud_grain
 from airlight.scene.ground_detail import (
     STEP,
     GroundNoise,
     displacement,
-    grained_cover,
     ground_detail,
     pixel_width,
 )
@@ -150,8 +148,8 @@ def ground_color(ray, sine, angle, observer, frame, color):
     color : array, shape (GROUND_VALUES,)
         Receives linear sRGB reflectance and water fraction of the map, three colours of city
         lights, the noise factor of ground without a map (at 8), the cloud cover on the line of
-        sight and on the path to the star, and the factor of direct light by slopes; values of
-        absent maps are unchanged. [1]
+        sight and on the path to the star, the factor of direct light by slopes, and those of
+        ``cloud_cover``; values of absent maps are unchanged. [1]
     """
     view, tables = frame.camera, frame.tables
     cosine = ground_cosine(ray.z, sine, observer, tables)
@@ -192,11 +190,9 @@ def ground_color(ray, sine, angle, observer, frame, color):
         if view.clouded:
             shown = clouds_shown(observer.optical_altitude, view.detailed, view.clouds_from_space)
         if shown > 0.0:
-            cloud_cover(end, ray, cosine, level, north, east, observer, frame, color)
-            if view.detailed and color[9] > STEP_OF_COVER and color[9] < 1.0 - STEP_OF_COVER:
-                blur = texture_footprint(footprint, cosine)
-                grain = cloud_grain(place, blur, color[9], view.detail_cell, view.whole, view.part)
-                color[9] = grained_cover(color[9], width, grain.noise, grain.variance, grain.edge)
+            cloud_cover(
+                end, ray, cosine, place, footprint, level, north, east, observer, frame, color
+            )
             color[9] *= shown
             color[10] *= shown
         if view.relieved and view.detailed and (not view.mapped or color[3] < NEARLY_WATER):

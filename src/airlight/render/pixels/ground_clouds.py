@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from math import pi, sqrt
 from typing import Final
 
-from airlight.geometry.vectors import Vec3, components, minus, scaled
+from airlight.geometry.vectors import Vec3, components, plus
 from airlight.image.texels import CHANNELS
-from airlight.kernel import inlined
+from airlight.kernel import inlined, kernel
 from airlight.physics.optics.clouds import (
     DIFFUSE_COSINE,
     LayerPassage,
@@ -20,18 +21,90 @@ from airlight.physics.optics.clouds import (
 )
 from airlight.physics.optics.reflection import brdf_diffuse
 from airlight.physics.optics.water import brdf_diffuse as water_diffuse
+from airlight.render.pixels.star_azimuth import star_azimuth
+from airlight.scene.cloud_grain import STEP_OF_COVER, cloud_grain
+from airlight.scene.ground_detail import grained_cover, pixel_width
 from airlight.scene.ground_place import latitude_longitude, map_channel
+from airlight.scene.land_texture import texture_footprint
 
-#: First of the values of ``color`` that ``keep_clouds`` fills, and their number.
+#: Values of ``color``: cover of the star's beam over the mean around it, and light of the tops of
+#: clouds over that of a level layer.
+BEAM: Final = 7
+TOPS: Final = 24
+#: First of the values of ``color`` that ``keep_clouds`` fills, and number of all these.
 _FIRST: Final = 12
-CLOUD_VALUES: Final = 12
+CLOUD_VALUES: Final = 13
+#: Height of full cover above none: ISCCP's middle clouds have their tops at 3.2 to 6.5 km (see
+#: ``planets.ground.CLOUD_ALTITUDE``). [m]
+THICKNESS: Final = 3300.0
+#: Height of tops in a standard deviation of the coarsest octave of the texture, of few clouds, and
+#: the share of it that full cover loses, by eye. [m], [1]
+HEAPED: Final = 900.0
+LEVELLED: Final = 0.5
+#: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
+#: eye. [1]
+SHADING: Final = 0.4
+#: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
+LOWEST: Final = 0.06
+#: Cover through which no shadow is seen. [1]
+HIDDEN: Final = 0.97
+
+
+@kernel
+def tops_light(mu_s, ascent):
+    """Light that a slope of clouds reflects over that of level ones. [1]
+
+    Odd in the slope but for 1, so that the mean over both sides of a cloud remains.
+
+    Parameters
+    ----------
+    mu_s : float
+        Cosine of the star's zenith angle. [1]
+    ascent : float
+        Tangent of the ascent towards the star. [1]
+
+    Examples
+    --------
+    >>> tops_light(1.0, 2.0), round(tops_light(0.5, 1.0) + tops_light(0.5, -1.0), 9)
+    (1.0, 2.0)
+    """
+    tangent = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)) / max(mu_s, LOWEST)
+    steep = ascent * tangent if mu_s > 0.0 else 0.0
+    return 1.0 - SHADING * steep / sqrt(1.0 + steep * steep)
 
 
 @inlined
-def cloud_cover(end, ray, cosine, level, north, east, observer, frame, color):
-    """Cloud cover on a line of sight and on the path from its end to the star. [1]
+def cover_at(latitude, longitude, level, view):
+    """Cover of the map. [1]
 
-    Refraction between ground and layer is neglected.
+    Parameters
+    ----------
+    latitude, longitude, level : float
+        Geocentric coordinates [rad]; level of the overlay [1].
+    view : ViewUniforms
+        Camera with its maps.
+    """
+    return map_channel(
+        view.over_texels,
+        view.over_rows,
+        view.over_columns,
+        view.over_levels,
+        latitude,
+        longitude,
+        level,
+        CHANNELS - 1,
+    )
+
+
+@inlined
+def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer, frame, color):
+    """Clouds on a line of sight and on the path from its end to the star.
+
+    Of detailed ground, the texture of the clouds casts shadows, and their tops are shaded by the
+    slope of the texture and of the map towards the star. A mean over many places of cover, beam or
+    light of the tops is that without texture; the light below clouds grows where they hide their
+    own shadows. Refraction between ground and layer is neglected, and clouds cast no shadows on
+    one another.
 
     Parameters
     ----------
@@ -39,6 +112,8 @@ def cloud_cover(end, ray, cosine, level, north, east, observer, frame, color):
         End of the line of sight on the ground, from the centre, in the observer's frame. [m]
     ray, cosine : Vec3, float
         Its direction, and cosine of the zenith angle of the way back. [1]
+    spot, footprint : Vec3, float
+        Results of ``ground_spot``. [m]
     level : float
         Level of the overlay. [1]
     north, east : float
@@ -46,28 +121,48 @@ def cloud_cover(end, ray, cosine, level, north, east, observer, frame, color):
     observer, frame, color :
         Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
     """
-    view, tables = frame.camera, frame.tables
-    mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
-    back = layer_distance(cosine, tables.bottom, view.cloud_altitude)
-    out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
+    view, bottom = frame.camera, frame.tables.bottom
+    mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / bottom
+    back = layer_distance(cosine, bottom, view.cloud_altitude)
+    out = layer_distance(mu_s, bottom, view.cloud_altitude)
+    width = pixel_width(level) if view.detailed else 1.0
+    blur = texture_footprint(footprint, cosine)
+    color[BEAM], color[TOPS] = 1.0, 1.0
     for towards in range(2):
-        place = minus(end, scaled(ray, back))
+        way = Vec3(-back * ray.x, -back * ray.y, -back * ray.z)
         if towards == 1:
             north, east = 0.0, 0.0
-            place = Vec3(end.x + out * observer.sun_x, end.y, end.z + out * observer.sun_z)
+            way = Vec3(out * observer.sun_x, 0.0, out * observer.sun_z)
         latitude, longitude = latitude_longitude(
-            components(place, observer.ground_x, observer.ground_y, observer.ground_z)
+            components(plus(end, way), observer.ground_x, observer.ground_y, observer.ground_z)
         )
-        color[9 + towards] = map_channel(
-            view.over_texels,
-            view.over_rows,
-            view.over_columns,
-            view.over_levels,
-            latitude + north,
-            longitude + east,
-            level,
-            CHANNELS - 1,
-        )
+        latitude, longitude = latitude + north, longitude + east
+        cover = cover_at(latitude, longitude, level, view)
+        color[9 + towards] = cover
+        wanted = view.detailed and cover > STEP_OF_COVER
+        if towards == 1:
+            wanted = wanted and mu_s > 0.0 and color[9] < HIDDEN
+        if wanted:
+            star = star_azimuth(end, latitude, longitude, bottom, observer)
+            ascent = 0.0
+            if towards == 0 and mu_s > 0.0:
+                angle = pi / view.over_rows * 2.0 ** max(level, 0.0)
+                lat, lon = angle * star.north, angle * star.east
+                ahead = cover_at(latitude + lat, longitude + lon, level, view)
+                behind = cover_at(latitude - lat, longitude - lon, level, view)
+                ascent = THICKNESS * (ahead - behind) / (2.0 * angle * bottom)
+            if width < 1.0 and cover < 1.0 - STEP_OF_COVER:
+                place = components(way, observer.ground_x, observer.ground_y, observer.ground_z)
+                place, cell = plus(spot, place), view.detail_cell
+                grain = cloud_grain(place, blur, cover, cell, view.whole, view.part, star.way)
+                grained = grained_cover(cover, width, grain.noise, grain.variance, grain.edge)
+                ascent += HEAPED * (1.0 - LEVELLED * cover) * grain.ascent
+                if towards == 0:
+                    color[9] = grained
+                else:
+                    color[BEAM] = grained / cover
+            if towards == 0:
+                color[TOPS] = tops_light(mu_s, ascent)
     if observer.r <= view.cloud_radius:
         color[9] = 0.0
 
@@ -85,8 +180,9 @@ def keep_clouds(mu_s, mu_r, nu, share, ground, color):
     ground : Reflection
         Ground with its layer.
     color : array, shape (GROUND_VALUES,)
-        Covers at 9 and 10, of which the first becomes what the clouds hide of light from below;
-        receives ``LayerReflectance``, ``LayerPassage`` and the factors of diffuse light. [1]
+        Results of ``cloud_cover``: covers at 9 and 10, of which the first becomes what the clouds
+        hide of light from below; receives ``LayerReflectance``, ``LayerPassage`` and the factors of
+        diffuse light. [1]
     """
     once = layer_reflectance(mu_s, mu_r, nu, ground.layer)
     passage = layer_passage(mu_s, mu_r, color[9], color[10], ground.layer)
@@ -95,12 +191,12 @@ def keep_clouds(mu_s, mu_r, nu, share, ground, color):
         wet, mirrored = water_diffuse(ground, DIFFUSE_COSINE)
         diffuse += share * (wet - diffuse)
         specular += share * (mirrored - specular)
-    color[_FIRST] = once.single
+    color[_FIRST] = once.single * color[TOPS]
     color[_FIRST + 1] = once.angle
-    color[_FIRST + 2] = once.multiple
+    color[_FIRST + 2] = once.multiple * color[TOPS]
     color[_FIRST + 3] = passage.seen
     color[_FIRST + 4] = passage.seen_albedo
-    color[_FIRST + 5] = passage.star_direct
+    color[_FIRST + 5] = 1.0 - color[BEAM] * (1.0 - passage.star_direct)
     color[_FIRST + 6] = passage.star_diffuse
     color[_FIRST + 7] = passage.view_direct
     color[_FIRST + 8] = passage.view_diffuse

@@ -12,6 +12,7 @@ from airlight.kernel.lanes import LANES, lane_view, maximum, splat
 from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import height_at
+from airlight.scene.craters import craters
 from airlight.scene.ground_detail import moved_coast, sharper_share, unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
 from airlight.scene.hills import COARSEST, CROWNS, canopy, hills, woods
@@ -77,6 +78,9 @@ COVER: Final = 0.394
 #: What mean reflectance loses as woods are where the ground between them would be bright, of 12 000
 #: places with the contrast of the packaged map of Earth. [1]
 COMMON: Final = 0.031
+#: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
+#: as ellipses. [1]
+FLATTENED: Final = 0.3
 
 
 @kernel
@@ -268,7 +272,8 @@ def seen_hill(ray, frame, color):
                 wood = leaf * grown(distance, altitude, near)
                 wood *= woods(finest, blur, view.whole, hill.tone)
                 if wood > 0.0:
-                    height += cell * canopy(finest, view.whole, wood)
+                    crown = canopy(finest, blur, view.whole, wood, aside)
+                    height += cell * crown.height
         if above <= height:
             found, met, under = distance, above, above - height
         else:
@@ -360,7 +365,7 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
         middle = plus(point_below(observer), scaled(place, 1.0 / frame.tables.bottom))
         near = near_hills(observer.optical_altitude, cell, view.pixel_angle)
         high = risen(reach, observer.optical_altitude, near)
-        ascent, tone, wood, height = 0.0, 0.0, 0.0, 0.0
+        ascent, tone, wood, height, leaves = 0.0, 0.0, 0.0, 0.0, 1.0
         if high > 0.0:
             size = hill_size(middle, frame.tables.bottom, uneven, view)
             size *= 1.0 + (SNOWED - 1.0) * snow
@@ -374,7 +379,10 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
             wood *= woods(finest, blur, view.whole, hill.tone)
             height = high * size * max(hill.height - GROUND, 0.0)
             if wood > 0.0 and observer.optical_altitude < LOW:
-                height += cell * canopy(finest, view.whole, wood)
+                trees = canopy(finest, blur, view.whole, wood, way)
+                height += cell * trees.height
+                ascent += trees.ascent
+                leaves = trees.tone
         # the texture lies on the face of a cube
         face = face_of(middle)
         whole, way, place = faced(view.whole, face), faced(way, face), faced(place, face)
@@ -388,7 +396,10 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
             row = seen_row(place, low, ROW * view.pixel_angle, cell, leaf, whole, part)
             row = plus(row, higher)
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
-        texture = land_texture(finest, row, shorter, footprint / cell, whole, way, leaf, snow)
+        pitted = view.craters > 0.0  # where craters last there is no wind
+        texture = land_texture(
+            finest, row, shorter, footprint / cell, whole, way, leaf, snow, not pitted
+        )
         sine = sqrt(max(1.0 - mu_s * mu_s, 0.0))
         stony = rocks(
             finest,
@@ -401,11 +412,16 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
             max(1.0 - leaf - snow, 0.0),
             view.rocks,
         )
-        color[11] = stony.light + stony.open * texture_light(mu_s, texture.ascent + ascent)
+        ascent += texture.ascent
+        if pitted:
+            wide = max(blur, FLATTENED * footprint / cell)
+            middle = faced(middle, face)
+            ascent += craters(finest, whole, middle, way, wide, cell, view.craters)
+        color[11] = stony.light + stony.open * texture_light(mu_s, ascent)
         change, hue = texture.tone, texture.hue
         tone *= LOUD
         dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - leaf * ((1.0 - SHADY) * COVER + COMMON))
-        dark *= stony.tone
+        dark *= stony.tone * leaves
         if view.mapped:
             sharp = sharper_share(moved_coast(share, texture.shore), width)
             red = dark * unmixed(color[0], view.water.x, share)

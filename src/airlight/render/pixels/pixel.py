@@ -77,6 +77,7 @@ class ViewUniforms(NamedTuple):
     clouds_from_space: bool
     relieved: bool
     rocks: float
+    craters: float
     water: Vec3
     grain: Vec3
     grain_fall: float

@@ -7,11 +7,11 @@ shadow.
 
 from __future__ import annotations
 
-from math import cos, pi, sin, sqrt
+from math import pi, sqrt
 from typing import Final
 
-from airlight.geometry.vectors import Vec3, components
 from airlight.kernel import inlined, kernel
+from airlight.render.pixels.star_azimuth import star_azimuth
 from airlight.scene.ground_place import map_value
 
 #: Height of a map value of 1: NASA's picture of the Earth's topography ends there. [m]
@@ -27,8 +27,6 @@ LOWEST: Final = 0.06
 BRIGHTEST: Final = 2.5
 #: Tangent of the elevation of the steepest skyline of the map. [1]
 STEEPEST: Final = 0.35
-#: Cosine of the latitude beyond which meridians count as at it. [1]
-POLAR: Final = 0.05
 #: Width of the edge of a shadow, in tangents of elevation: the sun's disc, and heights that are
 #: known at distances of texels. [1]
 EDGE: Final = 0.02
@@ -101,25 +99,17 @@ def relief_light(end, latitude, longitude, level, observer, frame):
         Observer, and what the pixels read.
     """
     view, bottom = frame.camera, frame.tables.bottom
-    up = Vec3(end.x / bottom, end.y / bottom, end.z / bottom)
-    mu_s = up.x * observer.sun_x + up.z * observer.sun_z
-    sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
-    if mu_s <= 0.0 or sine < 1e-3:
+    star = star_azimuth(end, latitude, longitude, bottom, observer)
+    if star.mu_s <= 0.0 or star.sine < 1e-3:
         return 1.0
-    level_x, level_z = observer.sun_x - mu_s * up.x, observer.sun_z - mu_s * up.z
-    ahead = Vec3(level_x / sine, -mu_s * up.y / sine, level_z / sine)
-    # coordinates change along the ground in proportion to the distance, but for the poles
-    way = components(ahead, observer.ground_x, observer.ground_y, observer.ground_z)
-    parallel = max(cos(latitude), POLAR)
-    north = way.z / parallel
-    east = (cos(longitude) * way.y - sin(longitude) * way.x) / parallel
+    north, east = star.north, star.east
     which = int(min(max(level, 0.0), view.over_levels - 1.0))
     angle = pi / view.over_rows * 2.0**which
     length = angle * bottom
     behind = height_at(latitude - angle * north, longitude - angle * east, which, view)
     other = height_at(latitude + angle * north, longitude + angle * east, which, view)
-    light = slope_light(mu_s, (other - behind) / (2.0 * length))
-    elevation = mu_s / sine
+    light = slope_light(star.mu_s, (other - behind) / (2.0 * length))
+    elevation = star.mu_s / star.sine
     if elevation < STEEPEST:
         here = height_at(latitude, longitude, which, view)
         # the sphere falls away below the tangent

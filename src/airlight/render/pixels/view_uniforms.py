@@ -276,6 +276,7 @@ def overlay_uniforms(
             "clouds_from_space": float(medium.surface.clouds is None),
             "relieved": float(medium.surface.relief is not None),
             "rocks": medium.surface.rocks,
+            "craters": medium.surface.craters,
             "cloud_altitude": altitude,
             "cloud_radius": float(radius),
         }

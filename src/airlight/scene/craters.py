@@ -1,0 +1,145 @@
+"""Small craters of airless bodies between the resolution of maps and a metre; they are not data.
+
+In equilibrium, where new craters erase old ones, the number per area of those wider than D is
+c D^-2; the c of the lunar maria is 0.079 (Trask 1966, JPL Tech. Rep. 32-800, 252: 10^10.9 D^-2 per
+10^6 km², D in metres). Beyond ``TURN`` it falls as D^-3, near the production of new ones (Neukum,
+Ivanov & Hartmann 2001, Space Sci. Rev. 96, 55). Each cell of a lattice has at most one crater, of
+the diameters between those of the next finer and its own lattice; cells are on the face of a cube,
+distances on the ground. Only the slope towards the star is shown: a bowl with the depth and rim of
+a fresh crater (Pike 1977, in Impact and Explosion Cratering, 489), times a freshness between 0 and
+1, evenly distributed. Mean sunlight remains.
+"""
+
+from __future__ import annotations
+
+from math import floor, sqrt
+from typing import Final, NamedTuple
+
+from airlight.geometry.gradient_noise import in_period, shuffled
+from airlight.geometry.vectors import Vec3, dot
+from airlight.kernel import kernel
+from airlight.scene.ground_detail import along_lattice
+
+#: Number of lattices, and cells of the coarsest over the finest of ``ground_detail``: with the
+#: packaged map of the Moon 5.3 km, so that craters are at most 3.2 km wide.
+LATTICES: Final = 14
+COARSEST: Final = 65536.0
+#: Diameter of the widest crater of a lattice, twice that of the narrowest. [cell]
+WIDEST: Final = 0.6
+#: Diameter above which craters are fewer than in equilibrium: some 300 m on the maria, some
+#: kilometres in the highlands. [m]
+TURN: Final = 1000.0
+#: Depth below the rim's foot and height of the rim of a fresh crater over its diameter. [1]
+DEPTH: Final = 0.16
+RIM: Final = 0.036
+#: Radius at which ejecta end, over the crater's. [1]
+EJECTA: Final = 1.6
+#: Steepest slope, towards which steep ones are compressed. [1]
+STEEPEST: Final = 0.45
+
+
+class Crater(NamedTuple):
+    """Crater of a cell.
+
+    Attributes
+    ----------
+    x, y : float
+        Centre, from the corner of the cell. [cell]
+    radius : float
+        Radius; 0 without a crater. [cell]
+    fresh : float
+        Depth over that of a fresh one. [1]
+    """
+
+    x: float
+    y: float
+    radius: float
+    fresh: float
+
+
+@kernel
+def crater_of(i, j, lattice, share):
+    """``Crater`` of a cell.
+
+    Parameters
+    ----------
+    i, j : float
+        Cell, modulo the period of noise.
+    lattice : int
+        Number of the lattice, below ``LATTICES``.
+    share : float
+        Share of cells with a crater. [1]
+    """
+    column = shuffled(i + 20.0 * lattice)
+    number = shuffled(column + j)
+    first = shuffled(number + column)
+    second = shuffled(first + j)
+    third = shuffled(second + number)
+    radius = 0.0
+    if number < 289.0 * share:
+        # the inverse of D^-2 between both diameters
+        radius = 0.5 * WIDEST / sqrt(1.0 + 3.0 * shuffled(third + i) / 288.0)
+    return Crater(first / 289.0, second / 289.0, radius, third / 288.0)
+
+
+@kernel
+def crater_slope(distance):
+    """Slope of a fresh crater away from its centre. [1]
+
+    Parameters
+    ----------
+    distance : float
+        Distance from the centre over the radius. [1]
+
+    Examples
+    --------
+    >>> crater_slope(0.0), round(crater_slope(0.5), 3), crater_slope(2.0)
+    (0.0, 0.392, 0.0)
+    """
+    if distance < 1.0:
+        return 4.0 * (DEPTH + RIM) * distance
+    left = max((EJECTA - distance) / (EJECTA - 1.0), 0.0)
+    return -6.0 * RIM * left / (distance * distance * distance * distance)
+
+
+@kernel
+def craters(place, whole, up, way, footprint, cell, density):
+    """Ascent of craters towards the star. [1]
+
+    Parameters
+    ----------
+    place, whole : Vec3
+        Place and lattice point, ``faced``. [finest cell]
+    up, way : Vec3
+        Vertical, and horizontal direction towards the star, ``faced``. [1]
+    footprint : float
+        Width of the pixel: craters narrower than two of it are left out. [finest cell]
+    cell : float
+        Size of the finest cells. [m]
+    density : float
+        c of the module. [1]
+    """
+    ascent, scale = 0.0, COARSEST
+    narrowest = 0.5 * WIDEST
+    several = density * 3.0 / (WIDEST * WIDEST) / max(abs(up.z), 0.5)
+    tilt_x, tilt_y = up.x / up.z, up.y / up.z
+    for lattice in range(LATTICES):
+        shown = min(0.5 * narrowest * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            share = min(several * min(TURN / (narrowest * scale * cell), 1.0), 1.0)
+            x = along_lattice(whole.x, place.x, 1.0 / scale)
+            y = along_lattice(whole.y, place.y, 1.0 / scale)
+            corner_x, corner_y = floor(x - 0.5), floor(y - 0.5)
+            for neighbour in range(4):
+                i = corner_x + (neighbour - 2 * (neighbour // 2))
+                j = corner_y + (neighbour // 2)
+                one = crater_of(in_period(i), in_period(j), lattice, share)
+                if one.radius > 0.0:
+                    at_x, at_y = x - i - one.x, y - j - one.y
+                    away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
+                    distance = sqrt(dot(away, away))
+                    if distance < EJECTA * one.radius and distance > 1e-6:
+                        steep = one.fresh * crater_slope(distance / one.radius)
+                        ascent += shown * steep * dot(away, way) / distance
+        scale *= 0.5
+    return ascent / sqrt(1.0 + ascent * ascent / (STEEPEST * STEEPEST))
