@@ -8,9 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError, warn
+from airlight.physics.optics.ring_profile import read_ring_profile
 from airlight.planets.parameters import MISSING, ascending, parameters
-from airlight.planets.schema.field import Field, always, key
+from airlight.planets.schema.field import Field, Wavelengths, always, key
 from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import Limits, Spectral, spectral_at, spectral_limits
 
 FloatArray = npt.NDArray[np.float64]
@@ -35,6 +37,14 @@ _RADIUS: Final = Field(
 )
 
 
+def _read_profile(table: TomlTable, name: str, wavelengths: Wavelengths) -> str | None:
+    """Name of a table of the package, or path of a file beside the planet's."""
+    if name not in table:
+        return None
+    given = table.text(name, "the name of a profile, or the path of a CSV file")
+    return str(table.beside(given)) if given.endswith(".csv") else given
+
+
 @parameters
 class Ring(TomlModel):
     """Flat ring in the plane of the equator, one of the tables ``[[rings]]``.
@@ -49,6 +59,9 @@ class Ring(TomlModel):
         Normal optical depth, if it is the same everywhere, 0 to 100. [1]
     radii, optical_depths : tuple of float, optional
         Normal optical depth [1] by radius [m], linear in between; radii within the edges.
+    profile : str, optional
+        Name or path of a table of the normal optical depth by radius, of which the ring takes the
+        part between its edges; see ``physics.optics.ring_profile``.
     single_scattering_albedo : float or PerWavelength
         Fraction of the intercepted light that the particles scatter, 0 to 1. [1]
     exponent : float
@@ -79,7 +92,7 @@ class Ring(TomlModel):
     outer_radius: float = key(_RADIUS, help="Radius of the outer edge.")
     optical_depth: float | None = key(
         help="Normal optical depth, the same everywhere.",
-        note="Alternative to radii and optical_depths.",
+        note="Alternative to radii and optical_depths, and to profile.",
         range=(0.0, DENSEST),
         example="0.5",
         slider=(0.001, 10.0),
@@ -107,6 +120,15 @@ class Ring(TomlModel):
         scale="log",
         per="radii",
         per_unit="km",
+        default=None,
+    )
+    profile: str | None = key(
+        help="Table of the normal optical depth by radius.",
+        note="`saturn`, or the path of a CSV file with columns `radius_km` and `optical_depth`;"
+        " linear in between. The ring takes the part between its edges.",
+        range=(1.0, 1000.0),
+        example="the name of a profile, or the path of a CSV file",
+        read=_read_profile,
         default=None,
     )
     single_scattering_albedo: Spectral = key(
@@ -146,6 +168,11 @@ class Ring(TomlModel):
             allowed = f"more than inner_radius, {self.inner_radius:.10g} m"
             raise ParameterError("outer_radius", self.outer_radius, allowed)
         listed = self.radii is not None or self.optical_depths is not None
+        if self.profile is not None:
+            if listed or self.optical_depth is not None:
+                raise ConflictError("profile", "cannot be combined with optical_depth or radii")
+            read_ring_profile(self.profile)
+            return
         if self.optical_depth is not None:
             if listed:
                 raise ConflictError("optical_depth", "cannot be combined with a profile")
@@ -153,7 +180,8 @@ class Ring(TomlModel):
         if self.radii is None or self.optical_depths is None:
             name = "optical_depths" if self.radii is not None else "optical_depth"
             name = "radii" if self.optical_depths is not None else name
-            raise ParameterError(name, MISSING, "optical_depth, or radii and optical_depths")
+            allowed = "optical_depth, or radii and optical_depths, or profile"
+            raise ParameterError(name, MISSING, allowed)
         if not 2 <= len(self.radii) <= MOST_ROWS:
             raise ParameterError("radii", self.radii, f"2 to {MOST_ROWS} radii")
         if len(self.optical_depths) != len(self.radii):
@@ -175,6 +203,9 @@ class Ring(TomlModel):
         inside = (at >= self.inner_radius) & (at <= self.outer_radius)
         if self.optical_depth is not None:
             return np.where(inside, self.optical_depth, 0.0)
+        if self.profile is not None:
+            table = read_ring_profile(self.profile)
+            return np.where(inside, np.interp(at, table.radii, table.depths), 0.0)
         assert self.radii is not None
         assert self.optical_depths is not None
         return np.where(inside, np.interp(at, self.radii, self.optical_depths), 0.0)
