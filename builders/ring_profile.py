@@ -19,14 +19,14 @@ FILE = Path(__file__).parents[1] / "src/airlight/physics/optics/data/rings-satur
 FIRST, LAST, NUMBER, TOGETHER = 74_510.0, 140_390.0, 13_177, 4
 #: Optical depth of a row through which nothing was seen. [1]
 OPAQUE = 4.0
+FROM = "from stellar occultations in the archive of NASA's PDS"
+WORDS = "the author's words, in the copyright file of Debian's stellarium-data"
 HEADER = (
     "# quantity: normal optical depth of Saturn's rings, means of transmittance over 20 km",
     "# unit: km, 1",
-    "# source: Björn Jónsson, transparency of Saturn's rings, bjj.mmedia.is/data/s_rings, from stellar"
-    " occultations in the archive of NASA's PDS",
+    f"# source: Björn Jónsson, transparency of Saturn's rings, bjj.mmedia.is/data/s_rings, {FROM}",
     "# read through: ivoyager/ivbinary_maker, source_data/rings/transparency.txt",
-    "# licence: free to use if the origin is mentioned (the author's words, in the copyright file of"
-    " Debian's stellarium-data)",
+    f"# licence: free to use if the origin is mentioned ({WORDS})",
     "# note: 4 stands where nothing was seen through. The F ring is one cut of an eccentric ring.",
     "radius_km,optical_depth",
 )
