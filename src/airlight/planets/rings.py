@@ -239,7 +239,7 @@ def check_rings(rings: tuple[Ring, ...], top_radius: float) -> None:
         below, what = rings[k].outer_radius, "the outer edge of the ring below"
 
 
-def warn_of_rings(rings: tuple[Ring, ...], consumer: str) -> None:
+def warn_of_rings(rings: tuple[Ring, ...], consumer: str, *, placed: bool | None = None) -> None:
     """Issue a warning where rings, their shadow and their light are left out.
 
     Parameters
@@ -248,6 +248,12 @@ def warn_of_rings(rings: tuple[Ring, ...], consumer: str) -> None:
         Rings of the planet.
     consumer : str
         What is computed without them.
+    placed : bool, optional
+        Whether latitude and the star's bearing are known, and with them the shadow, if they could
+        be.
     """
-    if rings:
-        warn(f"{consumer} without rings: their shadow and light are left out; pictures have them")
+    if not rings:
+        return
+    left = "their light is" if placed else "their shadow and light are"
+    hint = "; latitude and sun_azimuth add the shadow" if placed is False else ""
+    warn(f"{consumer} without rings: {left} left out; pictures have them{hint}")

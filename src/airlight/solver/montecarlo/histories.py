@@ -31,7 +31,7 @@ from math import exp, expm1, pi, sin, sqrt
 
 from airlight.geometry.occulted_star import star_visible_fraction
 from airlight.geometry.shell import meets_ground
-from airlight.geometry.vectors import Vec3, dot
+from airlight.geometry.vectors import Vec3, dot, start_vectors
 from airlight.kernel import compiled_loop, inlined
 from airlight.physics.optics.reflection import (
     cos_reflected,
@@ -50,7 +50,6 @@ from airlight.solver.montecarlo.events import (
     scattered_phase,
     scattering_fractions,
     start_in_area,
-    start_vectors,
     towards_star,
     trace_to_end,
     turned,

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.geometry.vectors import Vec3, dot
-from airlight.kernel import inlined, kernel
+from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.shader_fields import scalars, spectra
 from airlight.physics.optics.ring_layer import power_law_norm
 from airlight.planets.rings import Ring
@@ -218,3 +218,20 @@ def ring_shade(square, along, height, sun, star_radius, rings):
                 depth = ring_depth(radius + wide * cos(angle), rings)
                 left += sin(angle) * sin(angle) / 3.0 * exp(-depth * steep)
     return left
+
+
+@compiled_loop
+def ring_shades(square, along, height, sun, star_radius, rings, out):
+    """Transmittance of the rings between points and the star.
+
+    Parameters
+    ----------
+    square, along, height, sun : array, shape (n,)
+        Arguments of ``ring_shade``.
+    star_radius, rings :
+        Arguments of ``ring_shade``.
+    out : array, shape (n,)
+        Receives the transmittance. [1]
+    """
+    for k in range(square.size):
+        out[k] = ring_shade(square[k], along[k], height[k], sun[k], star_radius, rings)
