@@ -60,8 +60,8 @@ class Ring(TomlModel):
     radii, optical_depths : tuple of float, optional
         Normal optical depth [1] by radius [m], linear in between; radii within the edges.
     profile : str, optional
-        Name or path of a table of the normal optical depth by radius, of which the ring takes the
-        part between its edges; see ``physics.optics.ring_profile``.
+        Name or path of a table of the normal optical depth by radius, and of relative albedos, of
+        which the ring takes the part between its edges; see ``physics.optics.ring_profile``.
     single_scattering_albedo : float or PerWavelength
         Fraction of the intercepted light that the particles scatter, 0 to 1. [1]
     exponent : float
@@ -124,8 +124,9 @@ class Ring(TomlModel):
     )
     profile: str | None = key(
         help="Table of the normal optical depth by radius.",
-        note="`saturn`, or the path of a CSV file with columns `radius_km` and `optical_depth`;"
-        " linear in between. The ring takes the part between its edges.",
+        note="`saturn`, or the path of a CSV file with columns `radius_km` and `optical_depth`,"
+        " linear in between; in `brightness` it may have relative albedos, whose mean in the ring"
+        " is `single_scattering_albedo`. The ring takes the part between its edges.",
         range=(1.0, 1000.0),
         example="the name of a profile, or the path of a CSV file",
         read=_read_profile,
@@ -211,8 +212,21 @@ class Ring(TomlModel):
         return np.where(inside, np.interp(at, self.radii, self.optical_depths), 0.0)
 
     def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Single-scattering albedo at wavelengths [nm], shape (nl,). [1]"""
+        """Single-scattering albedo at wavelengths [nm], the mean of the ring, shape (nl,). [1]"""
         return spectral_at(self.single_scattering_albedo, wavelengths)
+
+    def relative_albedo(self, radii: npt.ArrayLike) -> FloatArray:
+        """Albedo at radii [m] over the mean, weighted by what the ring intercepts, (n,). [1]"""
+        at = np.asarray(radii, float)
+        if self.profile is None:
+            return np.ones_like(at)
+        table = read_ring_profile(self.profile)
+        own = (table.radii >= self.inner_radius) & (table.radii <= self.outer_radius)
+        stopped = -np.expm1(-table.depths[own]) * table.radii[own]
+        if not stopped.sum() > 0.0:
+            return np.ones_like(at)
+        mean = np.average(table.brightness[own], weights=stopped)
+        return np.interp(at, table.radii, table.brightness) / mean
 
 
 def check_rings(rings: tuple[Ring, ...], top_radius: float) -> None:

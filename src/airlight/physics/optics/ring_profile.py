@@ -1,4 +1,4 @@
-"""Tables of the optical depth of rings by radius: CSV with a cited header."""
+"""Tables of the optical depth and brightness of rings by radius: CSV with a cited header."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ _PREFIX: Final = "rings-"
 #: Columns of a table.
 _RADIUS: Final = Quantity(name="radius", unit="m", low=0.0, above=True, units="m, km")
 _DEPTH: Final = Quantity(name="optical_depth", unit="1", low=0.0)
+_BRIGHTNESS: Final = Quantity(name="brightness", unit="1", low=0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,10 +34,13 @@ class RingProfile:
     ----------
     radii, depths : array, shape (n,)
         Radii, ascending [m], and optical depths [1].
+    brightness : array, shape (n,)
+        Relative single-scattering albedo. [1]
     """
 
     radii: FloatArray
     depths: FloatArray
+    brightness: FloatArray
 
 
 @cache
@@ -61,7 +65,7 @@ def read_ring_profile(name: str) -> RingProfile:
     ----------
     name : str
         One of ``ring_profiles()``, or the path to a CSV file with the columns ``radius_km`` (or
-        ``radius [m]``), ascending, and ``optical_depth``.
+        ``radius [m]``), ascending, ``optical_depth``, and optionally ``brightness``.
 
     Raises
     ------
@@ -88,6 +92,8 @@ def read_ring_profile(name: str) -> RingProfile:
     radii, depths = table.numbers(_RADIUS), table.numbers(_DEPTH)
     if radii.size < 2 or not (np.diff(radii) > 0.0).all():
         raise FileError(name, "is not a profile of rings: two or more radii, ascending")
-    for array in (radii, depths):
+    known = table.find(_BRIGHTNESS) is not None
+    brightness = table.numbers(_BRIGHTNESS) if known else np.ones_like(radii)
+    for array in (radii, depths, brightness):
         array.flags.writeable = False
-    return RingProfile(radii, depths)
+    return RingProfile(radii, depths, brightness)

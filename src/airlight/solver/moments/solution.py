@@ -416,6 +416,7 @@ def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work
             Vec3(ray_x, ray_y, mu[k]),
             Vec3(pole[k, 0], pole[k, 1], pole[k, 2]),
             Vec3(sun_x, 0.0, mu_s[k]),
+            0.0,
         )
         segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], ring)
         work.phase[:] = phase[k]

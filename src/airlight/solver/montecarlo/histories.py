@@ -274,7 +274,9 @@ def trace_paths(count, start, air, clouds, occulted, rings, state, paths, worksp
                     height = dot(Vec3(x, y, z), rings.pole)
                     sun_height = dot(Vec3(a, b, c), rings.pole)
                     sunward = r * sun_mu
-                    angular_pdf *= ring_shade(r * r, sunward, height, sun_height, 0.0, rings.rings)
+                    angular_pdf *= ring_shade(
+                        r * r, sunward, height, sun_height, 0.0, 0.0, rings.rings
+                    )
                 if angular_pdf > 0.0:
                     light = _transmittance_to_star(r, sun_mu, air, star_path)
                     if clouds is not None and light > 0.0:
