@@ -49,6 +49,8 @@ def ring(**values):
         ({"dust": 1.5}, "dust"),
         ({"optical_depth": None}, "optical_depth"),
         ({"optical_depth": None, "radii": (7e6, 8e6)}, "optical_depths"),
+        ({"profile": "saturn"}, "profile"),
+        ({"optical_depth": None, "profile": "none"}, "profile"),
         ({"radii": (7e6, 8e6), "optical_depths": (1.0, 2.0)}, "optical_depth"),
         ({"optical_depth": None, "radii": (8e6, 7e6), "optical_depths": (1.0, 2.0)}, "radii"),
         ({"optical_depth": None, "radii": (6e6, 8e6), "optical_depths": (1.0, 2.0)}, "radii"),
@@ -120,3 +122,56 @@ def test_numbers_without_the_rings_say_so():
         with pytest.warns(AirlightWarning, match=rf"^{what} without rings"):
             ask()
     solve(PLANET, [550.0], "preview").radiance(**asked, view_zenith=30.0)  # warns of nothing
+
+
+def test_profile_of_saturn_has_the_published_edges_and_ranges():
+    # edges: PDS, as in the preset's header, within a row of 20 km; those of ring B are 140 km apart
+    # in longitude. Ranges of optical depth: PDS's; A and B have less in this direction (wakes).
+    saturn = {one.name: one for one in load_planet("saturn").rings}
+    radii = np.arange(74.5e6, 136.8e6, 5e3)
+    depth = sum(saturn[name].depths(radii) for name in ("C", "B", "Cassini division", "A"))
+
+    def crossing(low, high, level):
+        part = (radii > low) & (radii < high)
+        (change,) = np.flatnonzero(np.diff(depth[part] > level))
+        return radii[part][change]
+
+    assert_allclose(crossing(133.35e6, 133.5e6, 0.25), 133.423e6, atol=2e4)  # gap of Encke
+    assert_allclose(crossing(133.65e6, 133.8e6, 0.25), 133.745e6, atol=2e4)
+    assert_allclose(crossing(136.7e6, 136.8e6, 0.25), 136.77e6, atol=2e4)  # ring A
+    assert_allclose(crossing(117.42e6, 117.6e6, 0.25), 117.57e6, atol=1e5)  # ring B
+    ranges = (
+        (74.6e6, 91.9e6, 0.05, 0.35),
+        (104e6, 110e6, 2.0, 5.0),
+        (117.9e6, 122e6, 0.05, 0.15),
+        (122.1e6, 133.4e6, 0.4, 1.0),
+    )
+    for low, high, least, most in ranges:
+        part = (radii > low) & (radii < high)
+        assert least < -np.log(np.exp(-depth[part]).mean()) < most
+
+
+def test_profile_of_a_file_is_read_beside_the_planet(tmp_path):
+    (tmp_path / "rows.csv").write_text("radius_km,optical_depth\n7000,1\n9000,3\n")
+    file = tmp_path / "ringed.toml"
+    file.write_text(FILE.replace("optical_depth = 0.5", 'profile = "rows.csv"'))
+    (one,) = load_planet(file).rings
+    assert_allclose(one.depths([6.9e6, 7.5e6, 8e6]), [0.0, 1.5, 2.0])
+    file.write_text(FILE.replace("optical_depth = 0.5", 'profile = "none"'))
+    with pytest.raises(ParameterError, match="none"):
+        load_planet(file)
+
+
+def test_brightness_of_a_profile_keeps_the_mean_albedo(tmp_path):
+    # a sum rule: the light that the ring intercepts is scattered with its mean albedo
+    (tmp_path / "rows.csv").write_text(
+        "radius_km,optical_depth,brightness\n7000,1,0.5\n8000,1,1\n9000,0.1,2\n"
+    )
+    one = Ring(inner_radius=7e6, outer_radius=9e6, profile=str(tmp_path / "rows.csv"))
+    radii = np.array([7e6, 8e6, 9e6])
+    stopped = (1.0 - np.exp(-one.depths(radii))) * radii
+    assert_allclose(np.average(one.relative_albedo(radii), weights=stopped), 1.0)
+    assert_allclose(one.relative_albedo([7e6, 7.5e6]) / one.relative_albedo([8e6]), [0.5, 0.75])
+    tables = ring_tables((one,), np.array([550.0]))
+    assert tables.ring_albedo.max() > 1.9 * 0.5  # of the last row, relative to the mean below 1
+    assert_allclose(ring().relative_albedo(radii), 1.0)

@@ -265,7 +265,6 @@ def bake_target(
     from airlight.engines.targets import target_of
     from airlight.files.atomic_folder import check_folder
     from airlight.planets import replace
-    from airlight.planets.rings import warn_of_rings
     from airlight.planets.without_clouds import check_clear
 
     program = target_of(name)
@@ -276,7 +275,6 @@ def bake_target(
     check_folder(output, program.form, program.files, overwrite=overwrite)
     world = planet.load()
     check_clear(world, program.program)
-    warn_of_rings(world.rings, program.program)
     if world.refraction != "none" and not program.bends_light:
         note(f"{program.program} ignores refraction")
         world = replace(world, refraction="none")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import NamedTuple
 
-from airlight.kernel import kernel
+from airlight.kernel import inlined, kernel
 
 
 class Vec3(NamedTuple):
@@ -78,3 +79,23 @@ def combined(a, x_axis, y_axis, z_axis):
         a.x * x_axis.y + a.y * y_axis.y + a.z * z_axis.y,
         a.x * x_axis.z + a.y * y_axis.z + a.z * z_axis.z,
     )
+
+
+@inlined
+def start_vectors(mu, mu_s, nu):
+    """Horizontal components of a line (x, y) and of the direction to the star (x). [1]
+
+    The frame at the start of the line: z up, the star in the plane of x and z, the line on the side
+    of y.
+
+    Parameters
+    ----------
+    mu, mu_s, nu : float
+        Cosines of the zenith angles of line and star, and of the angle between them. [1]
+    """
+    sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    sun_x = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    around = 1.0
+    if sine * sun_x > 0.0:
+        around = min(max((nu - mu * mu_s) / (sine * sun_x), -1.0), 1.0)
+    return sine * around, sine * sqrt(max((1.0 - around) * (1.0 + around), 0.0)), sun_x

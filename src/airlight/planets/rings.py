@@ -8,9 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError, warn
+from airlight.physics.optics.ring_profile import read_ring_profile
 from airlight.planets.parameters import MISSING, ascending, parameters
-from airlight.planets.schema.field import Field, always, key
+from airlight.planets.schema.field import Field, Wavelengths, always, key
 from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import Limits, Spectral, spectral_at, spectral_limits
 
 FloatArray = npt.NDArray[np.float64]
@@ -35,6 +37,14 @@ _RADIUS: Final = Field(
 )
 
 
+def _read_profile(table: TomlTable, name: str, wavelengths: Wavelengths) -> str | None:
+    """Name of a table of the package, or path of a file beside the planet's."""
+    if name not in table:
+        return None
+    given = table.text(name, "the name of a profile, or the path of a CSV file")
+    return str(table.beside(given)) if given.endswith(".csv") else given
+
+
 @parameters
 class Ring(TomlModel):
     """Flat ring in the plane of the equator, one of the tables ``[[rings]]``.
@@ -49,6 +59,9 @@ class Ring(TomlModel):
         Normal optical depth, if it is the same everywhere, 0 to 100. [1]
     radii, optical_depths : tuple of float, optional
         Normal optical depth [1] by radius [m], linear in between; radii within the edges.
+    profile : str, optional
+        Name or path of a table of the normal optical depth by radius, and of relative albedos, of
+        which the ring takes the part between its edges; see ``physics.optics.ring_profile``.
     single_scattering_albedo : float or PerWavelength
         Fraction of the intercepted light that the particles scatter, 0 to 1. [1]
     exponent : float
@@ -79,7 +92,7 @@ class Ring(TomlModel):
     outer_radius: float = key(_RADIUS, help="Radius of the outer edge.")
     optical_depth: float | None = key(
         help="Normal optical depth, the same everywhere.",
-        note="Alternative to radii and optical_depths.",
+        note="Alternative to radii and optical_depths, and to profile.",
         range=(0.0, DENSEST),
         example="0.5",
         slider=(0.001, 10.0),
@@ -107,6 +120,16 @@ class Ring(TomlModel):
         scale="log",
         per="radii",
         per_unit="km",
+        default=None,
+    )
+    profile: str | None = key(
+        help="Table of the normal optical depth by radius.",
+        note="`saturn`, or the path of a CSV file with columns `radius_km` and `optical_depth`,"
+        " linear in between; in `brightness` it may have relative albedos, whose mean in the ring"
+        " is `single_scattering_albedo`. The ring takes the part between its edges.",
+        range=(1.0, 1000.0),
+        example="the name of a profile, or the path of a CSV file",
+        read=_read_profile,
         default=None,
     )
     single_scattering_albedo: Spectral = key(
@@ -146,6 +169,11 @@ class Ring(TomlModel):
             allowed = f"more than inner_radius, {self.inner_radius:.10g} m"
             raise ParameterError("outer_radius", self.outer_radius, allowed)
         listed = self.radii is not None or self.optical_depths is not None
+        if self.profile is not None:
+            if listed or self.optical_depth is not None:
+                raise ConflictError("profile", "cannot be combined with optical_depth or radii")
+            read_ring_profile(self.profile)
+            return
         if self.optical_depth is not None:
             if listed:
                 raise ConflictError("optical_depth", "cannot be combined with a profile")
@@ -153,7 +181,8 @@ class Ring(TomlModel):
         if self.radii is None or self.optical_depths is None:
             name = "optical_depths" if self.radii is not None else "optical_depth"
             name = "radii" if self.optical_depths is not None else name
-            raise ParameterError(name, MISSING, "optical_depth, or radii and optical_depths")
+            allowed = "optical_depth, or radii and optical_depths, or profile"
+            raise ParameterError(name, MISSING, allowed)
         if not 2 <= len(self.radii) <= MOST_ROWS:
             raise ParameterError("radii", self.radii, f"2 to {MOST_ROWS} radii")
         if len(self.optical_depths) != len(self.radii):
@@ -175,13 +204,29 @@ class Ring(TomlModel):
         inside = (at >= self.inner_radius) & (at <= self.outer_radius)
         if self.optical_depth is not None:
             return np.where(inside, self.optical_depth, 0.0)
+        if self.profile is not None:
+            table = read_ring_profile(self.profile)
+            return np.where(inside, np.interp(at, table.radii, table.depths), 0.0)
         assert self.radii is not None
         assert self.optical_depths is not None
         return np.where(inside, np.interp(at, self.radii, self.optical_depths), 0.0)
 
     def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Single-scattering albedo at wavelengths [nm], shape (nl,). [1]"""
+        """Single-scattering albedo at wavelengths [nm], the mean of the ring, shape (nl,). [1]"""
         return spectral_at(self.single_scattering_albedo, wavelengths)
+
+    def relative_albedo(self, radii: npt.ArrayLike) -> FloatArray:
+        """Albedo at radii [m] over the mean, weighted by what the ring intercepts, (n,). [1]"""
+        at = np.asarray(radii, float)
+        if self.profile is None:
+            return np.ones_like(at)
+        table = read_ring_profile(self.profile)
+        own = (table.radii >= self.inner_radius) & (table.radii <= self.outer_radius)
+        stopped = -np.expm1(-table.depths[own]) * table.radii[own]
+        if not stopped.sum() > 0.0:
+            return np.ones_like(at)
+        mean = np.average(table.brightness[own], weights=stopped)
+        return np.interp(at, table.radii, table.brightness) / mean
 
 
 def check_rings(rings: tuple[Ring, ...], top_radius: float) -> None:
@@ -208,7 +253,7 @@ def check_rings(rings: tuple[Ring, ...], top_radius: float) -> None:
         below, what = rings[k].outer_radius, "the outer edge of the ring below"
 
 
-def warn_of_rings(rings: tuple[Ring, ...], consumer: str) -> None:
+def warn_of_rings(rings: tuple[Ring, ...], consumer: str, *, placed: bool | None = None) -> None:
     """Issue a warning where rings, their shadow and their light are left out.
 
     Parameters
@@ -217,6 +262,12 @@ def warn_of_rings(rings: tuple[Ring, ...], consumer: str) -> None:
         Rings of the planet.
     consumer : str
         What is computed without them.
+    placed : bool, optional
+        Whether latitude and the star's bearing are known, and with them the shadow, if they could
+        be.
     """
-    if rings:
-        warn(f"{consumer} without rings: their shadow and light are left out; pictures have them")
+    if not rings:
+        return
+    left = "their light is" if placed else "their shadow and light are"
+    hint = "; latitude and sun_azimuth add the shadow" if placed is False else ""
+    warn(f"{consumer} without rings: {left} left out; pictures have them{hint}")

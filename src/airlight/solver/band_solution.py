@@ -66,6 +66,11 @@ class BandSolution(Solution):
         other.terms = self.terms.with_light(spread, secondary=secondary)
         return other
 
+    @property
+    def shaded_by_rings(self) -> bool:
+        """See ``Solution``."""
+        return self.terms.shaded_by_rings
+
     def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``."""
         return self._over_bands(self.terms.relative_radiance(lines, order=order))

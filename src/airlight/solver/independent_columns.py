@@ -96,6 +96,11 @@ class IndependentColumns(Solution):
         )
         return other
 
+    @property
+    def shaded_by_rings(self) -> bool:
+        """See ``Solution``."""
+        return all(one.solution.shaded_by_rings for one in self.columns)
+
     def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``."""
         return self._mean(lambda one: one.relative_radiance(lines, order=order))

@@ -27,6 +27,8 @@ class LinesOfSight:
         Length inside the shell, 0 where the line misses it. [m]
     to_ground : array of bool, shape (n,)
         Whether the line ends on the ground.
+    pole : array, shape (n, 3), optional
+        North pole in the frame of ``start_frame``, for the shadow of rings; 0 or None without. [1]
     """
 
     r: FloatArray
@@ -35,12 +37,33 @@ class LinesOfSight:
     nu: FloatArray
     length: FloatArray
     to_ground: NDArray[np.bool_]
+    pole: FloatArray | None = None
 
     def __post_init__(self) -> None:
+        if self.pole is None:
+            object.__setattr__(self, "pole", np.zeros((self.r.size, 3)))
         # marches are compiled for contiguous writable arrays, and would be again for any other kind
         for one in fields(self):
             array = np.require(getattr(self, one.name), requirements=("C", "W"))
             object.__setattr__(self, one.name, array)
+
+
+def start_frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:
+    """Axes at the start of a line: x towards the star, y sideways, z up, shape (3, 3). [1]
+
+    Parameters
+    ----------
+    up, along, towards : array, shape (3,)
+        Vertical, and directions of the line and of the star. [1]
+    """
+    flat = towards - (towards @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = along - (along @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
+    x = flat / np.linalg.norm(flat)
+    y = np.cross(up, x)
+    return np.stack([x, y if along @ y >= 0.0 else -y, up])
 
 
 def enter_shell(

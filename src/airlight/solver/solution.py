@@ -18,17 +18,18 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.files.provenance import provenance
-from airlight.physics.optics.air_mass import air_mass_pickering2002
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.rings import warn_of_rings
+from airlight.solver.air_mass_columns import replace_air_mass
 from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solver.named_axes import Argument, NamedAxes
 from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.solver.report import Report
 from airlight.solver.stokes_frame import STOKES, to_meridian
 from airlight.solver.tables.columns import columns
+from airlight.solver.under_rings import place_arguments, ring_shade_at, under_rings
 
 if TYPE_CHECKING:
     import xarray
@@ -127,6 +128,11 @@ class Solution(ABC):
     #: Largest order that can be requested separately.
     highest_order: int = 1
 
+    @property
+    def shaded_by_rings(self) -> bool:
+        """Whether radiances of lines with a ``pole`` are those in the shadow of the rings."""
+        return False
+
     @abstractmethod
     def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """Radiance per irradiance of the star along lines of sight, shape (n, nl). [sr⁻¹]
@@ -195,6 +201,8 @@ class Solution(ABC):
         azimuth: Measures = 0.0,
         order: int | None = None,
         stokes: bool = False,
+        latitude: Measures | None = None,
+        sun_azimuth: Measures | None = None,
     ) -> xarray.DataArray:
         """Radiance of atmosphere and ground for an observer, without the star's disc.
 
@@ -217,6 +225,10 @@ class Solution(ABC):
         stokes : bool
             Whether to return the Stokes parameters I, Q and U, in the frame of ``stokes_frame``:
             Q > 0 is polarised parallel to the meridian plane.
+        latitude, sun_azimuth : array, optional
+            Latitude of the observer, and compass bearing of the star, for the shadow of rings on
+            air and ground; ``azimuth`` is then clockwise. Without them a planet with rings is
+            computed without, which a warning says; the rings' own light is always left out. [deg]
 
         Returns
         -------
@@ -229,15 +241,16 @@ class Solution(ABC):
             If a value is out of its range, the shapes do not broadcast, or Stokes parameters are
             requested of a scalar solution.
         """
-        arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
+        rays = altitude, sun_zenith, view_zenith, azimuth, latitude, sun_azimuth
+        arrays, lines, axes = self._rays_from_arguments(*rays)
         self.check_order(order)
-        warn_of_rings(self.medium.rings, "radiance")
+        warn_of_rings(self.medium.rings, "radiance", placed=latitude is not None)
         sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
         if not stokes:
             values = self.relative_radiance(lines, order=order) * sun
             return self._labelled(values, axes, "radiance", unit)
         self.check_polarised()
-        found = to_meridian(self.relative_stokes(lines, order=order), *arrays[2:]) * sun
+        found = to_meridian(self.relative_stokes(lines, order=order), *arrays[2:4]) * sun
         return self._labelled(found, axes.with_axis("stokes", STOKES), "radiance", unit)
 
     def check_polarised(self) -> None:
@@ -279,19 +292,29 @@ class Solution(ABC):
         sun_zenith: Measures,
         view_zenith: Measures,
         azimuth: Measures,
+        latitude: Measures | None = None,
+        sun_azimuth: Measures | None = None,
     ) -> tuple[list[FloatArray], LinesOfSight, NamedAxes]:
         """Arguments of ``radiance`` as flat arrays, and results of ``lines_of_sight``."""
+        placed = place_arguments(latitude, sun_azimuth)
         arrays, axes = NamedAxes.of(
             altitude=Argument(altitude, 0.0, HIGHEST, "m"),
             sun_zenith=Argument(sun_zenith, 0.0, 180.0, "deg"),
             view_zenith=Argument(view_zenith, 0.0, 180.0, "deg"),
             azimuth=Argument(azimuth, -360.0, 360.0, "deg"),
+            **placed,
         )
-        sun, view, around = (np.radians(one) for one in arrays[1:])
+        sun, view, around = (np.radians(one) for one in arrays[1:4])
         mu, mu_s = np.cos(view), np.cos(sun)
         nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
         lines = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
+        if placed and self.medium.rings:
+            if not self.shaded_by_rings:
+                allowed = "moments or montecarlo, for the shadow of rings"
+                raise ParameterError("solver", self.report.solver, allowed)
+            place = np.radians(arrays[4]), np.radians(arrays[5])
+            lines = under_rings(lines, bottom + arrays[0], (view, around), sun, place)
         return arrays, lines, axes
 
     def transmittance(
@@ -348,38 +371,21 @@ class Solution(ABC):
         drawn = self.geometry.medium
         depth = columns(lines.r, lines.mu, length, drawn.bottom_radius, drawn.density)
         if air_mass is not None:
-            self._replace_air_mass(depth, air_mass, arrays[0], arrays[1], distance)
+            if distance is not None:
+                raise ParameterError("distance", distance, "none with an air mass")
+            replace_air_mass(depth, air_mass, arrays[0], arrays[1], self.medium)
         values = self._over_bands(np.exp(-(depth @ drawn.extinction)))
         values[blocked] = 0.0
         return self._labelled(values, axes, "transmittance", "1")
 
-    def _replace_air_mass(
+    def irradiance(
         self,
-        depth: FloatArray,
-        air_mass: str,
-        altitude: FloatArray,
-        view_zenith: FloatArray,
-        distance: Measures | None,
-    ) -> None:
-        """Replace columns of the gases by Pickering's air mass times the vertical column."""
-        if air_mass != "pickering":
-            raise ParameterError("air_mass", air_mass, "'pickering', or none for true columns")
-        for name, value, allowed in (
-            ("altitude", float(altitude.max()), "0 m with an air mass"),
-            ("view_zenith", float(view_zenith.max()), "0 to 90 deg with an air mass"),
-        ):
-            if value > (90.0 if name == "view_zenith" else 0.0):
-                raise ParameterError(name, value, allowed)
-        if distance is not None:
-            raise ParameterError("distance", distance, "none with an air mass")
-        medium = self.medium
-        nm = medium.wavelengths[:1]
-        formula = air_mass_pickering2002(90.0 - view_zenith)
-        for i, one in enumerate(medium.constituents):
-            if one.refractivities(nm, medium.thickness)[0] > 0.0:
-                depth[:, i] = formula * medium.columns[i]
-
-    def irradiance(self, *, altitude: Measures, sun_zenith: Measures) -> xarray.Dataset:
+        *,
+        altitude: Measures,
+        sun_zenith: Measures,
+        latitude: Measures | None = None,
+        sun_azimuth: Measures | None = None,
+    ) -> xarray.Dataset:
         """Downward horizontal irradiance, direct and diffuse.
 
         Arguments broadcast as those of ``radiance``.
@@ -390,6 +396,9 @@ class Solution(ABC):
             Altitude, 0 to the top of the shell. [m]
         sun_zenith : array
             Solar zenith angle, 0 to 180. [deg]
+        latitude, sun_azimuth : array, optional
+            As in ``radiance``; diffuse light is in the shadow that the observer is in, as it comes
+            from some scale heights around. [deg]
 
         Returns
         -------
@@ -397,11 +406,13 @@ class Solution(ABC):
             ``direct`` and ``diffuse``, each of shape (..., wavelength); light scattered into the
             delta-M fraction of forward peaks counts as direct. [W m⁻² nm⁻¹]
         """
-        warn_of_rings(self.medium.rings, "irradiance")
+        placed = place_arguments(latitude, sun_azimuth)
+        warn_of_rings(self.medium.rings, "irradiance", placed=bool(placed))
         thickness = self.medium.thickness
         arrays, axes = NamedAxes.of(
             altitude=Argument(altitude, 0.0, thickness, "m"),
             sun_zenith=Argument(sun_zenith, 0.0, 180.0, "deg"),
+            **placed,
         )
         r = np.minimum(self.medium.bottom_radius + arrays[0], self.medium.top_radius)
         mu_s = np.cos(np.radians(arrays[1]))
@@ -409,11 +420,14 @@ class Solution(ABC):
             "direct": ("direct irradiance", self.relative_direct_irradiance(r, mu_s)),
             **self._diffuse(r, mu_s),
         }
+        sun = self.lights[0].irradiance
+        if placed and self.medium.rings:
+            sun = sun * ring_shade_at(self.medium, r, *np.radians(arrays[1:]))[:, None]
         import xarray
 
         return xarray.Dataset(
             {
-                name: self._labelled(values * self.lights[0].irradiance, axes, words, "W m-2 nm-1")
+                name: self._labelled(values * sun, axes, words, "W m-2 nm-1")
                 for name, (words, values) in parts.items()
             },
             attrs=self.provenance,

@@ -20,8 +20,10 @@ from airlight.engines.targets.target import (
     Target,
     read_export,
 )
-from airlight.errors import ParameterError
+from airlight.errors import AirlightWarning, ParameterError
 from airlight.planets import load_planet
+from airlight.planets import replace as change
+from airlight.planets.rings import Ring
 
 Solve = Callable[..., Any]
 FOUND = ExportReport(
@@ -111,3 +113,18 @@ def test_the_command_prints_files_errors_fits_and_notes(
         assert main([*words, *option, "-o", str(tmp_path / "other")]) == 2
         assert option[0] in capsys.readouterr().err
     assert not (tmp_path / "other").exists()
+
+
+def test_files_of_an_oblate_planet_with_rings_say_what_is_left_out(
+    solved: Solve, tmp_path: Path
+) -> None:
+    # a program draws a sphere without rings: without a line its user would look for them
+    plain = load_planet("earth-atmosphere-plus")
+    ring = Ring(inner_radius=8e6, outer_radius=9e6, optical_depth=0.5)
+    shaped = change(plain, rings=(ring,), flattening=0.1)
+    with pytest.warns(AirlightWarning) as said:
+        ECHO.write(solved(shaped, (550.0,), quality="preview"), tmp_path / "shaped")
+    lines = [str(one.message) for one in said]
+    assert any("Echo without rings: their shadow and light are left out" in one for one in lines)
+    assert any("Echo of a sphere" in one and "0.1, is left out" in one for one in lines)
+    ECHO.write(solved(plain, (550.0,), quality="preview"), tmp_path / "plain")  # warns of nothing

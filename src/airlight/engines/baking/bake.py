@@ -35,8 +35,8 @@ from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.physics.optics.phase_functions import rayleigh
 from airlight.physics.units import Measure
+from airlight.planets.left_out import warn_of_shape
 from airlight.planets.reading.reader import PlanetLike
-from airlight.planets.rings import warn_of_rings
 from airlight.planets.without_clouds import check_clear
 from airlight.scene.limits import within
 from airlight.solver.refracted_geometry import require_no_refraction
@@ -169,7 +169,7 @@ def bake(
     solution = solution_of(solution, progress=progress, cancel=cancel)
     if solution.planet is not None:
         check_clear(solution.planet, "tables")
-    warn_of_rings(solution.medium.rings, "tables")
+    warn_of_shape(solution.medium, "tables")
     require_no_refraction(solution.medium, "tables, whose look-ups draw straight lines")
     azimuth = within("azimuth", azimuth, -360.0, 360.0, "deg")
     lowest = None if mu_s_min is None else within("mu_s_min", mu_s_min, -1.0, 0.0, "1")

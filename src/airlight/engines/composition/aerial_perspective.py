@@ -25,7 +25,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, lane_view
 from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import Measure, quantity, values_in
-from airlight.planets.rings import warn_of_rings
+from airlight.planets.left_out import warn_of_shape
 from airlight.render.pixels.view_uniforms import view_uniforms
 from airlight.scene import Scene
 from airlight.solver.lines_of_sight import enter_shell
@@ -128,7 +128,7 @@ class AerialPerspective:
             Number of azimuths and of rows per hemisphere of the sky tables.
         """
         solution = moments_solution(solution, "aerial perspective")
-        warn_of_rings(solution.medium.rings, "aerial perspective")
+        warn_of_shape(solution.medium, "aerial perspective")
         nearest = quantity(nearest, "m", "nearest", bare=True)
         farthest = quantity(farthest, "m", "farthest", bare=True)
         check_request(

@@ -22,9 +22,9 @@ from airlight.errors import Cancelled, ConflictError, ParameterError, warn
 from airlight.image.white_balance import White, star_white
 from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import without_unit
+from airlight.planets.left_out import warn_of_shape
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike, load_planet
-from airlight.planets.rings import warn_of_rings
 from airlight.render.clouds.cloud_time import clouds_at
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
@@ -175,7 +175,7 @@ def compose(
         clouds, solution = clouds or clouds_at(solution, at), solution.without_clouds
     solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
     solution = moments_solution(solution, "compose")
-    warn_of_rings(solution.medium.rings, "compose")
+    warn_of_shape(solution.medium, "compose")
     view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
         LightRenderer(seen, lit, view, exact, disc, clouds)

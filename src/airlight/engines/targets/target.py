@@ -15,6 +15,7 @@ from airlight.files.atomic_folder import atomic_folder
 from airlight.files.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
 from airlight.files.provenance import version
 from airlight.kernel.threads import Progress
+from airlight.planets.left_out import warn_of_shape
 from airlight.solver.refracted_geometry import require_no_refraction
 from airlight.solver.solution import Solution
 
@@ -221,6 +222,7 @@ class Target:
             require_no_refraction(
                 solution.medium, f"files for {self.program}, which draws straight lines"
             )
+        warn_of_shape(solution.medium, f"files for {self.program}")
         with atomic_folder(folder, self.form, self.files, overwrite=overwrite) as part:
             found = self.fill(solution, part, progress=progress, **options)
             files = {file.name: fingerprint(file) for file in sorted(part.iterdir())}

@@ -240,7 +240,7 @@ def look_by_shine(ray, found, light, observer, tables, work):
     apart = minus(ray, light)
     half_sine = min(sqrt(0.25 * dot(apart, apart) + SPREAD), 1.0)
     free = Vec3(0.0, 0.0, 0.0)  # the light of the rings is not in their shadow
-    line = SightLine(ray.z, found.sine, cosine, half_sine, found.to_ground, free)
+    line = SightLine(ray.z, found.sine, cosine, half_sine, found.to_ground, free, 0.0)
     lit = Observer(
         observer.r,
         observer.optical_altitude,

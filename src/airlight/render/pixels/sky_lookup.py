@@ -221,7 +221,9 @@ def sky_lookup(ray, found, exact, observer, frame, work):
     wet = found.to_ground and tables.ground.wet
     if exact:
         cos_azimuth = ray.x / found.sine if found.sine > 0.0 else 1.0
-        line = SightLine(ray.z, found.sine, cos_azimuth, half_sine, found.to_ground, ray)
+        line = SightLine(
+            ray.z, found.sine, cos_azimuth, half_sine, found.to_ground, ray, view.pixel_angle
+        )
         refraction = look(line, True, False, view.filter > 0, observer, tables, work)
         for at in range(0, tables.lanes, LANES):
             radiance = lane_view(work.radiance, at)

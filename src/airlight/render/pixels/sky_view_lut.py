@@ -36,6 +36,11 @@ INSIDE = 0.1
 #: zenith. [1]
 UPRIGHT: Final = 5e-3
 
+#: Radius of a disc with the area of a square, over its side. [1]
+DISC: Final = 0.564
+#: Cosine of the view-zenith angle below which a pixel on the planet counts as no wider. [1]
+FLATTEST: Final = 0.2
+
 
 class Observer(NamedTuple):
     """Observer and direction of the star.
@@ -98,6 +103,8 @@ class SightLine(NamedTuple):
         Whether it ends on the ground.
     ray : Vec3
         Direction in the observer's frame; zero without the shadow of rings. [1]
+    width : float
+        Angular width over which the shadow of rings is averaged. [rad]
     """
 
     mu: float
@@ -106,6 +113,7 @@ class SightLine(NamedTuple):
     half_sine: float
     to_ground: bool
     ray: Vec3
+    width: float
 
 
 @kernel
@@ -219,7 +227,8 @@ def look(line, air, peaks, polarised, observer, tables, work):
     ring = no_rings()
     if tables.rings.ringed and dot(line.ray, line.ray) > 0.0:
         start, sun = scaled(line.ray, way), Vec3(observer.sun_x, 0.0, observer.sun_z)
-        ring = ring_line(minus(start, observer.centre), line.ray, observer.ground_z, sun)
+        blur = DISC * line.width * way / max(abs(start_mu), FLATTEST)
+        ring = ring_line(minus(start, observer.centre), line.ray, observer.ground_z, sun, blur)
     segment = Segment(r, start_mu, start_mu_s, nu, half_sine, length, ring)
     terms = MarchTerms(air, peaks, polarised)
     march(segment, observer.orders, terms, tables, work, work.radiance)
@@ -276,7 +285,7 @@ def line_of_texel(column, row, window, observer, tables):
     side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
     ray = Vec3(sine * cos_azimuth, sine * side, mu)
     half_sine = half_sine_between(ray, observer.seen_x, observer.seen_z)
-    return SightLine(mu, sine, cos_azimuth, half_sine, not sky, Vec3(0.0, 0.0, 0.0))
+    return SightLine(mu, sine, cos_azimuth, half_sine, not sky, Vec3(0.0, 0.0, 0.0), 0.0)
 
 
 @inlined
@@ -285,7 +294,7 @@ def upright(line):
     mu, sine = line.mu, line.sine
     if sine < UPRIGHT:
         mu, sine = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if mu > 0.0 else -1.0), UPRIGHT
-    return SightLine(mu, sine, line.cos_azimuth, line.half_sine, line.to_ground, line.ray)
+    return SightLine(mu, sine, line.cos_azimuth, line.half_sine, line.to_ground, line.ray, 0.0)
 
 
 @kernel

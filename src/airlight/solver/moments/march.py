@@ -203,7 +203,9 @@ def ring_shade_on(t, segment, tables):
     if tables.rings.ringed:
         square = max(ring.square + t * (2.0 * ring.rise + t), 1.0)
         along, height = ring.along + t * segment.nu, ring.height + t * ring.slope
-        left = ring_shade(square, along, height, ring.sun, tables.star_radius, tables.rings)
+        left = ring_shade(
+            square, along, height, ring.sun, tables.star_radius, ring.blur, tables.rings
+        )
     return left
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.refraction import refraction_angle, turned
+from airlight.geometry.vectors import Vec3, start_vectors
 from airlight.image.upsampling import reflectance_basis
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, lane_view, load
@@ -31,7 +32,7 @@ from airlight.solver.moments.irradiance import (
     sky_irradiance,
 )
 from airlight.solver.moments.iterate import FALLBACK_SCHEMES, Moments
-from airlight.solver.moments.march import march
+from airlight.solver.moments.march import march, ring_shade_on
 from airlight.solver.moments.march_tables import (
     MarchTables,
     MarchTerms,
@@ -47,7 +48,7 @@ from airlight.solver.report import Report
 from airlight.solver.solution import Solution
 from airlight.solver.tables.column_ratios import column_rows, rational_mean_density
 from airlight.solver.tables.columns import ColumnTable, density_table
-from airlight.solver.tables.ring_shadow import Rings, no_rings, ring_tables
+from airlight.solver.tables.ring_shadow import Rings, ring_line, ring_tables
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -224,6 +225,11 @@ class MomentsSolution(Solution):
         """See ``Solution``."""
         return self.settings.polarisation
 
+    @property
+    def shaded_by_rings(self) -> bool:
+        """See ``Solution``."""
+        return True
+
     def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first."""
         orders = 2 if order is None else 1
@@ -327,7 +333,7 @@ class MomentsSolution(Solution):
         polarised = np.zeros((n, 3, count))
         ends = lines.to_ground if ground else np.zeros_like(lines.to_ground)
         block = min(max(-(-n // _SHARES), _FEWEST), _MOST)
-        sights = lines.r, lines.mu, lines.mu_s, lines.nu, lines.length
+        sights = lines.r, lines.mu, lines.mu_s, lines.nu, lines.length, lines.pole
 
         def run(index: int) -> None:
             rows = slice(index * block, min((index + 1) * block, n))
@@ -400,11 +406,19 @@ class MomentsSolution(Solution):
 @compiled_loop
 def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work, out):
     tables, work = without_refcount((tables, work))
-    r, mu, mu_s, nu, length, half_sine = sights
+    r, mu, mu_s, nu, length, pole, half_sine = sights
     bottom, ground = tables.bottom, np.empty(tables.lanes, np.float32)
     terms = MarchTerms(True, False, stokes)
     for k in range(r.size):
-        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], no_rings())
+        ray_x, ray_y, sun_x = start_vectors(mu[k], mu_s[k], nu[k])
+        ring = ring_line(
+            Vec3(0.0, 0.0, r[k]),
+            Vec3(ray_x, ray_y, mu[k]),
+            Vec3(pole[k, 0], pole[k, 1], pole[k, 2]),
+            Vec3(sun_x, 0.0, mu_s[k]),
+            0.0,
+        )
+        segment = Segment(r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], ring)
         work.phase[:] = phase[k]
         work.phase_f12[:] = phase_f12[k]
         march(segment, orders, terms, tables, work, work.radiance)
@@ -425,9 +439,10 @@ def _march_all(sights, to_ground, orders, stokes, phase, phase_f12, tables, work
             mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
             mu_r = cos_reflected(r[k], mu[k], bottom)
             ground_radiance(mu_s_ground, mu_r, nu[k], orders, tables, work, ground)
+            left = np.float32(ring_shade_on(length[k], segment, tables))
             for at in range(0, tables.lanes, LANES):
                 found = lane_view(work.radiance, at)
-                found[0] += found[1] * load(ground, at)
+                found[0] += found[1] * load(ground, at) * left
         out[k] = work.radiance[: out.shape[1]]
 
 

@@ -78,7 +78,7 @@ class CloudyStarts:
     cells : sequence of CloudCells
         Clouds at each wavelength, in the planet's frame.
     frames : array, shape (n, 3, 3)
-        Axes of ``events.start_vectors`` in the planet's frame, by rows. [1]
+        Axes of ``vectors.start_vectors`` in the planet's frame, by rows. [1]
     areas : array, shape (n, 2, 3)
         Sides of the areas from which histories start, in the axes of ``frames``. [m]
     """

@@ -18,10 +18,10 @@ from airlight.geometry.place_axes import place_axes
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.threads import run_blocks
-from airlight.solver.lines_of_sight import enter_shell
+from airlight.solver.lines_of_sight import enter_shell, start_frame
 from airlight.solver.montecarlo.cloud_cells import CloudCells, CloudyStarts, cloud_cells
 from airlight.solver.montecarlo.cloud_rays import FAR, cloud_depth
-from airlight.solver.montecarlo.estimate import Estimate, Query, start_frame
+from airlight.solver.montecarlo.estimate import Estimate, Query
 from airlight.solver.montecarlo.history_optics import with_cloud_phases
 from airlight.solver.montecarlo.solution import MonteCarloSolution, turned_errors, turned_stokes
 from airlight.solver.star_light import direct_irradiance

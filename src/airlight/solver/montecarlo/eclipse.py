@@ -15,8 +15,8 @@ from airlight.geometry.occulted_star import OccultedStar
 from airlight.geometry.shell import distance_to_top
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import vectorized
-from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
-from airlight.solver.montecarlo.estimate import Estimate, Query, start_frame
+from airlight.solver.lines_of_sight import LinesOfSight, enter_shell, start_frame
+from airlight.solver.montecarlo.estimate import Estimate, Query
 from airlight.solver.montecarlo.solution import MonteCarloSolution
 from airlight.solver.tables.ring_shadow import RingShadow
 

@@ -90,7 +90,7 @@ class Query:
     order : int or None
         Order whose standard error determines the number of histories; None: sum of all orders.
     occulted : sequence of OccultedStar, optional
-        Moon in front of the star for each start, in its own frame (``events.start_vectors``), with
+        Moon in front of the star for each start, in its own frame (``vectors.start_vectors``), with
         all wavelengths.
     rings : sequence of RingShadow, optional
         Rings in front of the star for each start, in its own frame.
@@ -106,18 +106,6 @@ class Query:
     occulted: Sequence[OccultedStar] | None = None
     rings: Sequence[RingShadow] | None = None
     clouds: CloudyStarts | None = None
-
-
-def start_frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:
-    """Axes of ``events.start_vectors``: x towards the star, y sideways, z up. [1]"""
-    flat = towards - (towards @ up) * up
-    if np.linalg.norm(flat) < 1e-12:
-        flat = along - (along @ up) * up
-    if np.linalg.norm(flat) < 1e-12:
-        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
-    x = flat / np.linalg.norm(flat)
-    y = np.cross(up, x)
-    return np.stack([x, y if along @ y >= 0.0 else -y, up])
 
 
 def estimate(

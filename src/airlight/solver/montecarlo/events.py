@@ -94,7 +94,7 @@ class HistoryStart(NamedTuple):
         Fraction of sun-biased points; see ``sun_biased_sampling``. [1]
     area : array, shape (2, 3)
         Sides of the area from which histories start, about the start in the frame of
-        ``start_vectors``; used with clouds. [m]
+        ``vectors.start_vectors``; used with clouds. [m]
     """
 
     r: float
@@ -105,17 +105,6 @@ class HistoryStart(NamedTuple):
     first_order: int
     sun_sampling_fraction: float
     area: NDArray[np.float64]
-
-
-@inlined
-def start_vectors(mu, mu_s, nu):
-    """Horizontal components of the view (x, y) and of the direction to the star (x). [1]"""
-    sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    sun_x = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
-    around = 1.0
-    if sine * sun_x > 0.0:
-        around = min(max((nu - mu * mu_s) / (sine * sun_x), -1.0), 1.0)
-    return sine * around, sine * sqrt(max((1.0 - around) * (1.0 + around), 0.0)), sun_x
 
 
 @inlined

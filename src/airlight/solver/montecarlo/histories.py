@@ -31,7 +31,7 @@ from math import exp, expm1, pi, sin, sqrt
 
 from airlight.geometry.occulted_star import star_visible_fraction
 from airlight.geometry.shell import meets_ground
-from airlight.geometry.vectors import Vec3, dot
+from airlight.geometry.vectors import Vec3, dot, start_vectors
 from airlight.kernel import compiled_loop, inlined
 from airlight.physics.optics.reflection import (
     cos_reflected,
@@ -50,7 +50,6 @@ from airlight.solver.montecarlo.events import (
     scattered_phase,
     scattering_fractions,
     start_in_area,
-    start_vectors,
     towards_star,
     trace_to_end,
     turned,
@@ -275,7 +274,9 @@ def trace_paths(count, start, air, clouds, occulted, rings, state, paths, worksp
                     height = dot(Vec3(x, y, z), rings.pole)
                     sun_height = dot(Vec3(a, b, c), rings.pole)
                     sunward = r * sun_mu
-                    angular_pdf *= ring_shade(r * r, sunward, height, sun_height, 0.0, rings.rings)
+                    angular_pdf *= ring_shade(
+                        r * r, sunward, height, sun_height, 0.0, 0.0, rings.rings
+                    )
                 if angular_pdf > 0.0:
                     light = _transmittance_to_star(r, sun_mu, air, star_path)
                     if clouds is not None and light > 0.0:

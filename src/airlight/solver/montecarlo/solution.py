@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_top
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
@@ -27,6 +28,7 @@ from airlight.solver.single_scattering import reflected_once, single_scattering
 from airlight.solver.solution import Solution
 from airlight.solver.star_light import direct_irradiance
 from airlight.solver.stokes_frame import STOKES, star_planes, to_meridian
+from airlight.solver.tables.ring_shadow import RingShadow, ring_tables
 
 if TYPE_CHECKING:
     import xarray
@@ -124,13 +126,27 @@ class MonteCarloSolution(Solution):
             orders.
         """
         started = perf_counter()
-        known = self.first_order(lines) if self._integrates_first_order else None
+        shadows = self._shadows(lines)
+        integrates = self._integrates_first_order and shadows is None
+        known = self.first_order(lines) if integrates else None
         lines = self.geometry.optical_lines(lines)
         lengths = lines.length
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
         starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
-        return self.answer(Query(starts, lengths, 0, known, order), started)
+        return self.answer(Query(starts, lengths, 0, known, order, rings=shadows), started)
+
+    def _shadows(self, lines: LinesOfSight) -> list[RingShadow] | None:
+        """Rings in front of the star for each line; None without."""
+        if lines.pole is None or not lines.pole.any():
+            return None
+        rings = ring_tables(self.medium.rings, self.wavelengths)
+        return [RingShadow(Vec3(*one), rings) for one in lines.pole.tolist()]
+
+    @property
+    def shaded_by_rings(self) -> bool:
+        """See ``Solution``."""
+        return True
 
     def answer(
         self, query: Query, started: float, airs: Sequence[HistoryOptics] | None = None
@@ -209,6 +225,8 @@ class MonteCarloSolution(Solution):
         azimuth: Measures = 0.0,
         order: int | None = None,
         stokes: bool = False,
+        latitude: Measures | None = None,
+        sun_azimuth: Measures | None = None,
     ) -> xarray.DataArray:
         """See ``Solution``; with a coordinate ``standard_error`` of the same shape and unit.
 
@@ -222,19 +240,22 @@ class MonteCarloSolution(Solution):
                 azimuth=azimuth,
                 order=order,
                 stokes=stokes,
+                latitude=latitude,
+                sun_azimuth=sun_azimuth,
             )
         if stokes:
             self.check_polarised()
         self.check_order(order)
-        arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
-        warn_of_rings(self.medium.rings, "radiance")
+        rays = altitude, sun_zenith, view_zenith, azimuth, latitude, sun_azimuth
+        arrays, lines, axes = self._rays_from_arguments(*rays)
+        warn_of_rings(self.medium.rings, "radiance", placed=latitude is not None)
         got = self.trace(lines, order=order)
         values, errors = got.total, got.total_error
         if order is not None:
             values, errors = got.parts[:, order - 1], got.part_errors[:, order - 1]
         if stokes:
-            values = turned_stokes(got.total, got.polarised, *arrays[2:])
-            errors, axes = turned_errors(got, *arrays[2:]), axes.with_axis("stokes", STOKES)
+            values = turned_stokes(got.total, got.polarised, *arrays[2:4])
+            errors, axes = turned_errors(got, *arrays[2:4]), axes.with_axis("stokes", STOKES)
         sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
         found = self._labelled(values * sun, axes, "radiance", unit)
         spread = self._labelled(errors * sun, axes, "standard error", unit)

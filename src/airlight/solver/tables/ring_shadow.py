@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.geometry.vectors import Vec3, dot
-from airlight.kernel import inlined, kernel
+from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.shader_fields import scalars, spectra
 from airlight.physics.optics.ring_layer import power_law_norm
 from airlight.planets.rings import Ring
@@ -78,7 +78,8 @@ def ring_tables(rings: tuple[Ring, ...], wavelengths: FloatArray) -> Rings:
         norm = power_law_norm(ring.exponent)
         layers[own, 1:] = ring.exponent, norm, ring.dust, ring.asymmetry
         layers[:, 0] += ring.depths(fine).mean(axis=1)
-        albedo[own] = ring.albedos(wavelengths)
+        relative = ring.relative_albedo(radii[own])[:, None]
+        albedo[own] = np.minimum(ring.albedos(wavelengths) * relative, 1.0)
     return Rings(True, inner, outer, 1.0 / spacing, layers, albedo)
 
 
@@ -145,6 +146,8 @@ class RingLine(NamedTuple):
         Component of the first distance along the line [m], and change of height along it [1].
     sun : float
         Cosine of the angle between the star and the north pole. [1]
+    blur : float
+        Distance over which the shadow is averaged, to either side. [m]
     """
 
     square: float
@@ -153,16 +156,17 @@ class RingLine(NamedTuple):
     rise: float
     slope: float
     sun: float
+    blur: float
 
 
 @kernel
 def no_rings():
     """``RingLine`` where the shadow of rings is left out."""
-    return RingLine(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return RingLine(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @kernel
-def ring_line(start, ray, pole, sun):
+def ring_line(start, ray, pole, sun, blur):
     """``RingLine`` of a line of sight.
 
     Parameters
@@ -171,6 +175,8 @@ def ring_line(start, ray, pole, sun):
         Its start, from the centre of the rings. [m]
     ray, pole, sun : Vec3
         Directions of the line, of the north pole, and of the star. [1]
+    blur : float
+        See ``RingLine``. [m]
     """
     return RingLine(
         dot(start, start),
@@ -179,15 +185,17 @@ def ring_line(start, ray, pole, sun):
         dot(start, ray),
         dot(ray, pole),
         dot(sun, pole),
+        blur,
     )
 
 
 @inlined
-def ring_shade(square, along, height, sun, star_radius, rings):
+def ring_shade(square, along, height, sun, star_radius, blur, rings):
     """Transmittance of the rings between a point and the star. [1]
 
     The star's disc is five points on the line along which the radius of the crossing varies most:
-    the Gauss-Chebyshev quadrature over the chords of a uniform disc.
+    the Gauss-Chebyshev quadrature over the chords of a uniform disc. So is what ``blur`` adds,
+    a pixel: without it the shadows of ringlets narrower than that would be moiré.
 
     Parameters
     ----------
@@ -200,6 +208,8 @@ def ring_shade(square, along, height, sun, star_radius, rings):
         Cosine of the angle between the star and the north pole. [1]
     star_radius : float
         Angular radius of the star. [rad]
+    blur : float
+        Distance over which the shadow is averaged, to either side. [m]
     rings : Rings
         Rings.
     """
@@ -209,7 +219,8 @@ def ring_shade(square, along, height, sun, star_radius, rings):
         across = along + way
         radius = sqrt(max(square + way * (along + across), 1.0))
         slope = across / (radius * sun)
-        wide = star_radius * way * sqrt(1.0 + slope * slope)
+        wide = star_radius * way
+        wide = sqrt((wide * wide + blur * blur) * (1.0 + slope * slope))
         if radius > rings.ring_inner - wide and radius < rings.ring_outer + wide:
             steep = 1.0 / abs(sun)
             left = 0.0
@@ -218,3 +229,20 @@ def ring_shade(square, along, height, sun, star_radius, rings):
                 depth = ring_depth(radius + wide * cos(angle), rings)
                 left += sin(angle) * sin(angle) / 3.0 * exp(-depth * steep)
     return left
+
+
+@compiled_loop
+def ring_shades(square, along, height, sun, star_radius, rings, out):
+    """Transmittance of the rings between points and the star.
+
+    Parameters
+    ----------
+    square, along, height, sun : array, shape (n,)
+        Arguments of ``ring_shade``.
+    star_radius, rings :
+        Arguments of ``ring_shade``.
+    out : array, shape (n,)
+        Receives the transmittance. [1]
+    """
+    for k in range(square.size):
+        out[k] = ring_shade(square[k], along[k], height[k], sun[k], star_radius, 0.0, rings)

@@ -15,6 +15,7 @@ from airlight.scene.scene import Scene
 from airlight.solver.named_axes import COORDINATES, WAVELENGTH
 from airlight.solver.solution import Solution
 from airlight.solver.solve import solution_of
+from airlight.solver.under_rings import ring_shade_at
 from airlight.studies.observables.plane_irradiance import Plane, PlaneLight, plane_irradiance
 from airlight.studies.observables.spectral_integrals import (
     WEIGHTED,
@@ -127,12 +128,20 @@ def _ratios(
     """Irradiances over that of the star, each of shape (n, nl). [1]"""
     altitude = np.array([one.altitude for one in scenes])
     zenith = np.array([one.sun_zenith for one in scenes])
-    found = solution.irradiance(altitude=altitude, sun_zenith=zenith)
+    latitude = np.array([one.latitude for one in scenes])
+    bearing = np.array([one.sun_azimuth for one in scenes])
+    medium = solution.medium
+    place = {"latitude": latitude, "sun_azimuth": bearing} if medium.rings else {}
+    found = solution.irradiance(altitude=altitude, sun_zenith=zenith, **place)
     star = solution.lights[0].irradiance
     lit = np.where(star > 0.0, star, 1.0)
     whole = (found["direct"].to_numpy() + found["diffuse"].to_numpy()) / lit
-    r = np.minimum(solution.medium.bottom_radius + altitude, solution.medium.top_radius)
-    flat, normal = solution.relative_beam(r, np.cos(np.radians(zenith)))
+    r = np.minimum(medium.bottom_radius + altitude, medium.top_radius)
+    sun = np.radians(zenith)
+    flat, normal = solution.relative_beam(r, np.cos(sun))
+    if medium.rings:
+        left = ring_shade_at(medium, r, sun, np.radians(latitude), np.radians(bearing))[:, None]
+        flat, normal = flat * left, normal * left
     flat = np.minimum(flat, whole)
     out = {"ghi": whole, "dni": normal, "dhi": whole - flat}
     out["extraterrestrial"] = np.ones_like(whole)
