@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -60,6 +60,12 @@ class FitOptions(OptionGroup):
         "Relative standard deviation of the data, e.g. 3% (that of the file, or estimated from "
         "the residuals).",
         "FRACTION",
+    )
+    bandwidth: float | None = option(
+        "Full width of the instrument's bands, e.g. 3nm (that of the file): the model is averaged "
+        "over them, with the lines of gases.",
+        "WIDTH",
+        read=options.wavelength_width,
     )
     loss: str = option("Loss function of the residuals.", "{studies.fit.loss:LOSSES}", "linear")
     quality: Quality = "default"
@@ -179,17 +185,30 @@ def fit(
         conflict = "or --photo is required" if data is None else "cannot be combined with --photo"
         raise ConflictError("--data", conflict)
     chosen = settings.settings(planet)
+    import numpy as np
+
+    from airlight.studies.fit.fit_sky import fit_radiances
+
     with shown_progress() as progress, _named_errors():
         if data is None:
+            if settings.bandwidth is not None:
+                raise ConflictError("--bandwidth", "requires --data")
             sky = _photograph(planet.planet, photograph, chosen, progress)
         else:
-            sky = _radiances(planet.planet, data, photograph.exclude_sun, chosen, progress)
-    from airlight.studies.fit.report import fitted_file, result_lines, warnings_of
+            measured = _measurements(data)
+            if photograph.exclude_sun is not None:
+                measured = measured.where(measured.angle_from_sun >= photograph.exclude_sun)
+            if settings.bandwidth is not None:
+                widths = np.full(measured.radiance.size, settings.bandwidth)
+                measured = replace(measured, bandwidth=widths)
+            sky = fit_radiances(planet.planet, measured, chosen, progress=progress)
+    from airlight.studies.fit.report import fitted_file, residual_line, result_lines, warnings_of
 
     with atomic_file(output) as part:
         part.write_text(fitted_file(sky), encoding="utf-8")
     for line in result_lines(sky):
         say(line)
+    say(residual_line(sky))
     say(f"{output}  {sky.solves} solutions and {sky.rough_solves} coarse ones, {sky.seconds:.1f} s")
     for line in warnings_of(sky):
         note(line)
@@ -202,17 +221,6 @@ def _named_errors() -> AbstractContextManager[None]:
     """Context that puts names of options into errors."""
     names = ("free", "bounds", "prior", "start", "loss", "encoding", "tone_map")
     return named_errors(*names, per_scan="--each-scan", override="--set")
-
-
-def _radiances(
-    planet: str, file: Path, exclude_sun: float | None, settings: FitSettings, progress: Any
-) -> SkyFit:
-    from airlight.studies.fit.fit_sky import fit_radiances
-
-    measured = _measurements(file)
-    if exclude_sun is not None:
-        measured = measured.where(measured.angle_from_sun >= exclude_sun)
-    return fit_radiances(planet, measured, settings, progress=progress)
 
 
 def _measurements(file: Path) -> Measurements:

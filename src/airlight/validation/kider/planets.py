@@ -25,7 +25,7 @@ from airlight.planets.matter.phases import (
 )
 from airlight.planets.matter.profiles import Exponential, Tabulated
 from airlight.planets.spectral import PerWavelength
-from airlight.studies.fit.scans import Scans
+from airlight.studies.fit.scans import BAND_WIDTH, Scans
 from airlight.validation.reference_files import read_table
 
 FloatArray = NDArray[np.float64]
@@ -44,8 +44,6 @@ SITE: Final = SEA_LEVEL * (1.0 - 2.255_77e-5 * 270.0) ** 5.255_88
 SUN_DISTANCE: Final = 1.0133 * ASTRONOMICAL_UNIT
 #: Day of these figures.
 DAY: Final = "2013-05-27"
-#: Full width at half height of the spectrometer's bands: an ASD FieldSpec's at 700 nm. [nm]
-BAND_WIDTH: Final = 3.0
 #: Ozone column of the profile used: Anderson et al. (1986), AFGL-TR-86-0110. [DU]
 OZONE: Final = 345.0
 
