@@ -60,7 +60,8 @@ def read_radiance_file(path: str | Path) -> Measurements:
         File in UTF-8; lines that begin with ``#`` are comments. Columns: ``wavelength``,
         ``sun_zenith``, ``view_zenith``, ``azimuth``, ``radiance`` and optionally ``uncertainty``,
         ``altitude``, ``scan``, ``bandwidth``, ``solar_irradiance``, ``date``, with units as
-        ``name [unit]`` or ``wavelength_nm``, ``sun_zenith_deg``, ``altitude_m``; the default unit of radiances is W m⁻² sr⁻¹ nm⁻¹.
+        ``name [unit]`` or ``wavelength_nm``, ``sun_zenith_deg``, ``altitude_m``; the default
+        unit of radiances is W m⁻² sr⁻¹ nm⁻¹.
         Alternative to ``wavelength`` and ``radiance``: ``radiance_550nm`` with
         ``standard_error_550nm`` or ``uncertainty_550nm``.
 
