@@ -6,13 +6,13 @@ import re
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
 from airlight.cli import options
 from airlight.cli.console import examples, note, say, shown_progress
-from airlight.cli.option_groups import REQUIRED, OptionGroup, named_errors, option
+from airlight.cli.option_groups import OptionGroup, named_errors, option
 from airlight.cli.planet_options import PlanetOptions, overrides_of
 from airlight.cli.solve_options import NoCache, Quality
 from airlight.errors import ConflictError, ParameterError
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from airlight.studies.fit.settings import FitSettings
 
 EPILOG = examples(
+    "airlight fit earth --data radiances.csv -o fitted.toml",
     'airlight fit earth --data radiances.csv --free "aerosol.optical_depth, aerosol.angstrom, '
     'ozone.column, ground.albedo" -o fitted.toml --report fit.html',
     'airlight fit earth --data sky.csv --free "aerosol.optical_depth, scale" '
@@ -33,6 +34,14 @@ EPILOG = examples(
     "-o fitted.toml",
 )
 
+#: Free parameters unless stated: load, colour and phase function of the aerosol, ground, scale.
+FREE: Final = (
+    "aerosol.optical_depth",
+    "aerosol.angstrom",
+    "aerosol.phase_function",
+    "ground.albedo",
+    "scale",
+)
 _PAIR = re.compile(r"\s*([^=]+?)\s*=\s*([^=]+?)\s*")
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _PRIOR = re.compile(rf"({_NUMBER})\s*(?:±|\+-|\+/-)\s*({_NUMBER})")
@@ -43,12 +52,12 @@ _BOUNDS = re.compile(rf"({_NUMBER})\s*\.\.\s*({_NUMBER})")
 class FitOptions(OptionGroup):
     """Options of the fit."""
 
-    free: str = option(
-        "Free parameters: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, or the "
-        "path of a number of the planet's file; of the instrument scale, pointing.azimuth, "
-        "pointing.zenith, and white_balance.red, .blue of a photograph.",
+    free: str | None = option(
+        "Free parameters: NAME.optical_depth, NAME.angstrom, NAME.phase_function, NAME.column, "
+        "ground.albedo, or the path of a number of the planet's file; of the instrument scale, "
+        "pointing.azimuth, pointing.zenith, and white_balance.red, .blue of a photograph "
+        f"({', '.join(FREE)}; photograph: {FREE[0]}).",
         "LIST",
-        REQUIRED,
     )
     each_scan: str = option("Instrument parameters fitted per scan.", "LIST", "")
     bounds: str = option("Bounds of parameters, e.g. ground.albedo=0..0.4.", "LIST", "")
@@ -71,7 +80,7 @@ class FitOptions(OptionGroup):
     quality: Quality = "default"
     no_cache: NoCache = False
 
-    def settings(self, planet: PlanetOptions) -> FitSettings:
+    def settings(self, planet: PlanetOptions, *, photograph: bool) -> FitSettings:
         """Settings of the fit."""
         from airlight.physics.units import quantity
         from airlight.studies.fit.loss import LOSSES
@@ -79,7 +88,9 @@ class FitOptions(OptionGroup):
 
         if self.loss not in LOSSES:
             raise ParameterError("--loss", self.loss, ", ".join(LOSSES))
-        names = _listed(self.free)
+        names = _listed(self.free or "")
+        if self.free is None:
+            names = list(FREE[:1] if photograph else FREE)
         if not names:
             allowed = "a list such as aerosol.optical_depth, ground.albedo"
             raise ParameterError("--free", self.free, allowed)
@@ -184,7 +195,7 @@ def fit(
     if (data is None) == (photograph.photo is None):
         conflict = "or --photo is required" if data is None else "cannot be combined with --photo"
         raise ConflictError("--data", conflict)
-    chosen = settings.settings(planet)
+    chosen = settings.settings(planet, photograph=data is None)
     import numpy as np
 
     from airlight.studies.fit.fit_sky import fit_radiances

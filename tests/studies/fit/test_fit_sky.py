@@ -12,7 +12,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from synthetic_sky import PLANET, clean_sky, noisy
 
-from airlight.errors import Cancelled, ParameterError
+from airlight.errors import Cancelled, ConflictError, ParameterError
 from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets import Medium, Planet, load_planet
 from airlight.solver import solve
@@ -173,6 +173,32 @@ def test_parameter_at_its_bound_is_warned_of(clean: Measurements) -> None:
     data = noisy(clean, 9)
     sky = fitted(data, "ground.albedo", "aerosol.optical_depth", bounds={"ground.albedo": (0, 0.2)})
     assert warnings_of(sky)[0].startswith("ground.albedo ends at its bound, 0.2: ")
+
+
+@pytest.mark.slow
+def test_two_lobes_of_known_shape_are_found() -> None:
+    # Without noise the truth is the least.
+    lobes = {"asymmetry_1": 0.92, "asymmetry_2": 0.5, "weight": 0.3}
+    haze = {"kind": "double-henyey-greenstein", **lobes}
+    clean = clean_sky({"aerosol.amount": 20.0, "aerosol.phase_function": haze}, (20.0, 50.0, 70.0))
+    found = fitted(clean, "aerosol.phase_function", "aerosol.optical_depth", overrides={}).fitted
+    for name, truth in lobes.items():
+        assert_allclose(found.value(f"aerosol.phase_function.{name}"), truth, rtol=0.01)
+    assert_allclose(found.value("aerosol.optical_depth"), true_depth(), rtol=5e-3)
+
+
+def test_two_lobes_start_with_the_mean_cosine_of_the_phase_function() -> None:
+    # Of earth's Cornette-Shanks, g = 0.6468: 3g(4 + g²)/(5(2 + g²)) = 0.709. Droplets by Mie theory
+    # have no other phase function than theirs.
+    settings = FitSettings(free=["aerosol.phase_function"], keep=False)
+    base = fit_sky._Base("earth", settings, None, None)
+    assert base.settings.free[-1] == "aerosol.phase_function.weight"
+    one = next(one for one in base.planet.constituents if one.name == "aerosol").phase_function
+    assert_allclose(one.weight * one.asymmetry_1 + (1 - one.weight) * one.asymmetry_2, 0.709,
+                    atol=5e-4)  # fmt: skip
+    droplets = FitSettings(free=["dust.phase_function"], keep=False)
+    with pytest.raises(ConflictError, match="requires a constituent with a phase function"):
+        fit_sky._Base("mars", droplets, None, None)
 
 
 @pytest.mark.slow

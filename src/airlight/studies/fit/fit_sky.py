@@ -28,6 +28,7 @@ from airlight.studies.fit.free_parameters import FreeParameter, free_parameter
 from airlight.studies.fit.least_squares import Data, FitResult, fit
 from airlight.studies.fit.measurements import Measurements
 from airlight.studies.fit.parameter import FitParameter
+from airlight.studies.fit.phase_lobes import with_lobes
 from airlight.studies.fit.photograph import Photograph
 from airlight.studies.fit.settings import FitSettings, adapted, check_names
 from airlight.studies.fit.sky_model import (
@@ -191,12 +192,13 @@ class _Base:
         progress: Progress | None,
         cancel: Cancel | None,
     ) -> None:
-        self.settings, self.progress, self.cancel = settings, progress, cancel
+        self.progress, self.cancel = progress, cancel
         self.name = str(planet)
         load_planet(planet, settings.overrides, progress=progress, cancel=cancel)  # its own errors
         text, self.file, self.folder = planet_text(planet)
         changed = overridden(nested_tables(text, self.file), settings.overrides)
-        self.tables = spelled_out(changed, self.folder)
+        own = spelled_out(changed, self.folder)
+        self.settings, self.tables = with_lobes(settings, own, self.read(own))
         self.planet = self.read(self.tables)
 
     def read(self, tables: Tables, wavelengths: FloatArray | None = None) -> Planet:
