@@ -137,9 +137,9 @@ def test_load_is_found_again_and_predicts_the_scan_left_out() -> None:
     scans = day(truth)
     model = AerosolModel(
         SuiteRun(quality="preview"),
-        lambda load: planet(replace(BEST, load=load, aeronet_phase=False), scans, Path()),
+        lambda inputs: planet(inputs, scans, Path()),
         scans,
-        AERONET_AEROSOL,
+        replace(BEST, aeronet_phase=False),
         with_scale=True,
     )
     found = model.fitted()
@@ -153,6 +153,21 @@ def test_load_is_found_again_and_predicts_the_scan_left_out() -> None:
     assert_allclose(np.sqrt(np.square(left_out - scans.radiance).mean()), noise, rtol=0.15)
     # Predicted by other fits than the one to all scans.
     assert (np.abs(left_out - found.predicted).max(axis=(1, 2)) > 0.0).all()
+
+
+@pytest.mark.slow
+def test_one_newton_step_predicts_the_scan_left_out_as_a_fit_does() -> None:
+    # The second method is a fit to the other scans: the two differ by 1 % of what they change.
+    scans = day(AngstromLaw(beta=0.05, alpha=1.4))
+    start = replace(BEST, aeronet_phase=False)
+    model = AerosolModel(
+        SuiteRun(quality="preview"), lambda inputs: planet(inputs, scans, Path()), scans, start
+    )
+    found = model.fitted()
+    assert found.fitted.left_out is not None
+    linear = found.fitted.left_out.reshape(scans.radiance.shape)
+    change = linear - found.predicted
+    assert np.abs(linear - model.left_out(found)).max() < 0.05 * np.abs(change).max()
 
 
 @pytest.mark.validation

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import re
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
 from airlight.cli import options
 from airlight.cli.console import examples, note, say, shown_progress
-from airlight.cli.option_groups import REQUIRED, OptionGroup, named_errors, option
+from airlight.cli.option_groups import OptionGroup, named_errors, option
 from airlight.cli.planet_options import PlanetOptions, overrides_of
 from airlight.cli.solve_options import NoCache, Quality
 from airlight.errors import ConflictError, ParameterError
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from airlight.studies.fit.settings import FitSettings
 
 EPILOG = examples(
+    "airlight fit earth --data radiances.csv -o fitted.toml",
     'airlight fit earth --data radiances.csv --free "aerosol.optical_depth, aerosol.angstrom, '
     'ozone.column, ground.albedo" -o fitted.toml --report fit.html',
     'airlight fit earth --data sky.csv --free "aerosol.optical_depth, scale" '
@@ -33,6 +34,14 @@ EPILOG = examples(
     "-o fitted.toml",
 )
 
+#: Free parameters unless stated: load, colour and phase function of the aerosol, ground, scale.
+FREE: Final = (
+    "aerosol.optical_depth",
+    "aerosol.angstrom",
+    "aerosol.phase_function",
+    "ground.albedo",
+    "scale",
+)
 _PAIR = re.compile(r"\s*([^=]+?)\s*=\s*([^=]+?)\s*")
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _PRIOR = re.compile(rf"({_NUMBER})\s*(?:±|\+-|\+/-)\s*({_NUMBER})")
@@ -43,12 +52,12 @@ _BOUNDS = re.compile(rf"({_NUMBER})\s*\.\.\s*({_NUMBER})")
 class FitOptions(OptionGroup):
     """Options of the fit."""
 
-    free: str = option(
-        "Free parameters: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, or the "
-        "path of a number of the planet's file; of the instrument scale, pointing.azimuth, "
-        "pointing.zenith, and white_balance.red, .blue of a photograph.",
+    free: str | None = option(
+        "Free parameters: NAME.optical_depth, NAME.angstrom, NAME.phase_function, NAME.column, "
+        "ground.albedo, or the path of a number of the planet's file; of the instrument scale, "
+        "pointing.azimuth, pointing.zenith, and white_balance.red, .blue of a photograph "
+        f"({', '.join(FREE)}; photograph: {FREE[0]}).",
         "LIST",
-        REQUIRED,
     )
     each_scan: str = option("Instrument parameters fitted per scan.", "LIST", "")
     bounds: str = option("Bounds of parameters, e.g. ground.albedo=0..0.4.", "LIST", "")
@@ -61,11 +70,17 @@ class FitOptions(OptionGroup):
         "the residuals).",
         "FRACTION",
     )
+    bandwidth: float | None = option(
+        "Full width of the instrument's bands, e.g. 3nm (that of the file): the model is averaged "
+        "over them, with the lines of gases.",
+        "WIDTH",
+        read=options.wavelength_width,
+    )
     loss: str = option("Loss function of the residuals.", "{studies.fit.loss:LOSSES}", "linear")
     quality: Quality = "default"
     no_cache: NoCache = False
 
-    def settings(self, planet: PlanetOptions) -> FitSettings:
+    def settings(self, planet: PlanetOptions, *, photograph: bool) -> FitSettings:
         """Settings of the fit."""
         from airlight.physics.units import quantity
         from airlight.studies.fit.loss import LOSSES
@@ -73,7 +88,9 @@ class FitOptions(OptionGroup):
 
         if self.loss not in LOSSES:
             raise ParameterError("--loss", self.loss, ", ".join(LOSSES))
-        names = _listed(self.free)
+        names = _listed(self.free or "")
+        if self.free is None:
+            names = list(FREE[:1] if photograph else FREE)
         if not names:
             allowed = "a list such as aerosol.optical_depth, ground.albedo"
             raise ParameterError("--free", self.free, allowed)
@@ -178,18 +195,31 @@ def fit(
     if (data is None) == (photograph.photo is None):
         conflict = "or --photo is required" if data is None else "cannot be combined with --photo"
         raise ConflictError("--data", conflict)
-    chosen = settings.settings(planet)
+    chosen = settings.settings(planet, photograph=data is None)
+    import numpy as np
+
+    from airlight.studies.fit.fit_sky import fit_radiances
+
     with shown_progress() as progress, _named_errors():
         if data is None:
+            if settings.bandwidth is not None:
+                raise ConflictError("--bandwidth", "requires --data")
             sky = _photograph(planet.planet, photograph, chosen, progress)
         else:
-            sky = _radiances(planet.planet, data, photograph.exclude_sun, chosen, progress)
-    from airlight.studies.fit.report import fitted_file, result_lines, warnings_of
+            measured = _measurements(data)
+            if photograph.exclude_sun is not None:
+                measured = measured.where(measured.angle_from_sun >= photograph.exclude_sun)
+            if settings.bandwidth is not None:
+                widths = np.full(measured.radiance.size, settings.bandwidth)
+                measured = replace(measured, bandwidth=widths)
+            sky = fit_radiances(planet.planet, measured, chosen, progress=progress)
+    from airlight.studies.fit.report import fitted_file, residual_line, result_lines, warnings_of
 
     with atomic_file(output) as part:
         part.write_text(fitted_file(sky), encoding="utf-8")
     for line in result_lines(sky):
         say(line)
+    say(residual_line(sky))
     say(f"{output}  {sky.solves} solutions and {sky.rough_solves} coarse ones, {sky.seconds:.1f} s")
     for line in warnings_of(sky):
         note(line)
@@ -202,17 +232,6 @@ def _named_errors() -> AbstractContextManager[None]:
     """Context that puts names of options into errors."""
     names = ("free", "bounds", "prior", "start", "loss", "encoding", "tone_map")
     return named_errors(*names, per_scan="--each-scan", override="--set")
-
-
-def _radiances(
-    planet: str, file: Path, exclude_sun: float | None, settings: FitSettings, progress: Any
-) -> SkyFit:
-    from airlight.studies.fit.fit_sky import fit_radiances
-
-    measured = _measurements(file)
-    if exclude_sun is not None:
-        measured = measured.where(measured.angle_from_sun >= exclude_sun)
-    return fit_radiances(planet, measured, settings, progress=progress)
 
 
 def _measurements(file: Path) -> Measurements:

@@ -149,9 +149,7 @@ def compute(run: SuiteRun) -> Rows:
     known = solution(BEST, named_steps[-1][0])
     ladder.append((named_steps[-1][0], scans.seen(known)))
     report("fit of the aerosol's load")
-    model = AerosolModel(
-        run, lambda load: planet(replace(BEST, load=load), scans, data), scans, AERONET_AEROSOL
-    )
+    model = AerosolModel(run, lambda inputs: planet(inputs, scans, data), scans, BEST)
     found = model.fitted()
     clean = radiance(replace(BEST, single_scattering_albedo=CLEAN_ALBEDO), "a brighter aerosol")
     report("pointing of the scans")

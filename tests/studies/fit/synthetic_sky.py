@@ -19,22 +19,24 @@ WAVELENGTHS: Final = (440.0, 550.0, 680.0)
 
 
 def clean_sky(
-    changes: Mapping[str, Any], suns: tuple[float, ...] = (40.0, 60.0, 75.0, 85.0)
+    changes: Mapping[str, Any],
+    suns: tuple[float, ...] = (40.0, 60.0, 75.0, 85.0),
+    wavelengths: tuple[float, ...] = WAVELENGTHS,
 ) -> Measurements:
     """Radiances of a planet with changes of its file, without noise."""
     sun, view, azimuth = np.meshgrid(suns, (5.0, 35.0, 60.0, 80.0), (10.0, 70.0, 170.0))
-    solution = solve(load_planet(PLANET, changes), WAVELENGTHS, smooth("preview"), cache=False)
+    solution = solve(load_planet(PLANET, changes), wavelengths, smooth("preview"), cache=False)
     seen = solution.radiance(
         altitude=0.0, sun_zenith=sun.ravel(), view_zenith=view.ravel(), azimuth=azimuth.ravel()
     )
-    count = len(WAVELENGTHS)
+    count = len(wavelengths)
 
     def each(values: np.ndarray) -> np.ndarray:
         return np.repeat(values.ravel(), count)
 
     numbers = np.unique(each(sun), return_inverse=True)[1].reshape(-1)
     return Measurements(
-        source="synthetic", wavelength=np.tile(WAVELENGTHS, sun.size), altitude=0.0 * each(sun),
+        source="synthetic", wavelength=np.tile(wavelengths, sun.size), altitude=0.0 * each(sun),
         sun_zenith=each(sun), view_zenith=each(view), azimuth=each(azimuth),
         radiance=seen.values.ravel().astype(float), uncertainty=None, scan=numbers,
         scans=tuple(f"sun {one:g}°" for one in suns),

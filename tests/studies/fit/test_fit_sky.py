@@ -12,7 +12,8 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from synthetic_sky import PLANET, clean_sky, noisy
 
-from airlight.errors import Cancelled, ParameterError
+from airlight.errors import Cancelled, ConflictError, ParameterError
+from airlight.physics.spectra.sun import solar_irradiance
 from airlight.planets import Medium, Planet, load_planet
 from airlight.solver import solve
 from airlight.solver.moments.delta_m import Optics
@@ -113,6 +114,91 @@ def test_scale_and_pointing_are_found_beside_the_air(clean: Measurements) -> Non
         ("pointing.azimuth", 1.5),
     ):  # fmt: skip
         assert abs(found.value(name) - truth) < 4.0 * found.error(name), name
+
+
+#: Solar lines narrower than a band: Hβ, Mg b, Na D. [nm]
+LINES: Final = (486.0, 517.0, 589.0)
+
+
+def band_share(nm: float, width: float) -> float:
+    """Mean of the tabulated spectrum over a band, over its value in the middle.
+
+    The spectrum is linear between whole nanometres: the trapezoidal rule is exact.
+    """
+    x = np.arange(nm - 0.5 * width, nm + 0.5 * width + 0.5)
+    return float(np.trapezoid(solar_irradiance(x), x) / (width * solar_irradiance(nm)))
+
+
+@pytest.mark.slow
+def test_solar_lines_are_averaged_over_the_instruments_bands() -> None:
+    # Air without gases that absorb in lines: radiance in a band is that at its middle times the
+    # band's share of sunlight. The lines change it by 4 to 17 %, which single wavelengths take for
+    # another aerosol.
+    clean, width = clean_sky(CHANGES, (40.0, 60.0, 75.0), LINES), 8.0
+    share = np.array([band_share(nm, width) for nm in LINES])
+    assert np.abs(share - 1.0).max() > 0.05
+    column = np.searchsorted(LINES, clean.wavelength)
+    seen = replace(clean, radiance=share[column] * clean.radiance)
+    free = ("aerosol.optical_depth", "ground.albedo")
+    banded = replace(seen, bandwidth=np.full(column.size, width))
+    found = fitted(banded, *free).fitted
+    assert_allclose(found.value("aerosol.optical_depth"), true_depth(), rtol=2e-3)
+    assert_allclose(found.value("ground.albedo"), 0.3, rtol=5e-3)
+    assert abs(fitted(seen, *free).fitted.value("aerosol.optical_depth") / true_depth() - 1) > 0.05
+
+
+def test_sunlight_is_that_of_the_day_or_of_the_data() -> None:
+    # The inverse square of the distance: perihelion and aphelion of 2013, 0.98329 and 1.01671 au
+    # (Astronomical Almanac). Given irradiances replace the planet's.
+    clean, planet = clean_sky({}, (40.0,)), load_planet(PLANET)
+    dates = np.array(["2013-01-02", "2013-07-05"], "datetime64[D]")
+    days = replace(clean, date=dates[np.arange(clean.radiance.size) % 2])
+    light = fit_sky._light(planet, days)
+    assert_allclose(light[:2], [0.98329**-2, 1.01671**-2], rtol=2e-4)
+    assert_allclose(fit_sky._light(planet, clean), 1.0, rtol=0)
+    given = replace(days, solar_irradiance=np.full(light.size, 1.5))
+    assert_allclose(fit_sky._light(planet, given), 1.5, rtol=0)
+
+
+def test_two_widths_at_one_wavelength_are_refused(clean: Measurements) -> None:
+    # One band of the model at each wavelength.
+    widths = np.where(np.arange(clean.radiance.size) < 3, 4.0, 5.0)
+    with pytest.raises(ParameterError, match=r"bandwidth at 440 nm is '4 and 5 nm'"):
+        fitted(replace(clean, bandwidth=widths), "ground.albedo")
+
+
+@pytest.mark.slow
+def test_parameter_at_its_bound_is_warned_of(clean: Measurements) -> None:
+    # The truth, 0.3, lies beyond.
+    data = noisy(clean, 9)
+    sky = fitted(data, "ground.albedo", "aerosol.optical_depth", bounds={"ground.albedo": (0, 0.2)})
+    assert warnings_of(sky)[0].startswith("ground.albedo ends at its bound, 0.2: ")
+
+
+@pytest.mark.slow
+def test_two_lobes_of_known_shape_are_found() -> None:
+    # Without noise the truth is the least.
+    lobes = {"asymmetry_1": 0.92, "asymmetry_2": 0.5, "weight": 0.3}
+    haze = {"kind": "double-henyey-greenstein", **lobes}
+    clean = clean_sky({"aerosol.amount": 20.0, "aerosol.phase_function": haze}, (20.0, 50.0, 70.0))
+    found = fitted(clean, "aerosol.phase_function", "aerosol.optical_depth", overrides={}).fitted
+    for name, truth in lobes.items():
+        assert_allclose(found.value(f"aerosol.phase_function.{name}"), truth, rtol=0.01)
+    assert_allclose(found.value("aerosol.optical_depth"), true_depth(), rtol=5e-3)
+
+
+def test_two_lobes_start_with_the_mean_cosine_of_the_phase_function() -> None:
+    # Of earth's Cornette-Shanks, g = 0.6468: 3g(4 + g²)/(5(2 + g²)) = 0.709. Droplets by Mie theory
+    # have no other phase function than theirs.
+    settings = FitSettings(free=["aerosol.phase_function"], keep=False)
+    base = fit_sky._Base("earth", settings, None, None)
+    assert base.settings.free[-1] == "aerosol.phase_function.weight"
+    one = next(one for one in base.planet.constituents if one.name == "aerosol").phase_function
+    assert_allclose(one.weight * one.asymmetry_1 + (1 - one.weight) * one.asymmetry_2, 0.709,
+                    atol=5e-4)  # fmt: skip
+    droplets = FitSettings(free=["dust.phase_function"], keep=False)
+    with pytest.raises(ConflictError, match="requires a constituent with a phase function"):
+        fit_sky._Base("mars", droplets, None, None)
 
 
 @pytest.mark.slow

@@ -57,6 +57,22 @@ def test_straight_line_has_the_normal_equations_solution_and_covariance() -> Non
                     cov[0, 1] / np.sqrt(cov[0, 0] * cov[1, 1]), rtol=1e-6)  # fmt: skip
 
 
+def test_scans_left_out_are_predicted_by_the_fit_to_the_others() -> None:
+    # A linear model: each of the ten fits to the others has a solution of normal equations.
+    matrix = np.stack([np.ones_like(X), X], axis=-1)
+    y = matrix @ [0.7, -1.3] + 0.1 * np.random.default_rng(3).standard_normal(X.size)
+    parameters, data = [free("a"), free("b")], data_of(y, known=False)
+    found = fit(Curve(lambda v: matrix @ v, parameters), data, parameters)
+    expected = np.empty_like(y)
+    for scan in range(10):
+        out = data.group == scan
+        expected[out] = matrix[out] @ np.linalg.lstsq(matrix[~out], y[~out], rcond=None)[0]
+    assert found.left_out is not None
+    assert_allclose(found.left_out, expected, atol=1e-9)
+    four = Data(values=y, uncertainty=data.uncertainty, known=False, group=data.group % 4)
+    assert fit(Curve(lambda v: matrix @ v, parameters), four, parameters).left_out is None
+
+
 @pytest.mark.parametrize("start", [(0.05, 0.05), (30.0, 8.0), (1.0, -3.0)])
 def test_decay_is_found_from_distant_starts(start: tuple[float, float]) -> None:
     # The truth is known: data made with it, without noise.

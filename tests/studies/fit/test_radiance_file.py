@@ -56,6 +56,20 @@ def test_wide_form_is_the_long_one(tmp_path: Path) -> None:
     assert_array_equal(got.scan, [0, 0, 1, 1])  # one sun, one scan
 
 
+def test_bands_dates_and_sunlight_are_read(tmp_path: Path) -> None:
+    # One width and one date a line, irradiances by wavelength; a time of day is no date.
+    columns = "bandwidth [nm],time,solar_irradiance_550nm [mW/m^2/nm],radiance_550nm"
+    head = HEADER.removeprefix("wavelength_nm,").removesuffix("radiance") + columns
+    file = written(tmp_path, head, "60,30,90,3,2013-05-27T09:30,1800,0.1")
+    got = read_radiance_file(file)
+    assert got.bandwidth is not None
+    assert got.solar_irradiance is not None
+    assert_allclose([got.bandwidth[0], got.solar_irradiance[0]], [3.0, 1.8])
+    assert str(got.date) == "['2013-05-27']"
+    plain = read_radiance_file(written(tmp_path, HEADER + ",time", "550,60,30,90,0.1,09:30"))
+    assert (plain.date, plain.bandwidth, plain.solar_irradiance) == (None, None, None)
+
+
 @pytest.mark.parametrize(
     ("lines", "said"),
     [
@@ -71,6 +85,8 @@ def test_wide_form_is_the_long_one(tmp_path: Path) -> None:
         ([HEADER + " [lux]", "550,60,30,90,0.1"], "unit of radiance is 'lux'"),
         ([HEADER + ",radiance", "550,60,30,90,0.1,0.1"], "has the column radiance more than once"),
         ([HEADER], "contains no radiance"),
+        ([HEADER + ",bandwidth", "550,60,30,90,0.1,0"], "bandwidth is '0'; allowed: more than 0"),
+        ([HEADER + ",date", "550,60,30,90,0.1,27.5."], "line 2, date is '27.5.'; allowed: a date"),
     ],
 )  # fmt: skip
 def test_faults_are_said_in_one_line(tmp_path: Path, lines: list[str], said: str) -> None:

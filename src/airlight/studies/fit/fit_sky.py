@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from datetime import UTC, datetime, time
 from pathlib import Path
 from time import perf_counter
 from typing import Any, Final, NamedTuple
@@ -27,6 +28,7 @@ from airlight.studies.fit.free_parameters import FreeParameter, free_parameter
 from airlight.studies.fit.least_squares import Data, FitResult, fit
 from airlight.studies.fit.measurements import Measurements
 from airlight.studies.fit.parameter import FitParameter
+from airlight.studies.fit.phase_lobes import with_lobes
 from airlight.studies.fit.photograph import Photograph
 from airlight.studies.fit.settings import FitSettings, adapted, check_names
 from airlight.studies.fit.sky_model import (
@@ -125,8 +127,15 @@ def fit_radiances(
     column = np.searchsorted(nm, data.wavelength)
     uncertainty, known = _uncertainty(data, settings)
     observed = Data(data.radiance, uncertainty, known, data.scan)
-    identity = row.tobytes() + column.tobytes()
-    seen = _Seen(nm, directions, lambda radiance, _: radiance[row, column], observed, identity)
+    light = _light(base.planet, data)
+
+    def radiances(radiance: FloatArray, solution: Solution) -> FloatArray:
+        share = light / solution.lights[0].irradiance[column] if given else light
+        return np.asarray(share * radiance[row, column])
+
+    given = data.solar_irradiance is not None
+    identity = row.tobytes() + column.tobytes() + light.tobytes()
+    seen = _Seen(nm, directions, radiances, observed, identity, data.bandwidths)
     return _fitted(base, data, seen, lambda _: _instrument(settings, data.scans, data.scan))
 
 
@@ -183,12 +192,13 @@ class _Base:
         progress: Progress | None,
         cancel: Cancel | None,
     ) -> None:
-        self.settings, self.progress, self.cancel = settings, progress, cancel
+        self.progress, self.cancel = progress, cancel
         self.name = str(planet)
         load_planet(planet, settings.overrides, progress=progress, cancel=cancel)  # its own errors
         text, self.file, self.folder = planet_text(planet)
         changed = overridden(nested_tables(text, self.file), settings.overrides)
-        self.tables = spelled_out(changed, self.folder)
+        own = spelled_out(changed, self.folder)
+        self.settings, self.tables = with_lobes(settings, own, self.read(own))
         self.planet = self.read(self.tables)
 
     def read(self, tables: Tables, wavelengths: FloatArray | None = None) -> Planet:
@@ -215,6 +225,7 @@ class _Seen(NamedTuple):
     combine: Callable[[FloatArray, Solution], FloatArray]
     observed: Data
     identity: bytes
+    bandwidth: FloatArray | None = None
 
 
 def _fitted(
@@ -246,6 +257,7 @@ def _fitted(
         directions=seen.directions,
         wavelengths=nm,
         combine=seen.combine,
+        bandwidth=seen.bandwidth,
         quality=smooth(base.settings.quality),
         identity=(
             hashlib.sha256(whole.encode() + seen.identity).digest() if base.settings.keep else b""
@@ -355,6 +367,26 @@ def _directions(data: Measurements) -> tuple[ObservedDirections, NDArray[np.int6
     altitude, sun, view, azimuth, scan = unique.T
     directions = ObservedDirections(altitude, sun, view, azimuth, scan.astype(np.int64))
     return directions, np.asarray(row, dtype=np.int64).reshape(-1)
+
+
+def _light(planet: Planet, data: Measurements) -> FloatArray:
+    """Star's irradiance at each value [W m⁻² nm⁻¹] if given, or over that of the planet's file.
+
+    Over a day the irradiance of the Earth changes by 0.06 % at most.
+    """
+    if data.solar_irradiance is not None:
+        return data.solar_irradiance
+    found = np.ones(data.radiance.size)
+    own = planet.star.known_distance
+    if data.date is None or own is None or planet.body is None:
+        return found
+    days, which = np.unique(data.date, return_inverse=True)
+    for number, day in enumerate(days):
+        noon = datetime.combine(day.item(), time(12), tzinfo=UTC)
+        there = planet.lit_at(noon).star.known_distance
+        assert there is not None
+        found[which == number] = (own / there) ** 2
+    return found
 
 
 def _uncertainty(data: Measurements, settings: FitSettings) -> tuple[FloatArray, bool]:

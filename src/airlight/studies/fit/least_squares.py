@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ConvergenceError, ParameterError
-from airlight.studies.fit.covariance import ErrorBars, errors_of
+from airlight.studies.fit.covariance import FEWEST_SCANS, ErrorBars, errors_of
 from airlight.studies.fit.loss import LOSSES, Loss, of_data
 from airlight.studies.fit.parameter import FitParameter
 
@@ -89,6 +89,8 @@ class FitResult:
         Number of restarts of the trust region.
     last_step : array, shape (p,)
         Newton step with the final derivatives, over the error bars.
+    left_out : array, shape (n,), or None
+        Prediction of each scan by the fit to the others; None with fewer than five scans.
     """
 
     parameters: tuple[FitParameter, ...]
@@ -98,6 +100,7 @@ class FitResult:
     sigma: FloatArray
     rounds: int
     last_step: FloatArray
+    left_out: FloatArray | None
 
     def index(self, name: str) -> int:
         """Number of a parameter by its name."""
@@ -149,7 +152,7 @@ def fit(
         slopes = problem.slopes(x, central=True)
         problem.check_rank(slopes, x)
         errors = problem.errors(x, slopes)
-        step = problem.newton_step(x, slopes, errors)
+        step = problem.newton_step(x, slopes)
         share = _over(np.abs(step), errors.largest)
         small = (share <= SMALL_STEP) | (np.abs(step) <= _SMALL_SHARE * problem.sizes(x))
         # A step that would gain nothing is one within the rounding of the model.
@@ -163,6 +166,7 @@ def fit(
                 sigma=problem.sigma,
                 rounds=number,
                 last_step=share,
+                left_out=problem.left_out(x, slopes),
             )
     worst = int(share.argmax())
     raise ConvergenceError(
@@ -283,19 +287,41 @@ class _Problem:
         near = 1e-6 * self.sizes(x)
         return np.asarray((x - self.low <= near) | (self.high - x <= near))
 
-    def newton_step(self, x: FloatArray, slopes: FloatArray, errors: ErrorBars) -> FloatArray:
-        """Newton step of the linear model, 0 for parameters at a bound, shape (p,)."""
+    def newton_step(
+        self, x: FloatArray, slopes: FloatArray, kept: NDArray[np.bool_] | None = None
+    ) -> FloatArray:
+        """Newton step of the linear model, 0 for parameters at a bound, shape (p,).
+
+        Parameters
+        ----------
+        kept : array of bool, shape (n,), optional
+            Values that count; default: all.
+        """
         residual = self.residuals(x)
-        jacobian = self.with_priors(slopes)
         weights = self.loss(np.square(residual))[1]
-        free = ~errors.at_bound
+        if kept is not None:
+            weights[: kept.size] *= kept
+        free = ~self._held(x)
         step = np.zeros_like(x)
         root = np.sqrt(weights)[:, None]
         if free.any():
-            step[free] = np.linalg.lstsq(
-                root * jacobian[:, free], -root[:, 0] * residual, rcond=None
-            )[0]
+            jacobian = self.with_priors(slopes)[:, free]
+            step[free] = np.linalg.lstsq(root * jacobian, -root[:, 0] * residual, rcond=None)[0]
         return np.clip(x + step, self.low, self.high) - x
+
+    def left_out(self, x: FloatArray, slopes: FloatArray) -> FloatArray | None:
+        """Prediction of each scan by the fit to the others, shape (n,).
+
+        The linear model, exact for a linear one: one Newton step from the fit to all scans.
+        """
+        group = self.data.group
+        if int(group.max()) + 1 < FEWEST_SCANS:
+            return None
+        found = self.model(x).copy()
+        for one in np.unique(group):
+            seen = group == one
+            found[seen] += slopes[seen] @ self.newton_step(x, slopes, ~seen)
+        return found
 
     def check_response(self, slopes: FloatArray) -> None:
         """Raise an error for a parameter without effect on predicted values."""

@@ -20,6 +20,8 @@ UNITS: Final = {
     "altitude": "m",
     **dict.fromkeys(("sun_zenith", "view_zenith", "azimuth"), "deg"),
     **dict.fromkeys(("radiance", "uncertainty"), "W/m^2/sr/nm"),
+    "bandwidth": "nm",
+    "solar_irradiance": "W/m^2/nm",
 }
 
 
@@ -47,6 +49,14 @@ class Measurements:
         Names of the scans.
     line : array of int, shape (n,), or None
         Lines of the file, for errors.
+    bandwidth : array, shape (n,), or None
+        Full widths of the instrument's bands, one at each wavelength; None: single wavelengths.
+        [nm]
+    solar_irradiance : array, shape (n,), or None
+        Irradiance of the star outside the air, in the band and at the time of each value; None:
+        that of the planet's star. [W m⁻² nm⁻¹]
+    date : array of datetime64[D], shape (n,), or None
+        Day of each value, for the distance of the star; None: that of the planet's file.
     """
 
     source: str
@@ -60,6 +70,9 @@ class Measurements:
     scan: IntArray
     scans: tuple[str, ...]
     line: IntArray | None = None
+    bandwidth: FloatArray | None = None
+    solar_irradiance: FloatArray | None = None
+    date: NDArray[np.datetime64] | None = None
 
     def __post_init__(self) -> None:
         for name, unit in UNITS.items():
@@ -73,6 +86,19 @@ class Measurements:
         return np.unique(self.wavelength)
 
     @property
+    def bandwidths(self) -> FloatArray | None:
+        """Width of the band at each of ``wavelengths``, or None. [nm]"""
+        if self.bandwidth is None:
+            return None
+        bands = np.unique(np.stack([self.wavelength, self.bandwidth]), axis=1)
+        twice = np.flatnonzero(np.diff(bands[0]) == 0.0)
+        if twice.size:
+            shown = f"{bands[1, twice[0]]:g} and {bands[1, twice[0] + 1]:g} nm"
+            where = f"bandwidth at {bands[0, twice[0]]:g} nm"
+            raise ParameterError(where, shown, "one width at each wavelength", self.source)
+        return np.asarray(bands[1])
+
+    @property
     def angle_from_sun(self) -> FloatArray:
         """Angle between view and sun, shape (n,). [deg]"""
         return angle_from_sun(self.view_zenith, self.sun_zenith, self.azimuth)
@@ -82,7 +108,7 @@ class Measurements:
         if not kept.any():
             raise ParameterError(self.source, "0 values", "at least one value that is not excluded")
         chosen, numbered = np.unique(self.scan[kept], return_inverse=True)
-        given = [name for name in (*UNITS, "line") if getattr(self, name) is not None]
+        given = [name for name in (*UNITS, "line", "date") if getattr(self, name) is not None]
         return replace(
             self,
             **{name: getattr(self, name)[kept] for name in given},

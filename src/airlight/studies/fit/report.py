@@ -66,7 +66,12 @@ def result_lines(sky: SkyFit) -> list[str]:
 def warnings_of(sky: SkyFit) -> list[str]:
     """Caveats of the error bars, one sentence each."""
     found, errors = sky.fitted, sky.fitted.errors
-    out = []
+    out = [
+        f"{one.name} ends at its bound, {_bound_at(sky, k)}: the data ask for more than the model "
+        "allows, and the other values depend on it"
+        for k, one in enumerate(found.parameters)
+        if errors.at_bound[k]
+    ]
     if _known(sky) and errors.reduced > _POOR:
         out.append(
             f"the residuals are {np.sqrt(errors.reduced):.2g} times the uncertainties: the model "
@@ -105,13 +110,29 @@ def _remark(sky: SkyFit, k: int) -> str:
     found = sky.fitted
     one, errors = found.parameters[k], found.errors
     if errors.at_bound[k]:
-        near = one.low if found.values[k] - one.low < one.high - found.values[k] else one.high
-        return f"at its bound, {near:g}{one.unit_text}"
+        return f"at its bound, {_bound_at(sky, k)}"
     if errors.from_data[k] > one.width:
         return "not constrained by the data"
     if one.prior is not None:
         return f"the data alone ± {errors.from_data[k]:.2g}"
     return ""
+
+
+def _bound_at(sky: SkyFit, k: int) -> str:
+    """Nearer bound of a parameter with its unit."""
+    one, value = sky.fitted.parameters[k], sky.fitted.values[k]
+    return f"{one.low if value - one.low < one.high - value else one.high:g}{one.unit_text}"
+
+
+def residual_line(sky: SkyFit) -> str:
+    """Root mean square residual, and that of each scan by the fit to the others."""
+    residuals = residuals_of(sky)
+    text = f"residuals {residuals.rms():.4g}"
+    if sky.fitted.left_out is not None:
+        rest = sky.fitted.left_out - residuals.measured
+        one = "scan" if isinstance(sky.data, Measurements) else "part"
+        text += f", each {one} by the fit to the others {np.sqrt(np.square(rest).mean()):.4g}"
+    return f"{text} {residuals.unit} (root mean square)"
 
 
 def parts_of(sky: SkyFit, *, pictures: bool = True) -> list[Part]:
@@ -147,8 +168,8 @@ def summary(sky: SkyFit) -> str:
     )
     text = (
         f"{len(found.parameters)} parameters of {sky.name} fitted to {what} ({data.source}). "
-        f"The residuals are {relative:.2g} % (root mean square), {residuals.rms():.4g} "
-        f"{residuals.unit}; {noise}. "
+        f"The residuals are {relative:.2g} % (root mean square); {noise}. "
+        f"{residual_line(sky).capitalize()}. "
         f"The last step with fresh derivatives was {found.last_step.max():.2g} of an "
         f"error bar."
     )

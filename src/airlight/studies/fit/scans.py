@@ -5,6 +5,7 @@ from __future__ import annotations
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,10 @@ from airlight.solver.solution import Solution
 from airlight.studies.fit.measurements import Measurements, angle_from_sun
 
 FloatArray = NDArray[np.float64]
+
+#: Full width at half height of the spectrometer's bands: an ASD FieldSpec's at 700 nm, with which
+#: Kider et al. (2014) measured. [nm]
+BAND_WIDTH: Final = 3.0
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -37,6 +42,8 @@ class Scans:
         Inputs of all published models. [W m⁻² nm⁻¹], [1]
     date : str
         Day of the measurement, ``YYYY-MM-DD``.
+    bandwidth : array, shape (nl,)
+        Full widths of the bands. [nm]
     """
 
     time: tuple[str, ...]
@@ -82,8 +89,12 @@ class Scans:
         return np.asarray(got.values, dtype=np.float64)
 
     def measurements(self, source: str) -> Measurements:
-        """Flat list of radiances, in the order of ``radiance``."""
+        """Flat list of radiances in bands, in the order of ``radiance``."""
         shape = self.radiance.shape
+        try:
+            date = np.full(self.radiance.size, np.datetime64(self.date, "D")) if self.date else None
+        except ValueError:
+            date = None
 
         def spread(values: FloatArray) -> FloatArray:
             return np.broadcast_to(values, shape).ravel()
@@ -99,6 +110,8 @@ class Scans:
             uncertainty=None,
             scan=np.repeat(np.arange(shape[0]), shape[1] * shape[2]),
             scans=self.time,
+            bandwidth=np.full(self.radiance.size, BAND_WIDTH),
+            date=date,
         )
 
 

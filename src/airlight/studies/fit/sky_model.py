@@ -100,6 +100,8 @@ class SkyModel:
         Wavelengths of the solution. [nm]
     combine : callable
         ``combine(radiance, solution)``: predicted values, shape (n,), from radiances (nd, nl).
+    bandwidth : array, shape (nl,), or None
+        Full widths of bands around the wavelengths; see ``solve``. [nm]
     quality : str or MomentsSettings
         Quality of the solver.
     identity : bytes
@@ -118,6 +120,7 @@ class SkyModel:
     directions: ObservedDirections
     wavelengths: FloatArray
     combine: Callable[[FloatArray, Solution], FloatArray]
+    bandwidth: FloatArray | None = None
     quality: Any = "default"
     identity: bytes = b""
     progress: Progress | None = None
@@ -192,7 +195,8 @@ class SkyModel:
         if not self.identity:
             return compute()
         sources = fingerprint(Path(__file__)).encode()
-        seen = self.directions.fingerprint(), self.wavelengths.tobytes()
+        widths = b"" if self.bandwidth is None else self.bandwidth.tobytes()
+        seen = self.directions.fingerprint(), self.wavelengths.tobytes(), widths
         parts = (b"fit", sources, self.identity, *seen, str(self.quality).encode(), key)
         name = hashlib.sha256(b"\0".join(parts)).hexdigest()[:40]
         return disk.cached(
@@ -217,7 +221,12 @@ class SkyModel:
             self._report(physical)
             planet = self.planet_of(physical)
             solution = solve(
-                planet, self.wavelengths, self.quality, cache=False, cancel=self.cancel
+                planet,
+                self.wavelengths,
+                self.quality,
+                bandwidth=self.bandwidth,
+                cache=False,
+                cancel=self.cancel,
             )
             self.solves += 1
             return solution

@@ -1,4 +1,4 @@
-"""Fits to measured skies: aerosol optical depth, and pointing of each scan."""
+"""Fits to measured skies: aerosol load and phase function, and pointing of each scan."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from airlight.planets.planet import Planet
 from airlight.studies.fit.least_squares import Data, FitResult, fit
 from airlight.studies.fit.parameter import FitParameter
+from airlight.studies.fit.phase_lobes import LOBES
 from airlight.studies.fit.scans import Scans
 from airlight.studies.fit.sky_model import (
     Nuisance,
@@ -20,7 +21,7 @@ from airlight.studies.fit.sky_model import (
     smooth,
     smooth_near,
 )
-from airlight.validation.kider.planets import AngstromLaw
+from airlight.validation.kider.planets import AngstromLaw, Inputs
 from airlight.validation.suite import SuiteRun
 
 FloatArray = NDArray[np.float64]
@@ -33,11 +34,12 @@ _LARGEST_TURN: Final = 1.5
 
 @dataclass(frozen=True, eq=False)
 class AerosolFit:
-    """Ångström law of the aerosol, fitted to measured scans.
+    """Aerosol fitted to measured scans.
 
     Attributes
     ----------
-    load : AngstromLaw
+    inputs : Inputs
+        Inputs of the planet, with the fitted aerosol.
     scale : float
         Factor of the model's radiances; 1 unless it was fitted. [1]
     fitted : FitResult
@@ -46,10 +48,15 @@ class AerosolFit:
         Radiance of the model. [W m⁻² sr⁻¹ nm⁻¹]
     """
 
-    load: AngstromLaw
+    inputs: Inputs
     scale: float
     fitted: FitResult
     predicted: FloatArray
+
+    @property
+    def load(self) -> AngstromLaw:
+        """Ångström law of the aerosol."""
+        return self.inputs.load
 
 
 class AerosolModel:
@@ -63,9 +70,9 @@ class AerosolModel:
     run : SuiteRun
         With the quality of the solver.
     planet_of : callable
-        Function from an Ångström law to a planet.
-    start : AngstromLaw
-        Starting values.
+        Function from inputs to a planet.
+    start : Inputs
+        Starting values; with lobes of the phase function, these are fitted too.
     with_scale : bool
         Whether the instrument's scale is fitted too.
     """
@@ -73,13 +80,13 @@ class AerosolModel:
     def __init__(
         self,
         run: SuiteRun,
-        planet_of: Callable[[AngstromLaw], Planet],
+        planet_of: Callable[[Inputs], Planet],
         scans: Scans,
-        start: AngstromLaw,
+        start: Inputs,
         *,
         with_scale: bool = False,
     ) -> None:
-        self.scans, self.quality = scans, run.quality
+        self.scans, self.quality, self.start = scans, run.quality, start
         shape = scans.radiance.shape
         pairs = np.broadcast_to(scans.sun_zenith[:, None], shape[:2])
         directions = ObservedDirections(
@@ -93,12 +100,17 @@ class AerosolModel:
         scale = FitParameter(name="scale", start=1.0, low=0.2, high=5.0, least_step=0.01)
         nuisances = [Nuisance(parameter=scale, kind="factor", values=every, scans=all_scans)]
         depth, exponent = "aerosol.optical_depth", "aerosol.angstrom"
-        at_550 = float(start.optical_depth(550.0))
+        at_550, alpha = float(start.load.optical_depth(550.0)), start.load.alpha
+        lobes = zip(LOBES.items(), start.lobes or (), strict=False)
         self.model = SkyModel(
-            planet_of=lambda values: planet_of(_aerosol_of(values)),
+            planet_of=lambda values: planet_of(self._inputs(values)),
             parameters=(
                 FitParameter(name=depth, start=at_550, low=0.0, high=5.0, least_step=0.002),
-                FitParameter(name=exponent, start=start.alpha, low=-2.0, high=4.5, least_step=0.05),
+                FitParameter(name=exponent, start=alpha, low=-2.0, high=4.5, least_step=0.05),
+                *(
+                    FitParameter(name=name, start=value, low=low, high=high, least_step=0.01)
+                    for (name, (low, high)), value in lobes
+                ),
             ),
             nuisances=nuisances if with_scale else [],
             directions=directions,
@@ -108,6 +120,14 @@ class AerosolModel:
             cancel=run.cancel,
         )
         self.rough = replace(self.model, quality=smooth("preview"))
+
+    def _inputs(self, values: FloatArray) -> Inputs:
+        """Inputs with an optical depth at 550 nm, an exponent, and lobes if these are fitted."""
+        load = AngstromLaw(beta=float(values[0] * 0.55 ** values[1]), alpha=float(values[1]))
+        if self.start.lobes is None:
+            return replace(self.start, load=load)
+        first, second, weight = map(float, values[2:5])
+        return replace(self.start, load=load, lobes=(first, second, weight))
 
     def fitted(
         self, kept: NDArray[np.bool_] | None = None, begin: AerosolFit | None = None
@@ -139,8 +159,8 @@ class AerosolModel:
             self.model.quality = smooth_near(self.quality, near, self.scans.wavelengths)
         found = fit(_Part(self.model, values), data, parameters, start=start)
         return AerosolFit(
-            load=_aerosol_of(found.values),
-            scale=float(found.values[2]) if found.values.size > 2 else 1.0,
+            inputs=self._inputs(found.values),
+            scale=float(found.values[-1]) if self.model.nuisances else 1.0,
             fitted=found,
             predicted=self.model(found.values).reshape(shape),
         )
@@ -178,11 +198,6 @@ class _Part:
 
     def derivative(self, values: FloatArray, index: int, *, central: bool) -> FloatArray:
         return self.model.derivative(values, index, central=central)[self.values]
-
-
-def _aerosol_of(values: FloatArray) -> AngstromLaw:
-    """Ångström law of an optical depth at 550 nm and an exponent."""
-    return AngstromLaw(beta=float(values[0] * 0.55 ** values[1]), alpha=float(values[1]))
 
 
 def fit_pointing(

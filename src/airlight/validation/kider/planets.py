@@ -20,12 +20,14 @@ from airlight.planets.matter.absorbers import OzoneAbsorption
 from airlight.planets.matter.gases import GasScattering, RefractiveScattering
 from airlight.planets.matter.phases import (
     CornetteShanks,
+    DoubleHenyeyGreenstein,
+    PhaseFunction,
     Rayleigh,
     TabulatedPhase,
 )
 from airlight.planets.matter.profiles import Exponential, Tabulated
 from airlight.planets.spectral import PerWavelength
-from airlight.studies.fit.scans import Scans
+from airlight.studies.fit.scans import BAND_WIDTH, Scans
 from airlight.validation.reference_files import read_table
 
 FloatArray = NDArray[np.float64]
@@ -44,8 +46,6 @@ SITE: Final = SEA_LEVEL * (1.0 - 2.255_77e-5 * 270.0) ** 5.255_88
 SUN_DISTANCE: Final = 1.0133 * ASTRONOMICAL_UNIT
 #: Day of these figures.
 DAY: Final = "2013-05-27"
-#: Full width at half height of the spectrometer's bands: an ASD FieldSpec's at 700 nm. [nm]
-BAND_WIDTH: Final = 3.0
 #: Ozone column of the profile used: Anderson et al. (1986), AFGL-TR-86-0110. [DU]
 OZONE: Final = 345.0
 
@@ -111,6 +111,8 @@ class Inputs:
     aeronet_phase : bool
         Whether the aerosol has its measured phase function, rather than Cornette and Shanks's with
         g = 0.7.
+    lobes : tuple of three floats, or None
+        Asymmetries of two Henyey-Greenstein lobes and the weight of the first, instead of either.
     """
 
     measured_sun: bool = False
@@ -120,6 +122,7 @@ class Inputs:
     load: AngstromLaw = PUBLISHED_AEROSOL
     single_scattering_albedo: float = PUBLISHED_ALBEDO
     aeronet_phase: bool = False
+    lobes: tuple[float, float, float] | None = None
 
 
 #: Inputs of all published models.
@@ -368,11 +371,12 @@ def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
             phase_function=Rayleigh(),
         )
     depth, albedo, height = inputs.load.optical_depth(nm), inputs.single_scattering_albedo, 1200.0
-    lobe = (
-        read_aeronet_phase(data, np.union1d(nm[::3], nm[-1:]), scans.date)
-        if inputs.aeronet_phase
-        else CornetteShanks(asymmetry=0.7)
-    )
+    lobe: PhaseFunction = CornetteShanks(asymmetry=0.7)
+    if inputs.lobes is not None:
+        first, second, weight = inputs.lobes
+        lobe = DoubleHenyeyGreenstein(asymmetry_1=first, asymmetry_2=second, weight=weight)
+    elif inputs.aeronet_phase:
+        lobe = read_aeronet_phase(data, np.union1d(nm[::3], nm[-1:]), scans.date)
     parts = [
         air,
         Constituent(

@@ -1,6 +1,6 @@
 """Earth: illuminance, twilight zenith, colour temperatures, Belt of Venus.
 
-* Seidelmann (1992) and Patat et al. (2006): see ``twilight``.
+* Seidelmann (1992), IES (1984) and Patat et al. (2006): see ``twilight``.
 * American Meteorological Society, Glossary of Meteorology, "civil twilight", "astronomical
   twilight", "antitwilight arch", "dark segment": what clear evenings have, ranges included.
 * Hernández-Andrés, Romero, Nieves & Lee (2001), Color and spectral analysis of daylight in southern
@@ -26,6 +26,7 @@ from airlight.validation.published.row import PublishedRow, PublishedSection
 from airlight.validation.published.twilight import (
     ground_illuminance,
     ground_light,
+    illuminance_ies1984,
     illuminance_seidelmann1992,
     paranal_zenith_v,
     zenith_v_patat2006,
@@ -39,6 +40,8 @@ ALTITUDES: Final = (90, 60, 40, 20, 10, 5, 2, 0, -1, -3, -5, -6, -8, -10, -12)
 #: Altitudes of the sun to which the target of the illuminance applies [deg], and that target. [%]
 AIMED: Final = (-10.0, 5.0)
 ILLUMINANCE_TARGET: Final = 25.0
+#: Lowest altitude of the sun that is compared with daylight of the IES. [deg]
+DAYLIGHT: Final = 10.0
 #: Depressions of the sun for the magnitude of the zenith [deg], and its target. [mag]
 DEPRESSIONS: Final = (5.0, 6.0, 8.0, 10.0, 12.0)
 ZENITH_TARGET: Final = 0.35
@@ -73,6 +76,9 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
         rows.append(row)
         if AIMED[0] <= altitude <= AIMED[1]:
             aimed.append(row.percent)
+        if altitude >= DAYLIGHT:
+            daylight, name = illuminance_ies1984(altitude), f"daylight, sun {altitude:g}°"
+            rows.append(PublishedRow(name, daylight, ours, "IES (1984)", "lx"))
     for altitude, low, high, when in (
         (SUNSET, 410.0, 585.0, "at sunset"),
         (-6.0, 2.0, 3.5, "at the end of civil twilight"),
@@ -92,7 +98,8 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
         aims=[aim] if aimed else [],
         note="Ours has the average continental aerosol of Hess et al. (1998), optical depth 0.151, "
         "since the published numbers are of average clear days; gas bands and the night's own "
-        "light are left out, and the ground is the mean of the Earth.",
+        "light are left out, and the ground is the mean of the Earth. The Supplement's curve is of "
+        "no single air: over that of the IES it falls from 1.08, sun overhead, to 0.82 at 20°.",
     )
 
 

@@ -1,6 +1,6 @@
 r"""Published light of clear twilight skies: illuminance, and magnitude of the zenith.
 
-Both are fits to measurements, by the sun's true altitude:
+All are fits to measurements, by the sun's true altitude:
 
 * Seidelmann (ed., 1992), Explanatory Supplement to the Astronomical Almanac, section 9.34: the
   logarithm of the illuminance of a level surface under a cloudless sky as cubics of the altitude
@@ -8,6 +8,9 @@ Both are fits to measurements, by the sun's true altitude:
   Compared with Urban & Seidelmann (eds., 2013), the third edition, section 12.3.4, Table 12.8, and
   Vallado (2022), Fundamentals of Astrodynamics and Applications, Table 5-1; the number of the
   section in the edition of 1992 is not checked against the book.
+* IES Calculation Procedures Committee (1984), Recommended practice for the calculation of daylight
+  availability, Journal of the Illuminating Engineering Society 13, 381, coefficients second-hand:
+  a sun of 127.5 klx, extinction 0.21 an air mass, and a clear sky, 0.8 klx + 15.5 klx √(sin a).
 * Patat, Ugolnikov & Postylyakov (2006), UBVRI twilight sky brightness at ESO-Paranal, A&A 455, 385,
   Table 1: the zenith's V magnitude per square arcsecond, 2635 m above the sea, the night's own
   light included: 21.6 there (Patat 2003, A&A 400, 1183). The measurements scatter by 0.18 mag.
@@ -73,6 +76,27 @@ def illuminance_seidelmann1992(altitude: float) -> float:
         if low <= altitude <= high:
             return float(10.0 ** np.polynomial.polynomial.polyval(altitude / 90.0, terms))
     raise ParameterError("altitude", altitude, "-18 to 90 deg")
+
+
+def illuminance_ies1984(altitude: float) -> float:
+    r"""Illuminance of a level surface by sun and clear sky, at the mean distance of the sun. [lx]
+
+    .. math:: E = 127\,500\, \sin a\; e^{-0.21 / \sin a} + 800 + 15\,500 \sqrt{\sin a}
+
+    Parameters
+    ----------
+    altitude : float
+        Altitude of the sun a, 5 to 90. [deg]
+
+    Examples
+    --------
+    >>> [round(illuminance_ies1984(one), -2) for one in (90.0, 20.0)]
+    [119600.0, 33500.0]
+    """
+    if not 5.0 <= altitude <= 90.0:
+        raise ParameterError("altitude", altitude, "5 to 90 deg")
+    up = np.sin(np.radians(altitude))
+    return float(127_500.0 * up * np.exp(-0.21 / up) + 800.0 + 15_500.0 * np.sqrt(up))
 
 
 def zenith_v_patat2006(altitude: float) -> float:
