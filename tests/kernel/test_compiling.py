@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
@@ -42,6 +43,12 @@ def total(count):
 
 def compile_total():
     total(0)
+
+
+def compile_late():
+    import time
+
+    time.sleep(60.0)
 """
 
 
@@ -88,3 +95,15 @@ def test_a_process_that_fails_keeps_nobody_waiting(module: ModuleType) -> None:
     assert ahead.wait(module.total, lambda: False)
     assert module.total(4) == 7.0
     ahead.close()
+
+
+def test_who_waits_for_a_compiler_that_closes_compiles_nothing(module: ModuleType) -> None:
+    # A window that closes ends the process before its threads, which wait for loops.
+    ahead = BackgroundCompiler(f"{module.__name__}:compile_late", [module.total])
+    found: list[bool] = []
+    waiting = threading.Thread(target=lambda: found.append(ahead.wait(module.total, lambda: False)))
+    waiting.start()
+    ahead.close()
+    waiting.join(30.0)
+    assert found == [False]
+    assert not ahead.ready(module.total)

@@ -37,14 +37,16 @@ class BackgroundCompiler:
 
     Notes
     -----
-    If the process fails or cannot start, or without a cache on disk, ``ready`` is True and the
-    loops are compiled in this process.
+    The process starts at once, for those who only ask whether a loop is ``ready``. If it fails or
+    cannot start, or without a cache on disk, ``ready`` is True and the loops are compiled in this
+    process; after ``close``, which may precede the end of threads that wait, they are not.
     """
 
     def __init__(self, compiler: str, loops: Sequence[Any], later: Sequence[Any] = ()) -> None:
         self._waits = tuple(one for one in (*loops, *later) if is_kept(one) and not on_disk(one))
         self.compiling = Compiling(loops, here=not self._waits)
         self._ended = threading.Event()
+        self._closed = False
         self._process: subprocess.Popen[str] | None = None
         self._thread: threading.Thread | None = None
         if not self._waits:
@@ -73,14 +75,13 @@ class BackgroundCompiler:
 
     def ready(self, loop: Any) -> bool:
         """Whether a loop can be used without waiting for the process."""
-        return self._ended.is_set() or loop not in self._waits or on_disk(loop)
+        ended = self._ended.is_set() and not self._closed
+        return ended or loop not in self._waits or on_disk(loop)
 
     def wait(self, loop: Any, stale: Callable[[], bool]) -> bool:
-        """Wait for a loop; False if ``stale()`` was True first."""
-        if self.ready(loop):
-            return True
+        """Wait for a loop; False if ``stale()`` was True first, or if the compiler is closed."""
         while not self.ready(loop):
-            if stale():
+            if self._closed or stale():
                 return False
             self._ended.wait(_POLL)
         return True
@@ -89,6 +90,7 @@ class BackgroundCompiler:
         """End the process."""
         if self._process is None or self._thread is None:
             return
+        self._closed = True
         with suppress(OSError):
             self._process.kill()
         self._thread.join()

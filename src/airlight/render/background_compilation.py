@@ -48,11 +48,11 @@ def start_sky_view_compiler() -> BackgroundCompiler:
     return BackgroundCompiler(f"{__name__}:compile_sky_view_loops", SKY_VIEW_LOOPS)
 
 
-def cloudy_loops() -> tuple[Any, ...]:
-    """Loops of a frame with a sky-view LUT and clouds of one kind, in the order of use."""
-    from airlight.render.clouds.cloudy_pixel import render_cloudy
+def cloudy_loops(*, marched: bool = False) -> tuple[Any, ...]:
+    """Loops of a frame with clouds of one kind, marched or by a sky-view LUT, in their order."""
+    from airlight.render.clouds.cloudy_pixel import march_cloudy, render_cloudy
 
-    return fill_texels, fill_mirrored, render_cloudy
+    return (march_cloudy,) if marched else (fill_texels, fill_mirrored, render_cloudy)
 
 
 def start_cloudy_compiler() -> BackgroundCompiler:
@@ -60,41 +60,36 @@ def start_cloudy_compiler() -> BackgroundCompiler:
     return BackgroundCompiler(f"{__name__}:compile_cloudy_loops", cloudy_loops())
 
 
-def marched_clouds() -> Any:
-    """Loop of a frame without a sky-view LUT, with clouds."""
-    from airlight.render.clouds.cloudy_pixel import march_cloudy
-
-    return march_cloudy
-
-
 @cache
-def live_cloudy_compiler() -> BackgroundCompiler:
+def live_cloudy_compiler(*, marched: bool = False) -> BackgroundCompiler:
     """Process that compiles the loops of live frames with clouds, started by the first call."""
-    compiler = BackgroundCompiler(
-        f"{__name__}:compile_live_cloudy_loops", cloudy_loops(), (marched_clouds(),)
-    )
+    function = compile_marched_clouds if marched else compile_cloudy_loops
+    compiler = BackgroundCompiler(f"{__name__}:{function.__name__}", cloudy_loops(marched=marched))
     atexit.register(compiler.close)
     return compiler
 
 
-def compile_live_cloudy_loops() -> None:
-    """Compile or load the loops with clouds, then that without a sky-view LUT."""
-    arguments = compile_cloudy_loops()
-    marched_clouds()(*arguments)
+def compile_cloudy_loops() -> None:
+    """Compile or load the loops with a sky-view LUT and clouds."""
+    every = (*_arguments()[: len(SKY_VIEW_LOOPS) - 1], _cloudy_arguments())
+    for loop, arguments in zip(cloudy_loops(), every, strict=True):
+        loop(*arguments)
 
 
-def compile_cloudy_loops() -> tuple[Any, ...]:
-    """Compile or load the loops with clouds; returns the arguments of the last one."""
+def compile_marched_clouds() -> None:
+    """Compile or load the loop that marches pixels with clouds."""
+    for loop in cloudy_loops(marched=True):
+        loop(*_cloudy_arguments())
+
+
+def _cloudy_arguments() -> tuple[Any, ...]:
+    """Arguments of a loop over zero pixels with clouds."""
     from airlight.render.clouds.cloud_tables import new_cloud_work
     from airlight.render.clouds.cloudy_pixel import CloudyWorkspace
 
-    texels, mirrored, pixels, _ = _arguments()
-    px, py, frame, work, weights, rgb = pixels
+    px, py, frame, work, weights, rgb = _arguments()[-1]
     clouds = empty_clouds()
-    cloudy = px, py, frame, CloudyWorkspace(work, clouds, new_cloud_work(clouds)), weights, rgb
-    for loop, arguments in zip(cloudy_loops(), (texels, mirrored, cloudy), strict=True):
-        loop(*arguments)
-    return cloudy
+    return px, py, frame, CloudyWorkspace(work, clouds, new_cloud_work(clouds)), weights, rgb
 
 
 def empty_clouds() -> CloudTables:

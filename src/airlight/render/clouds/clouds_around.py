@@ -57,6 +57,8 @@ class CloudsAround:
         Detail of the light, see ``solve_clouds``.
     directions : (int, int)
         Azimuths and rows of each half of the table of the air; fewer for coarse frames.
+    sky_view : (int, int), optional
+        The same of the sky-view LUT of small frames, whose pixels are marched by default.
     solved_at : sequence of (float, Scene)
         Weights and scenes between which the light is interpolated, see ``solve_clouds``; by default
         it is solved for every picture.
@@ -68,6 +70,7 @@ class CloudsAround:
     cache: bool = True
     detail: str = STILL
     directions: tuple[int, int] = DIRECTIONS
+    sky_view: tuple[int, int] | None = None
     solved_at: Sequence[tuple[float, Scene]] = ()
     #: The last light, which the next frame of a film may share.
     _lights: _Lights = dataclasses.field(default_factory=lambda: Cache(1))

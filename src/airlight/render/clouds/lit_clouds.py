@@ -16,8 +16,9 @@ from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 
-#: Azimuths and rows of the table of the air of coarse frames, by eye.
+#: Azimuths and rows of the table of the air of coarse frames, and of their sky-view LUT, by eye.
 QUICK: Final = (15, 15)
+QUICK_SKY_VIEW: Final = (48, 48)
 #: Change of a light's direction up to which its clouds keep their light: a thousandth of it with
 #: the sun at 75°, 4/1000 at 89° (a fifth of the errors of 0.5° in docs/clouds.md). [deg]
 _SAME_LIGHT: Final = 0.1
@@ -146,7 +147,7 @@ class LitClouds(CloudsAround):
 
 
 #: Fields of ``CloudsAround`` that do not change with the light.
-_OF_CLOUDS: Final = ("decks", "quality", "cache", "detail", "directions")
+_OF_CLOUDS: Final = ("decks", "quality", "cache", "detail", "directions", "sky_view")
 
 
 def near(one: Scene, other: Scene) -> bool:
