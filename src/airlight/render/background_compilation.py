@@ -50,9 +50,11 @@ def start_sky_view_compiler() -> BackgroundCompiler:
 
 def cloudy_loops(*, marched: bool = False) -> tuple[Any, ...]:
     """Loops of a frame with clouds of one kind, marched or by a sky-view LUT, in their order."""
+    from airlight.render.clouds import air_table
     from airlight.render.clouds.cloudy_pixel import march_cloudy, render_cloudy
 
-    return (march_cloudy,) if marched else (fill_texels, fill_mirrored, render_cloudy)
+    pixels = (march_cloudy,) if marched else (fill_texels, fill_mirrored, render_cloudy)
+    return *pixels, air_table._lines, air_table._fill
 
 
 def start_cloudy_compiler() -> BackgroundCompiler:
@@ -71,25 +73,26 @@ def live_cloudy_compiler(*, marched: bool = False) -> BackgroundCompiler:
 
 def compile_cloudy_loops() -> None:
     """Compile or load the loops with a sky-view LUT and clouds."""
-    every = (*_arguments()[: len(SKY_VIEW_LOOPS) - 1], _cloudy_arguments())
-    for loop, arguments in zip(cloudy_loops(), every, strict=True):
-        loop(*arguments)
+    _call(cloudy_loops(), [*_arguments()[: len(SKY_VIEW_LOOPS) - 1], *_cloudy_arguments()])
 
 
 def compile_marched_clouds() -> None:
-    """Compile or load the loop that marches pixels with clouds."""
-    for loop in cloudy_loops(marched=True):
-        loop(*_cloudy_arguments())
+    """Compile or load the loops that march pixels with clouds."""
+    _call(cloudy_loops(marched=True), _cloudy_arguments())
 
 
-def _cloudy_arguments() -> tuple[Any, ...]:
-    """Arguments of a loop over zero pixels with clouds."""
-    from airlight.render.clouds.cloud_tables import new_cloud_work
+def _cloudy_arguments() -> list[tuple[Any, ...]]:
+    """Arguments of the last loops of ``cloudy_loops`` for zero pixels and texels."""
+    from airlight.render.clouds.cloud_tables import LAYERS, new_cloud_work
     from airlight.render.clouds.cloudy_pixel import CloudyWorkspace
 
     px, py, frame, work, weights, rgb = _arguments()[-1]
-    clouds = empty_clouds()
-    return px, py, frame, CloudyWorkspace(work, clouds, new_cloud_work(clouds)), weights, rgb
+    clouds, observer, tables = empty_clouds(), frame.observer, frame.tables
+    pixels = px, py, frame, CloudyWorkspace(work, clouds, new_cloud_work(clouds)), weights, rgb
+    window, lines, nodes = SkyViewWindow(2, 2, *(0,) * 6), np.zeros((0, 7)), np.zeros((0, 1))
+    out = np.zeros((0, 1, LAYERS, LANES), np.float32)
+    texels = window, observer, tables, (1.0,) * 4, lines, nodes
+    return [pixels, texels, (lines, nodes, observer, tables, work, out)]
 
 
 def empty_clouds() -> CloudTables:
@@ -160,14 +163,18 @@ def empty_clouds() -> CloudTables:
 
 def compile_loops() -> None:
     """Compile or load all loops by calls with zero pixels."""
-    for loop, arguments in zip((*SKY_VIEW_LOOPS, *MARCH_LOOPS), _arguments(), strict=True):
-        loop(*arguments)
+    _call((*SKY_VIEW_LOOPS, *MARCH_LOOPS), _arguments())
 
 
 def compile_sky_view_loops() -> None:
     """Compile or load the loops with a sky-view LUT."""
-    for loop, arguments in zip(SKY_VIEW_LOOPS, _arguments()[: len(SKY_VIEW_LOOPS)], strict=True):
-        loop(*arguments)
+    _call(SKY_VIEW_LOOPS, _arguments()[: len(SKY_VIEW_LOOPS)])
+
+
+def _call(loops: tuple[Any, ...], arguments: list[tuple[Any, ...]]) -> None:
+    """Call each loop with its arguments."""
+    for loop, own in zip(loops, arguments, strict=True):
+        loop(*own)
 
 
 def _arguments() -> list[tuple[Any, ...]]:
