@@ -12,6 +12,7 @@ from airlight.planets.planet import Planet
 from airlight.render.clouds.cloud_light import STILL, CloudLight
 from airlight.render.clouds.cloud_time import CloudTime
 from airlight.render.clouds.clouds_around import CloudsAround, is_wide
+from airlight.render.clouds.mean_layer import MeanLayer
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
@@ -99,6 +100,11 @@ class LitClouds(CloudsAround):
             replace(one, field=deck.field)
             for one, deck in zip(self.solved[light], self.decks, strict=True)
         )
+
+    @property
+    def mean_layer(self) -> MeanLayer | None:
+        """Mean layer of the clouds; None without cloudy columns or light."""
+        return next((one.layer for some in self.solved.values() for one in some), None)
 
     def at(self, scene: Scene, seconds: float = 0.0) -> LitClouds:
         """Clouds seen in a scene after the wind has moved them for a time. [s]"""
