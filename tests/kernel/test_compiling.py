@@ -12,7 +12,7 @@ from types import ModuleType
 import pytest
 
 from airlight.kernel.background_compiler import BackgroundCompiler
-from airlight.kernel.compiling import Compiling, on_disk
+from airlight.kernel.compiling import Compiling, name_of, on_disk, progress_text
 
 SOURCE = """
 from airlight.kernel import compiled_loop, kernel
@@ -66,10 +66,15 @@ def module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[ModuleTy
 def test_functions_are_counted_from_none_to_all_and_once(module: ModuleType) -> None:
     compiling, reported = Compiling([module.total]), []
     other = Compiling([module.total], here=False)
-    compiling.on_change = lambda: reported.append(compiling.done)
+    leave = compiling.subscribe(lambda: reported.append(compiling.done))
+    assert progress_text([compiling]).startswith("compiling, once: 0 of 3 functions, about ")
     assert (compiling.done, compiling.total) == (0, 3)
     assert module.total(4) == 7.0
     assert (compiling.done, compiling.total) == (3, 3)
+    assert reported == [1, 2, 3]
+    assert progress_text([compiling]) == ""
+    leave()
+    compiling.finish(name_of(module.total))
     assert reported == [1, 2, 3]
     compiling.close()
     assert other.done == 3  # what another process has compiled is on disk

@@ -73,6 +73,11 @@ class BackgroundCompiler:
             process.wait()
         self._ended.set()
 
+    @property
+    def busy(self) -> bool:
+        """Whether the process is running."""
+        return not self._ended.is_set()
+
     def ready(self, loop: Any) -> bool:
         """Whether a loop can be used without waiting for the process."""
         ended = self._ended.is_set() and not self._closed
