@@ -101,6 +101,7 @@ def test_empty_clouds_have_the_types_of_a_picture(solved: Callable[..., Any]) ->
     assert real is not None
     assert numba.typeof(made) == numba.typeof(real)
     assert numba.typeof(new_cloud_work(made)) == numba.typeof(new_cloud_work(real))
+    assert all(numba.typeof(one) == numba.typeof(real.layers[0]) for one in empty_clouds(3).layers)
     # the table of the air, also in the light of the mean layer, for one set of types
     *_, lines, fill = cloudy_loops()
     for loop, arguments in zip((lines, fill), _cloudy_arguments()[1:], strict=True):

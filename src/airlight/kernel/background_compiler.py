@@ -24,11 +24,13 @@ class BackgroundCompiler:
     Parameters
     ----------
     compiler : str
-        ``module:function`` without arguments, which compiles the loops in the background process.
+        ``module:function``, which compiles the loops in the background process.
     loops : sequence of compiled functions
         Loops in the order of compilation.
     later : sequence of compiled functions
         Further loops, which are not counted.
+    arguments : tuple
+        Arguments of the function.
 
     Attributes
     ----------
@@ -42,7 +44,14 @@ class BackgroundCompiler:
     process; after ``close``, which may precede the end of threads that wait, they are not.
     """
 
-    def __init__(self, compiler: str, loops: Sequence[Any], later: Sequence[Any] = ()) -> None:
+    def __init__(
+        self,
+        compiler: str,
+        loops: Sequence[Any],
+        later: Sequence[Any] = (),
+        *,
+        arguments: tuple[int, ...] = (),
+    ) -> None:
         self._waits = tuple(one for one in (*loops, *later) if is_kept(one) and not on_disk(one))
         self.compiling = Compiling(loops, here=not self._waits)
         self._ended = threading.Event()
@@ -53,7 +62,7 @@ class BackgroundCompiler:
             self._ended.set()
             return
         module, _, function = compiler.partition(":")
-        text = f"from {__name__} import report; report({module!r}, {function!r})"
+        text = f"from {__name__} import report; report({module!r}, {function!r}, *{arguments!r})"
         try:
             self._process = start_python(
                 text, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
@@ -101,8 +110,8 @@ class BackgroundCompiler:
         self._thread.join()
 
 
-def report(module: str, function: str) -> None:
-    """Call a function, and print the name of each function that it compiles."""
+def report(module: str, function: str, *arguments: int) -> None:
+    """Call a function with arguments, and print the name of each function that it compiles."""
     from importlib import import_module
 
     from numba.core import event
@@ -111,4 +120,4 @@ def report(module: str, function: str) -> None:
         print(name, flush=True)
 
     event.register("numba:compile", CompileListener(print_name))
-    getattr(import_module(module), function)()
+    getattr(import_module(module), function)(*arguments)

@@ -239,13 +239,10 @@ class CpuRenderer:
         frame, work = self._frame(view), new_workspace(self._tables)
         if self._clouds is not None:
             from airlight.render.clouds.cloud_tables import new_cloud_work
-            from airlight.render.clouds.cloudy_pixel import (
-                CloudyWorkspace,
-                march_cloudy,
-                render_cloudy,
-            )
+            from airlight.render.clouds.cloudy_pixel import BY_KINDS, CloudyWorkspace, march_cloudy
 
-            cloudy = march_cloudy if self.window is None else render_cloudy
+            kinds = len(self._clouds.layers)
+            cloudy = march_cloudy if self.window is None else BY_KINDS[kinds - 1]
             with_clouds = CloudyWorkspace(work, self._clouds, new_cloud_work(self._clouds))
             cloudy(px, py, frame, with_clouds, self._weights, rgb)
             return

@@ -228,9 +228,9 @@ class LiveRenderer:
             return
         from airlight.render.clouds.lit_clouds import QUICK, QUICK_SKY_VIEW
 
-        marched = is_always_marched(step.scene, solution)
-        compiler = live_cloudy_compiler(marched=marched)
-        if not all(compiler.wait(loop, stale) for loop in cloudy_loops(marched=marched)):
+        kinds, marched = len(clouds.decks), is_always_marched(step.scene, solution)
+        compiler = live_cloudy_compiler(kinds, marched=marched)
+        if not all(compiler.wait(loop, stale) for loop in cloudy_loops(kinds, marched=marched)):
             raise Cancelled("a newer view")
         fine = replace(clouds, sky_view=COARSEST)
         quick = replace(clouds, directions=QUICK, sky_view=QUICK_SKY_VIEW)

@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Final
 
+from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.compiling import Compiling, progress_text
 from airlight.kernel.memory import give_back
 from airlight.kernel.threads import Progress
 from airlight.planets.planet import Planet
 from airlight.render.background_compilation import live_cloudy_compiler
+from airlight.render.clouds import MOST_KINDS
 from airlight.render.clouds.cloud_light import FIRST, LIVE
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.clouds.lit_clouds import LitClouds, near, same_lights
@@ -88,9 +90,9 @@ class CloudThread(LatestThread[CloudRequest]):
         self._around: CloudsAround | None = None
         self._reported = 0.0
         self._compiling = Compiling(LOOPS)
-        self._renderer = live_cloudy_compiler()  # in another process, while the light is solved
-        counts = self._compiling, self._renderer.compiling
-        self._unsubscribe = [one.subscribe(self._compiled) for one in counts]
+        self._compiling.subscribe(self._compiled)
+        self._renderer: BackgroundCompiler | None = None
+        self._leave_renderer: Callable[[], None] = lambda: None
         super().__init__("airlight-clouds", wake)
 
     @property
@@ -99,19 +101,24 @@ class CloudThread(LatestThread[CloudRequest]):
         compiling = progress_text([self._compiling]) if self.busy else ""
         if self.busy and not compiling:
             return self._doing
-        if self._renderer.busy:
+        if self._renderer is not None and self._renderer.busy:
             counts = [self._renderer.compiling] + ([self._compiling] if compiling else [])
             compiling = progress_text(counts)
         return f"clouds: {compiling} …" if compiling else ""
 
     def end(self) -> None:
         """Stop counting what is compiled."""
-        for unsubscribe in self._unsubscribe:
-            unsubscribe()
+        self._leave_renderer()
         self._compiling.close()
 
     def want(self, request: CloudRequest) -> None:
         """Set the latest request, unless it has the same light; returns immediately."""
+        # compiles in another process, while the light is solved
+        renderer = live_cloudy_compiler(min(len(request.planet.clouds), MOST_KINDS))
+        if renderer is not self._renderer:
+            self._leave_renderer()
+            self._renderer = renderer
+            self._leave_renderer = renderer.compiling.subscribe(self._compiled)
         with self._news:
             wanted = self._wanted
         if not request.same(wanted) and not (wanted is self._served and self._shows(request)):
