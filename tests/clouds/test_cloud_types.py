@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 from scipy.ndimage import center_of_mass, label
 
+from airlight.clouds import heaps
 from airlight.clouds.cloud_grid import CloudGrid
 from airlight.clouds.cloud_types import cloud_field
 from airlight.clouds.fibres import TURN
+from airlight.clouds.heaps import CONGESTUS, HUMILIS
 from airlight.clouds.layers import STRATOCUMULUS, adiabatic, layer_extinction
 from airlight.clouds.organisation import (
     SPECTRUM,
@@ -273,3 +275,18 @@ def test_fibres_of_cirrus_are_fine_across_and_long_along(seed):
     along = np.array([max(alike[-n, m] for m in range(-n, 1)) for n in range(60)])
     assert across <= 3
     assert np.argmax(along < 0.5) > 3 * across
+
+
+@pytest.mark.parametrize("shape", [HUMILIS, CONGESTUS])
+def test_compiled_thermals_are_those_of_numpys_generator(shape, monkeypatch):
+    # Second method: the same source in Python, which draws by NumPy itself; and the next draw.
+    clouds = np.array([[100.0, 200.0, 1500.0], [900.0, 50.0, 400.0], [300.0, 700.0, 260.0]])
+    numbers = shape, 1e-3, 900.0, 30.0, 100.0
+    randoms = [np.random.default_rng(5) for _ in range(2)]
+    found = heaps._thermals(randoms[0], clouds, *numbers)
+    for name in ("_cloud", "_plume", "_bulges"):
+        monkeypatch.setattr(heaps, name, getattr(heaps, name).py_func)
+    expected = heaps._thermals.py_func(randoms[1], clouds, *numbers)
+    assert found.shape[0] > 100
+    np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9)
+    assert randoms[0].random() == randoms[1].random()

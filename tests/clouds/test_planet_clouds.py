@@ -1,10 +1,14 @@
 """Clouds of planets: fields, optical properties, ice, and clouds above the air."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from airlight.clouds import planet_clouds
 from airlight.clouds.cloud_optics import CloudOptics, droplets
-from airlight.clouds.planet_clouds import Box, clouds_of
+from airlight.clouds.cloud_types import cloud_field
+from airlight.clouds.planet_clouds import Box, clouds_of, field_of
 from airlight.errors import ParameterError
 from airlight.planets import load_planet
 from airlight.planets.clouds import Cirrus, CumulusHumilis
@@ -32,6 +36,25 @@ def test_every_cloud_has_a_field_at_the_place_and_its_optical_properties():
 def test_fields_are_kept():
     (first, _), (second, _) = (clouds_of(_earth(CUMULUS), nm, SMALL)[0] for nm in ([550.0], NM))
     assert first is second
+
+
+def test_edits_that_leave_shapes_generate_nothing(monkeypatch):
+    # Reference: fields generated for themselves, to the rounding of single precision.
+    shape = CumulusHumilis(seed=7.0, depth=700.0, shear=2e-3)
+    edits = {"base": 1800.0, "optical_depth": 4.0, "wind_speed": 9.0, "effective_radius": 9e-6}
+    moved = replace(shape, **edits, latitude=10.0, longitude=20.0)
+    box = {"size": SMALL.size, "spacing": SMALL.spacing, "levels": SMALL.levels}
+    fields = [cloud_field(one, **box) for one in (shape, moved)]
+    known, _ = field_of(shape, SMALL, 6.4e6)
+    monkeypatch.setattr(planet_clouds, "cloud_field", None)  # no more of them
+    for one, expected in zip((shape, moved), fields, strict=True):
+        found, radius = field_of(one, SMALL, 6.4e6)
+        np.testing.assert_allclose(found.extinction, expected.extinction, rtol=2.5e-7)
+        assert (found.spacing, found.base) == (expected.spacing, one.base)
+        assert (found.beyond, radius) == (expected.beyond, one.effective_radius)
+    assert (known.latitude, found.latitude, found.longitude) == (SMALL.latitude, 10.0, 20.0)
+    with pytest.raises(TypeError):
+        field_of(replace(shape, shear=0.0), SMALL, 6.4e6)  # which tilts clouds
 
 
 def test_droplets_are_those_of_the_clouds():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
@@ -11,7 +12,7 @@ from types import ModuleType
 import pytest
 
 from airlight.kernel.background_compiler import BackgroundCompiler
-from airlight.kernel.compiling import Compiling, on_disk
+from airlight.kernel.compiling import Compiling, name_of, on_disk, progress_text
 
 SOURCE = """
 from airlight.kernel import compiled_loop, kernel
@@ -42,6 +43,12 @@ def total(count):
 
 def compile_total():
     total(0)
+
+
+def compile_late():
+    import time
+
+    time.sleep(60.0)
 """
 
 
@@ -59,10 +66,15 @@ def module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[ModuleTy
 def test_functions_are_counted_from_none_to_all_and_once(module: ModuleType) -> None:
     compiling, reported = Compiling([module.total]), []
     other = Compiling([module.total], here=False)
-    compiling.on_change = lambda: reported.append(compiling.done)
+    leave = compiling.subscribe(lambda: reported.append(compiling.done))
+    assert progress_text([compiling]).startswith("compiling, once: 0 of 3 functions, about ")
     assert (compiling.done, compiling.total) == (0, 3)
     assert module.total(4) == 7.0
     assert (compiling.done, compiling.total) == (3, 3)
+    assert reported == [1, 2, 3]
+    assert progress_text([compiling]) == ""
+    leave()
+    compiling.finish(name_of(module.total))
     assert reported == [1, 2, 3]
     compiling.close()
     assert other.done == 3  # what another process has compiled is on disk
@@ -88,3 +100,15 @@ def test_a_process_that_fails_keeps_nobody_waiting(module: ModuleType) -> None:
     assert ahead.wait(module.total, lambda: False)
     assert module.total(4) == 7.0
     ahead.close()
+
+
+def test_who_waits_for_a_compiler_that_closes_compiles_nothing(module: ModuleType) -> None:
+    # A window that closes ends the process before its threads, which wait for loops.
+    ahead = BackgroundCompiler(f"{module.__name__}:compile_late", [module.total])
+    found: list[bool] = []
+    waiting = threading.Thread(target=lambda: found.append(ahead.wait(module.total, lambda: False)))
+    waiting.start()
+    ahead.close()
+    waiting.join(30.0)
+    assert found == [False]
+    assert not ahead.ready(module.total)

@@ -10,11 +10,17 @@ from typing import Any
 
 import numba
 import numpy as np
+import pytest
 
 from airlight import Camera, Scene, load_planet
 from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics, droplets
-from airlight.render.background_compilation import _arguments, empty_clouds
+from airlight.render.background_compilation import (
+    _arguments,
+    _cloudy_arguments,
+    cloudy_loops,
+    empty_clouds,
+)
 from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.cloud_tables import new_cloud_work
 from airlight.render.clouds.clouds_around import CloudsAround
@@ -33,6 +39,35 @@ known = reached(LOOPS)
 used = {name_of(one) for name, module in list(sys.modules.items()) if name.startswith("airlight.")
         for one in vars(module).values() if isinstance(one, Dispatcher) and one.signatures}
 print(len(used & set(known)), *sorted(used - set(known)))
+"""
+#: The same of the light of clouds, and nothing that it does not run.
+LIGHT = """
+import sys
+from numba.core.dispatcher import Dispatcher
+from airlight import Scene, load_planet, solve
+from airlight.clouds import planet_clouds
+from airlight.kernel.compiling import name_of, reached
+from airlight.render.clouds import clouds_around
+from airlight.render.clouds.cloud_light import FIRST
+from airlight.render.clouds.lit_clouds import LitClouds
+from airlight.render.clouds.loops import LOOPS
+
+
+def used():
+    return {name_of(one) for name, module in list(sys.modules.items())
+            if name.startswith("airlight.")
+            for one in vars(module).values() if isinstance(one, Dispatcher) and one.signatures}
+
+
+clouds_around.Box = lambda **place: planet_clouds.Box(**place, size=3200.0, spacing=200.0, levels=8)
+planet = load_planet("earth-atmosphere-plus", {"clouds": [{"kind": "cumulus"}]})
+solution = solve(planet.without_clouds, [680, 550, 440], "preview", cache=False)
+scene = Scene(altitude=2.0)
+around = clouds_around.CloudsAround.of(planet, scene, cache=False)
+before = used()
+LitClouds.solve(around, planet, solution, scene, detail=FIRST)
+found, known = used() - before, {name_of(one) for one in LOOPS}
+print(len(known & found), *sorted(found ^ known))
 """
 
 
@@ -66,10 +101,19 @@ def test_empty_clouds_have_the_types_of_a_picture(solved: Callable[..., Any]) ->
     assert real is not None
     assert numba.typeof(made) == numba.typeof(real)
     assert numba.typeof(new_cloud_work(made)) == numba.typeof(new_cloud_work(real))
+    assert all(numba.typeof(one) == numba.typeof(real.layers[0]) for one in empty_clouds(3).layers)
+    # the table of the air, also in the light of the mean layer, for one set of types
+    *_, lines, fill = cloudy_loops()
+    for loop, arguments in zip((lines, fill), _cloudy_arguments()[1:], strict=True):
+        loop(*arguments)
+        assert len(loop.signatures) == 1
 
 
-def test_the_count_of_a_solve_knows_the_loops_that_it_runs() -> None:
-    done = subprocess.run([sys.executable, "-c", SOLVE], capture_output=True, text=True, check=True)
+@pytest.mark.parametrize("program", [SOLVE, LIGHT], ids=["solution", "clouds"])
+def test_the_count_of_a_solve_knows_the_loops_that_it_runs(program: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
     known, *unknown = done.stdout.split()
     assert int(known) > 10
     assert unknown == []

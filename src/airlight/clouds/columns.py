@@ -24,6 +24,10 @@ from airlight.planets.spectral import PerWavelength
 MOST_COLUMNS: Final = 8
 #: Vertical optical depth up to which a column of a field is clear. [1]
 CLEAR_COLUMN: Final = 0.1
+#: Displacement of base and top [m], and logarithm of the ratio of optical depths [1], up to which
+#: layers count as alike: a few per cent of the light of the air.
+_LIKE_ALTITUDE: Final = 800.0
+_LIKE_DEPTH: Final = 0.3
 #: Start of the names of constituents of ``with_even_layer``.
 LAYER: Final = "mean layer of clouds"
 
@@ -117,6 +121,12 @@ class EvenLayer(NamedTuple):
         return cls(
             float(cloudy.mean()), field.base + first * step, (last - first) * step, columns[cloudy]
         )
+
+    def is_like(self, other: EvenLayer) -> bool:
+        """Whether the air above and below scatters nearly the same light, whatever the cover."""
+        first, second = (max(float(np.mean(one.optical_depths)), 1e-3) for one in (self, other))
+        moved = abs(self.base - other.base) + abs(self.depth - other.depth)
+        return moved < _LIKE_ALTITUDE and abs(np.log(first / second)) < _LIKE_DEPTH
 
 
 def reflecting_depth(optical_depths: NDArray[np.floating], asymmetry: float) -> float:

@@ -14,8 +14,7 @@ and seven tenths of a cell of the surface, as in the shells of Heus & Jonker (20
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from math import ceil, floor, log, sqrt
+from math import ceil, cos, floor, log, pi, sin, sqrt
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -43,6 +42,11 @@ _CROWDED: Final = 0.8
 _MOST: Final = 4000
 #: Roughness of a thermal's surface over its radius, in the coarsest octave.
 _ROUGH: Final = 0.55
+#: Largest numbers of plumes of a cloud, and of thermals of a plume.
+_MOST_PLUMES: Final = 15
+_MOST_THERMALS: Final = 64
+#: Number of thermals for which there is room at first.
+_ROOM: Final = 1 << 14
 #: Generations of smaller thermals, and their least radius in cells.
 _GENERATIONS: Final = 2
 _LEAST: Final = 0.9
@@ -218,7 +222,9 @@ def heap_extinction(
         density = number_density(grid, random, cell, shear, organisation)
     widths = cloud_widths(grid, random, cell, cover, density)
     places = _places(grid, random, widths, density)
-    heaps = _heaps(grid, random, np.column_stack([places, widths]), shape, shear)
+    clouds = np.column_stack([places, widths])
+    thermals = _thermals(random, clouds, shape, shear, grid.depth, grid.level, grid.spacing)
+    heaps = Heaps(*np.ascontiguousarray(thermals.T))
     field = np.full(grid.shape, NOWHERE)
     raise_thermals(field, heaps, grid.spacing, grid.level, _ROUGH)
     highest = field.max(axis=2)
@@ -281,80 +287,108 @@ def _places(
     return places
 
 
-def _heaps(
-    grid: CloudGrid,
-    random: np.random.Generator,
-    clouds: FloatArray,
-    shape: HeapShape,
-    shear: float,
-) -> Heaps:
-    """Thermals of clouds of a place and width."""
-    found: list[FloatArray] = []
-    for east, north, width in clouds:
-        top = grid.depth * (width / clouds[0, 2]) ** 0.8 * random.uniform(0.75, 1.0)
-        if not found:
-            top = grid.depth
-        one = _cloud(random, shape, width, max(top, 2.0 * grid.level), _LEAST * grid.spacing)
-        one[:, 0] += east + shear * one[:, 2] ** 2 / (2.0 * ASCENT)
-        one[:, 1] += north
-        one[:, 5] = random.uniform(0.0, 200.0)
-        found.append(one)
-    return Heaps(*np.ascontiguousarray(np.concatenate(found).T))
+@compiled_loop
+def _thermals(random, clouds, shape, shear, depth, level, spacing):
+    """Thermals of clouds of a place and width, largest first: rows of ``Heaps``.
+
+    Parameters
+    ----------
+    random : numpy.random.Generator
+        Source of sizes and places, in whose order a seed has its shapes.
+    clouds : array, shape (n, 3)
+        Places and widths. [m]
+    shape : HeapShape
+        Shape of each.
+    shear : float
+        Increase of the eastward wind with height. [s⁻¹]
+    depth, level, spacing : float
+        Height of the box, and height and width of a cell. [m]
+    """
+    found, last = np.empty((_ROOM, 6)), 0
+    for n in range(clouds.shape[0]):
+        east, north, width = clouds[n]
+        top = depth * (width / clouds[0, 2]) ** 0.8 * random.uniform(0.75, 1.0)
+        if n == 0:
+            top = depth
+        one = _cloud(random, shape, width, max(top, 2.0 * level), _LEAST * spacing)
+        offset, count = random.uniform(0.0, 200.0), one.shape[0]
+        while last + count > found.shape[0]:
+            found = np.concatenate((found, np.empty_like(found)))
+        for k in range(count):
+            row = found[last + k]
+            row[:] = one[k]
+            row[0] += east + shear * row[2] ** 2 / (2.0 * ASCENT)
+            row[1] += north
+            row[5] = offset
+        last += count
+    return found[:last]
 
 
-def _cloud(
-    random: np.random.Generator, shape: HeapShape, width: float, top: float, least: float
-) -> FloatArray:
+@kernel
+def _cloud(random, shape, width, top, least):
     """Thermals of one cloud about its place, of at least some radius [m]: rows of ``Heaps``."""
-    plumes = [(0.0, 0.0, random.uniform(*shape.core) * width, 0.92 * top)]
-    turn, narrow = random.uniform(0.0, 2.0 * np.pi), random.uniform(0.5, 1.0)
-    for _ in range(int(random.integers(7, 15))):
-        x, y, radius, _ = plumes[int(random.integers(len(plumes)))]
-        angle, apart = random.uniform(0.0, 2.0 * np.pi), random.uniform(0.7, 1.3) * radius
-        x, y = x + apart * np.cos(angle), y + apart * narrow * np.sin(angle)
+    plumes = np.empty((_MOST_PLUMES, 4))  # east, north, radius, height
+    plumes[0, 0], plumes[0, 1] = 0.0, 0.0
+    plumes[0, 2] = random.uniform(shape.core[0], shape.core[1]) * width
+    plumes[0, 3] = 0.92 * top
+    turn, narrow = random.uniform(0.0, 2.0 * pi), random.uniform(0.5, 1.0)
+    count = 1 + random.integers(7, _MOST_PLUMES)
+    for n in range(1, count):
+        beside = plumes[random.integers(0, n)]
+        angle = random.uniform(0.0, 2.0 * pi)
+        apart = random.uniform(0.7, 1.3) * beside[2]
+        x, y = beside[0] + apart * cos(angle), beside[1] + apart * narrow * sin(angle)
         outwards = min(sqrt(x * x + y * y) / (0.5 * width), 1.0)
         peak = top * random.uniform(0.35, 1.0) * (1.0 - shape.sloping * outwards**1.5)
         radius = random.uniform(0.1, 0.2) * width
-        plumes.append((x, y, radius, min(peak, shape.slender * radius)))
-    rows: list[tuple[float, ...]] = []
-    for x, y, radius, peak in plumes:
-        x, y = x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
-        rows += _plume(random, x, y, radius, peak, shape)
-    generations = [np.array(rows)]
+        plumes[n, 0], plumes[n, 1], plumes[n, 2] = x, y, radius
+        plumes[n, 3] = min(peak, shape.slender * radius)
+    rows, last = np.zeros((count * _MOST_THERMALS, 6)), 0
+    for n in range(count):
+        x, y, radius, peak = plumes[n]
+        x, y = x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn)
+        last = _plume(random, x, y, radius, peak, shape, rows, last)
+    first, thermals = 0, rows[:last]
     for _ in range(_GENERATIONS):
-        generations.append(_bulges(random, shape, generations[-1], top, least))
-    return np.concatenate(generations)
+        more = _bulges(random, shape, thermals[first:], top, least)
+        first = thermals.shape[0]
+        thermals = np.concatenate((thermals, more))
+    return thermals
 
 
-def _plume(
-    random: np.random.Generator, x: float, y: float, radius: float, peak: float, shape: HeapShape
-) -> Iterator[tuple[float, ...]]:
-    """Thermals above each other up to a height: rows of ``Heaps``."""
+@kernel
+def _plume(random, x, y, radius, peak, shape, rows, last):
+    """Add thermals above each other up to a height; the number of rows with them."""
     low = max(min(radius, peak), 0.1 * peak)  # flattened in flat clouds, stretched in slender ones
     h = 0.0
-    while True:
+    for _ in range(_MOST_THERMALS):
         size = 1.0 - shape.narrowing * h / peak
         up = min(low * size, peak)
         h = min(h, peak - up)
-        swollen = size * random.uniform(0.85, 1.15)
-        yield x, y, h, radius * swollen, up, 0.0
+        rows[last, 0], rows[last, 1], rows[last, 2] = x, y, h
+        rows[last, 3], rows[last, 4] = radius * (size * random.uniform(0.85, 1.15)), up
+        last += 1
         if h >= peak - up - 1e-6 * peak:
-            return
+            break
         h += 0.6 * up
-        x += shape.wandering * radius * random.normal()
-        y += shape.wandering * radius * random.normal()
+        x += shape.wandering * radius * random.normal(0.0, 1.0)
+        y += shape.wandering * radius * random.normal(0.0, 1.0)
+    return last
 
 
-def _bulges(
-    random: np.random.Generator, shape: HeapShape, thermals: FloatArray, top: float, least: float
-) -> FloatArray:
+@kernel
+def _bulges(random, shape, thermals, top, least):
     """Smaller thermals on the sides and tops of others: rows of ``Heaps``."""
-    x, y, h, a, b, _ = np.repeat(thermals, shape.bulges, axis=0).T
-    turn, up, size = random.random((x.size, 3)).T
-    turn, up = 2.0 * np.pi * turn, 1.1 * up - 0.1
-    small = (0.3 + 0.25 * size) * np.minimum(a, b)
-    out, height = shape.outside * a * np.sqrt(1.0 - up * up), h + shape.outside * b * up
-    found = np.column_stack(
-        [x + out * np.cos(turn), y + out * np.sin(turn), height, small, small, 0.0 * small]
-    )
-    return np.asarray(found[(small >= least) & (height > 0.0) & (height < top - 0.7 * small)])
+    found, last = np.zeros((thermals.shape[0] * shape.bulges, 6)), 0
+    for n in range(thermals.shape[0]):
+        x, y, h, a, b = thermals[n, :5]
+        for _ in range(shape.bulges):
+            turn = 2.0 * pi * random.random()
+            up = 1.1 * random.random() - 0.1
+            small = (0.3 + 0.25 * random.random()) * min(a, b)
+            out, height = shape.outside * a * sqrt(1.0 - up * up), h + shape.outside * b * up
+            if small >= least and 0.0 < height < top - 0.7 * small:
+                found[last, 0], found[last, 1] = x + out * cos(turn), y + out * sin(turn)
+                found[last, 2], found[last, 3], found[last, 4] = height, small, small
+                last += 1
+    return found[:last]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,11 +15,25 @@ from airlight.clouds.cloud_optics import CloudOptics
 from airlight.clouds.cloud_types import SIZE, cloud_field
 from airlight.errors import ParameterError
 from airlight.physics.units import values_in
-from airlight.planets.clouds import CloudFile, Clouds, CloudType
+from airlight.planets.clouds import WATER, CloudFile, Clouds, CloudType
 from airlight.planets.planet import Planet
 
-#: Number of fields that are kept.
-_KEPT = 8
+#: Number of fields, and of shapes, that are kept: those of a picture, and the last edited ones.
+_KEPT: Final = 4
+#: Parameters of clouds on which their shapes do not depend, those of the wind that moves them among
+#: them (wind shear tilts clouds), and values.
+_NO_SHAPE: Final[dict[str, Any]] = {
+    "name": None,
+    "base": 0.0,
+    "optical_depth": 1.0,
+    "particles": WATER,
+    "effective_radius": 1e-5,
+    "effective_variance": 0.1,
+    "wind_speed": 0.0,
+    "wind_direction": 0.0,
+    "latitude": None,
+    "longitude": None,
+}
 
 
 class Box(NamedTuple):
@@ -99,11 +114,11 @@ def field_of(clouds: Clouds, box: Box, bottom_radius: float) -> tuple[CloudField
         Radius of the ground. [m]
     """
     if isinstance(clouds, CloudType):
-        return cloud_field(
-            clouds,
-            size=box.size,
-            spacing=box.spacing,
-            levels=box.levels,
+        shapes = _shapes(replace(clouds, **_NO_SHAPE), box.size, box.spacing, box.levels)
+        return replace(
+            shapes,
+            extinction=np.float32(clouds.optical_depth) * shapes.extinction,
+            base=clouds.base,
             latitude=box.latitude if clouds.latitude is None else clouds.latitude,
             longitude=box.longitude if clouds.longitude is None else clouds.longitude,
         ), clouds.effective_radius
@@ -111,3 +126,11 @@ def field_of(clouds: Clouds, box: Box, bottom_radius: float) -> tuple[CloudField
     return read_cloud_file(
         clouds, radius=bottom_radius, latitude=box.latitude, longitude=box.longitude
     )
+
+
+@lru_cache(maxsize=_KEPT)
+def _shapes(
+    clouds: CloudType, size: float, spacing: float | None, levels: int | None
+) -> CloudField:
+    """Field of the shapes of clouds, of any altitude, place and mean optical depth."""
+    return cloud_field(clouds, size=size, spacing=spacing, levels=levels)

@@ -24,11 +24,13 @@ class BackgroundCompiler:
     Parameters
     ----------
     compiler : str
-        ``module:function`` without arguments, which compiles the loops in the background process.
+        ``module:function``, which compiles the loops in the background process.
     loops : sequence of compiled functions
         Loops in the order of compilation.
     later : sequence of compiled functions
         Further loops, which are not counted.
+    arguments : tuple
+        Arguments of the function.
 
     Attributes
     ----------
@@ -37,21 +39,30 @@ class BackgroundCompiler:
 
     Notes
     -----
-    If the process fails or cannot start, or without a cache on disk, ``ready`` is True and the
-    loops are compiled in this process.
+    The process starts at once, for those who only ask whether a loop is ``ready``. If it fails or
+    cannot start, or without a cache on disk, ``ready`` is True and the loops are compiled in this
+    process; after ``close``, which may precede the end of threads that wait, they are not.
     """
 
-    def __init__(self, compiler: str, loops: Sequence[Any], later: Sequence[Any] = ()) -> None:
+    def __init__(
+        self,
+        compiler: str,
+        loops: Sequence[Any],
+        later: Sequence[Any] = (),
+        *,
+        arguments: tuple[int, ...] = (),
+    ) -> None:
         self._waits = tuple(one for one in (*loops, *later) if is_kept(one) and not on_disk(one))
         self.compiling = Compiling(loops, here=not self._waits)
         self._ended = threading.Event()
+        self._closed = False
         self._process: subprocess.Popen[str] | None = None
         self._thread: threading.Thread | None = None
         if not self._waits:
             self._ended.set()
             return
         module, _, function = compiler.partition(":")
-        text = f"from {__name__} import report; report({module!r}, {function!r})"
+        text = f"from {__name__} import report; report({module!r}, {function!r}, *{arguments!r})"
         try:
             self._process = start_python(
                 text, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
@@ -71,16 +82,20 @@ class BackgroundCompiler:
             process.wait()
         self._ended.set()
 
+    @property
+    def busy(self) -> bool:
+        """Whether the process is running."""
+        return not self._ended.is_set()
+
     def ready(self, loop: Any) -> bool:
         """Whether a loop can be used without waiting for the process."""
-        return self._ended.is_set() or loop not in self._waits or on_disk(loop)
+        ended = self._ended.is_set() and not self._closed
+        return ended or loop not in self._waits or on_disk(loop)
 
     def wait(self, loop: Any, stale: Callable[[], bool]) -> bool:
-        """Wait for a loop; False if ``stale()`` was True first."""
-        if self.ready(loop):
-            return True
+        """Wait for a loop; False if ``stale()`` was True first, or if the compiler is closed."""
         while not self.ready(loop):
-            if stale():
+            if self._closed or stale():
                 return False
             self._ended.wait(_POLL)
         return True
@@ -89,13 +104,14 @@ class BackgroundCompiler:
         """End the process."""
         if self._process is None or self._thread is None:
             return
+        self._closed = True
         with suppress(OSError):
             self._process.kill()
         self._thread.join()
 
 
-def report(module: str, function: str) -> None:
-    """Call a function, and print the name of each function that it compiles."""
+def report(module: str, function: str, *arguments: int) -> None:
+    """Call a function with arguments, and print the name of each function that it compiles."""
     from importlib import import_module
 
     from numba.core import event
@@ -104,4 +120,4 @@ def report(module: str, function: str) -> None:
         print(name, flush=True)
 
     event.register("numba:compile", CompileListener(print_name))
-    getattr(import_module(module), function)()
+    getattr(import_module(module), function)(*arguments)

@@ -15,8 +15,10 @@ from typing import Any, Final
 from numba.core import event
 from numba.core.dispatcher import Dispatcher
 
-#: Number of compiled functions from which the time left is estimated. [1]
-_FEWEST: Final = 5
+#: CPU time of an amount of work as ``work_left`` counts it, on a core of 2.1 GHz. [s]
+SECONDS: Final = 8e-5
+#: Time by ``SECONDS`` that counts as measured: small functions first tell little. [s]
+_ASSUMED: Final = 20.0
 #: Shortest interval between checks of what other processes have compiled. [s]
 _EVERY: Final = 0.3
 #: Amount of work of any function, in bytes of bytecode.
@@ -111,8 +113,6 @@ class Compiling:
     ----------
     total, done : int
         Number of functions, and of compiled ones. [1]
-    on_change : callable
-        Called without arguments, on any thread, after each function.
     """
 
     def __init__(self, loops: Iterable[Any], *, here: bool = True) -> None:
@@ -125,7 +125,7 @@ class Compiling:
         self._lock = threading.Lock()
         self._began = perf_counter()
         self.total = len(self._work)
-        self.on_change: Callable[[], None] = lambda: None
+        self._observers: list[Callable[[], None]] = []
         self._listener = CompileListener(self.finish)
         self._listens = here and self.total > 0
         if self._listens:
@@ -158,23 +158,38 @@ class Compiling:
             if name not in self._work:
                 return
             self._finished.add(name)
-        self.on_change()
+        for one in tuple(self._observers):
+            one()
+
+    def subscribe(self, observer: Callable[[], None]) -> Callable[[], None]:
+        """Call ``observer``, on any thread, after each function; returns the unsubscriber."""
+        self._observers.append(observer)
+        return lambda: self._observers.remove(observer)
 
     @property
-    def seconds_left(self) -> float | None:
-        """Estimated remaining time of compilation; None before there is an estimate. [s]"""
-        finished = self.finished
-        done = sum(self._work[name] for name in finished)
-        if len(finished) < _FEWEST:
-            return None
+    def seconds_left(self) -> float:
+        """Estimated remaining time of compilation. [s]"""
+        done = sum(self._work[name] for name in self.finished)
         rest = sum(self._work.values()) - done
-        return rest / done * (perf_counter() - self._began)
+        elapsed = perf_counter() - self._began
+        return rest * (elapsed + _ASSUMED) / (done + _ASSUMED / SECONDS)
 
     def close(self) -> None:
         """Unsubscribe from Numba's compilation events."""
         if self._listens:
             self._listens = False
             event.unregister("numba:compile", self._listener)
+
+
+def progress_text(counts: Iterable[Compiling]) -> str:
+    """Number of compiled functions, each counted once, and the time left; empty at the end."""
+    running = [one for one in counts if one.done < one.total]
+    if not running:
+        return ""
+    names = frozenset[str]().union(*(one.names for one in running))
+    done = frozenset[str]().union(*(one.finished for one in running))
+    left = max(one.seconds_left for one in running)
+    return f"compiling, once: {len(done)} of {len(names)} functions, about {left:.0f} s left"
 
 
 def _length(function: Any) -> int:

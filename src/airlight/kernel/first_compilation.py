@@ -17,13 +17,11 @@ from typing import Any, Final
 
 from numba.core import event
 
-from airlight.kernel.compiling import is_kept, name_of, on_disk, work_left
+from airlight.kernel.compiling import SECONDS, is_kept, name_of, on_disk, work_left
 from airlight.kernel.cost import announce, duration
 
 #: Time of compilation after which a line is reported. [s]
 PATIENCE: Final = 2.0
-#: CPU time of an amount of work as ``work_left`` counts it, on a core of 2.1 GHz. [s]
-_SECONDS: Final = 8e-5
 
 
 class FirstCompilation(event.Listener):
@@ -102,10 +100,10 @@ class FirstCompilation(event.Listener):
                 cpu += time.process_time() - self._began[1]
         busy = max(wall / cpu, 1.0) if cpu > 0.0 else 1.0
         work = max(work_left(loops, finished), work_left(self._elsewhere, ()))
-        if busy * _SECONDS * work < PATIENCE:  # nearly over
+        if busy * SECONDS * work < PATIENCE:  # nearly over
             return
         self._said = True
-        seconds = max(busy * _SECONDS * work, 1.0)
+        seconds = max(busy * SECONDS * work, 1.0)
         kept = "; cached for later runs" if all(map(is_kept, loops)) else ""
         line = f"compiling, about {duration(seconds)}{kept}"
         (listener or logging.getLogger("airlight").warning)(line)

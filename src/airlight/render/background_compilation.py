@@ -48,57 +48,57 @@ def start_sky_view_compiler() -> BackgroundCompiler:
     return BackgroundCompiler(f"{__name__}:compile_sky_view_loops", SKY_VIEW_LOOPS)
 
 
-def cloudy_loops() -> tuple[Any, ...]:
-    """Loops of a frame with a sky-view LUT and clouds of one kind, in the order of use."""
-    from airlight.render.clouds.cloudy_pixel import render_cloudy
+def cloudy_loops(kinds: int = 1, *, marched: bool = False) -> tuple[Any, ...]:
+    """Loops of a frame with some kinds of clouds, marched or by a sky-view LUT, in their order."""
+    from airlight.render.clouds import air_table
+    from airlight.render.clouds.cloudy_pixel import BY_KINDS, march_cloudy
 
-    return fill_texels, fill_mirrored, render_cloudy
+    pixels = (march_cloudy,) if marched else (fill_texels, fill_mirrored, BY_KINDS[kinds - 1])
+    return *pixels, air_table._lines, air_table._fill
 
 
-def start_cloudy_compiler() -> BackgroundCompiler:
+def start_cloudy_compiler(kinds: int = 1, *, marched: bool = False) -> BackgroundCompiler:
     """Start to compile the loops with clouds."""
-    return BackgroundCompiler(f"{__name__}:compile_cloudy_loops", cloudy_loops())
-
-
-def marched_clouds() -> Any:
-    """Loop of a frame without a sky-view LUT, with clouds."""
-    from airlight.render.clouds.cloudy_pixel import march_cloudy
-
-    return march_cloudy
+    function = compile_marched_clouds if marched else compile_cloudy_loops
+    loops = cloudy_loops(kinds, marched=marched)
+    return BackgroundCompiler(f"{__name__}:{function.__name__}", loops, arguments=(kinds,))
 
 
 @cache
-def live_cloudy_compiler() -> BackgroundCompiler:
+def live_cloudy_compiler(kinds: int = 1, *, marched: bool = False) -> BackgroundCompiler:
     """Process that compiles the loops of live frames with clouds, started by the first call."""
-    compiler = BackgroundCompiler(
-        f"{__name__}:compile_live_cloudy_loops", cloudy_loops(), (marched_clouds(),)
-    )
+    compiler = start_cloudy_compiler(kinds, marched=marched)
     atexit.register(compiler.close)
     return compiler
 
 
-def compile_live_cloudy_loops() -> None:
-    """Compile or load the loops with clouds, then that without a sky-view LUT."""
-    arguments = compile_cloudy_loops()
-    marched_clouds()(*arguments)
+def compile_cloudy_loops(kinds: int = 1) -> None:
+    """Compile or load the loops with a sky-view LUT and some kinds of clouds."""
+    first = _arguments()[: len(SKY_VIEW_LOOPS) - 1]
+    _call(cloudy_loops(kinds), [*first, *_cloudy_arguments(kinds)])
 
 
-def compile_cloudy_loops() -> tuple[Any, ...]:
-    """Compile or load the loops with clouds; returns the arguments of the last one."""
-    from airlight.render.clouds.cloud_tables import new_cloud_work
+def compile_marched_clouds(kinds: int = 1) -> None:
+    """Compile or load the loops that march pixels with some kinds of clouds."""
+    _call(cloudy_loops(kinds, marched=True), _cloudy_arguments(kinds))
+
+
+def _cloudy_arguments(kinds: int = 1) -> list[tuple[Any, ...]]:
+    """Arguments of the last loops of ``cloudy_loops`` for zero pixels and texels."""
+    from airlight.render.clouds.cloud_tables import LAYERS, new_cloud_work
     from airlight.render.clouds.cloudy_pixel import CloudyWorkspace
 
-    texels, mirrored, pixels, _ = _arguments()
-    px, py, frame, work, weights, rgb = pixels
-    clouds = empty_clouds()
-    cloudy = px, py, frame, CloudyWorkspace(work, clouds, new_cloud_work(clouds)), weights, rgb
-    for loop, arguments in zip(cloudy_loops(), (texels, mirrored, cloudy), strict=True):
-        loop(*arguments)
-    return cloudy
+    px, py, frame, work, weights, rgb = _arguments()[-1]
+    clouds, observer, tables = empty_clouds(kinds), frame.observer, frame.tables
+    pixels = px, py, frame, CloudyWorkspace(work, clouds, new_cloud_work(clouds)), weights, rgb
+    window, lines, nodes = SkyViewWindow(2, 2, *(0,) * 6), np.zeros((0, 7)), np.zeros((0, 1))
+    out = np.zeros((0, 1, LAYERS, LANES), np.float32)
+    texels = window, observer, tables, (1.0,) * 4, lines, nodes
+    return [pixels, texels, (lines, nodes, observer, tables, work, out)]
 
 
-def empty_clouds() -> CloudTables:
-    """Tables of clouds of one kind, with one cell."""
+def empty_clouds(kinds: int = 1) -> CloudTables:
+    """Tables of some kinds of clouds, with one cell."""
     from airlight.render.clouds.cloud_tables import CloudTables, LayerTables
     from airlight.render.clouds.higher_orders import no_inner
     from airlight.render.clouds.patches import PatchEdges
@@ -156,7 +156,7 @@ def empty_clouds() -> CloudTables:
         base=number,
         top=number,
         pixel_angle=number,
-        layers=(layer,),
+        layers=(layer,) * kinds,
         window=SkyViewWindow.whole(2, 2),
         air=table(4, LANES),
         beyond=table(3, LANES),
@@ -165,14 +165,18 @@ def empty_clouds() -> CloudTables:
 
 def compile_loops() -> None:
     """Compile or load all loops by calls with zero pixels."""
-    for loop, arguments in zip((*SKY_VIEW_LOOPS, *MARCH_LOOPS), _arguments(), strict=True):
-        loop(*arguments)
+    _call((*SKY_VIEW_LOOPS, *MARCH_LOOPS), _arguments())
 
 
 def compile_sky_view_loops() -> None:
     """Compile or load the loops with a sky-view LUT."""
-    for loop, arguments in zip(SKY_VIEW_LOOPS, _arguments()[: len(SKY_VIEW_LOOPS)], strict=True):
-        loop(*arguments)
+    _call(SKY_VIEW_LOOPS, _arguments()[: len(SKY_VIEW_LOOPS)])
+
+
+def _call(loops: tuple[Any, ...], arguments: list[tuple[Any, ...]]) -> None:
+    """Call each loop with its arguments."""
+    for loop, own in zip(loops, arguments, strict=True):
+        loop(*own)
 
 
 def _arguments() -> list[tuple[Any, ...]]:

@@ -18,7 +18,12 @@ from airlight.render.pixels.render_cpu import march_oblate_pixels, march_pixels,
 from airlight.render.pixels.render_tables import render_tables
 from airlight.render.pixels.ring_shine import no_shine, ring_shine
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
-from airlight.render.pixels.sky_view_window import COARSEST, SkyViewWindow, sky_view_window
+from airlight.render.pixels.sky_view_window import (
+    COARSEST,
+    SkyViewWindow,
+    coarse_window,
+    sky_view_window,
+)
 from airlight.render.pixels.view_uniforms import (
     checked_samples,
     cpu_view_uniforms,
@@ -63,8 +68,8 @@ class CpuRenderer:
         Whether Stokes Q and U can be rendered too.
     clouds : sequence of CloudLight, optional
         Light of three-dimensional clouds, by ascending tops.
-    cloud_directions : (int, int), optional
-        ``CloudsAround.directions``.
+    cloud_directions, sky_view : (int, int), optional
+        ``CloudsAround.directions`` and ``CloudsAround.sky_view``.
 
     Attributes
     ----------
@@ -87,6 +92,7 @@ class CpuRenderer:
     stokes: bool = False
     clouds: Sequence[CloudLight] = ()
     cloud_directions: tuple[int, int] | None = None
+    sky_view: tuple[int, int] | None = None
 
     def __post_init__(self) -> None:
         solution, camera = self.solution, self.scene.camera
@@ -108,7 +114,10 @@ class CpuRenderer:
         self._observer = observer_from(uniforms)
         self.window: SkyViewWindow | None = None
         if not self.exact and self.air and not is_always_marched(self.scene, solution):
-            self.window = sky_view_window(camera, self._observer, tables.bottom, tables.top)
+            seen = camera, self._observer, tables.bottom, tables.top
+            self.window = sky_view_window(*seen)
+            if self.window is None and self.sky_view is not None:
+                self.window = coarse_window(*seen, self.sky_view)
         self.filled, self._is_filled = self.window, False
         if self.window is None and self.air and tables.ground.wet:
             self.filled = SkyViewWindow(*COARSEST, 0, 1, 0, 0, 0, 0)
@@ -230,13 +239,10 @@ class CpuRenderer:
         frame, work = self._frame(view), new_workspace(self._tables)
         if self._clouds is not None:
             from airlight.render.clouds.cloud_tables import new_cloud_work
-            from airlight.render.clouds.cloudy_pixel import (
-                CloudyWorkspace,
-                march_cloudy,
-                render_cloudy,
-            )
+            from airlight.render.clouds.cloudy_pixel import BY_KINDS, CloudyWorkspace, march_cloudy
 
-            cloudy = march_cloudy if self.window is None else render_cloudy
+            kinds = len(self._clouds.layers)
+            cloudy = march_cloudy if self.window is None else BY_KINDS[kinds - 1]
             with_clouds = CloudyWorkspace(work, self._clouds, new_cloud_work(self._clouds))
             cloudy(px, py, frame, with_clouds, self._weights, rgb)
             return

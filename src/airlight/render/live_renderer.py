@@ -8,7 +8,8 @@
   smaller ones while the planet is edited; after a short time without changes the CPU renders the
   final frame, which, unlike a long pass, leaves the GPU queue free for the window.
 * The CPU renders three-dimensional clouds, beside a software GPU because it is twenty times faster
-  there; its coarse frames have a coarser table of the air.
+  there; its coarse frames have coarser tables. The loop that marches every pixel, which takes
+  longest to compile, is left out, except among rings.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
   not compiled either, which takes longer (``render.background_compilation``): then a hardware GPU
   renders first. The first frame of a window has full resolution, as coarse frames need the loop
@@ -35,9 +36,10 @@ from airlight.render.background_compilation import (
     SKY_VIEW_LOOPS,
     cloudy_loops,
     live_cloudy_compiler,
-    marched_clouds,
 )
 from airlight.render.live_frame import LIVE_FORMAT, LiveFrame
+from airlight.render.pixels.sky_view_window import COARSEST
+from airlight.render.pixels.view_uniforms import is_always_marched
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
@@ -224,22 +226,22 @@ class LiveRenderer:
         if self._last is not None and self._is_rendered(solution, step, clouds):
             yield self._last[1]
             return
-        from airlight.render.clouds.lit_clouds import QUICK
+        from airlight.render.clouds.lit_clouds import QUICK, QUICK_SKY_VIEW
 
-        compiler = live_cloudy_compiler()
-        if not all(compiler.wait(loop, stale) for loop in cloudy_loops()):
+        kinds, marched = len(clouds.decks), is_always_marched(step.scene, solution)
+        compiler = live_cloudy_compiler(kinds, marched=marched)
+        if not all(compiler.wait(loop, stale) for loop in cloudy_loops(kinds, marched=marched)):
             raise Cancelled("a newer view")
-        # coarse frames are marched, by a loop that is compiled later
-        coarse = compiler.ready(marched_clouds()) or len(clouds.decks) > 1
-        quick = replace(clouds, directions=QUICK)
-        for part in self._scales(step.scene, self._cloudy_rate) if coarse else [1.0]:
+        fine = replace(clouds, sky_view=COARSEST)
+        quick = replace(clouds, directions=QUICK, sky_view=QUICK_SKY_VIEW)
+        for part in self._scales(step.scene, self._cloudy_rate):
             started, finished = perf_counter(), part == 1.0
             scene = scaled(step.scene, part)
             frame = render(
                 solution,
                 scene,
                 orders=step.orders,
-                clouds=clouds if finished else quick,
+                clouds=fine if finished else quick,
                 cancel=stale if finished else None,
             )
             seconds = max(perf_counter() - started, 1e-6)
@@ -342,10 +344,9 @@ class LiveRenderer:
         """
         assert self._device is not None
         try:
-            if self._device.software:
-                # fill the sky-view LUT
-                self._are_compiled(SKY_VIEW_LOOPS[:-1], lambda: self._closing)
-            if self._upload(solution):
+            # a software GPU's sky-view LUT is filled by the CPU's loops
+            loops = SKY_VIEW_LOOPS[:-1] if self._device.software else ()
+            if self._are_compiled(loops, lambda: self._closing) and self._upload(solution):
                 assert self._gpu is not None
                 if self._device.software and not self._closing:
                     separate = type(self._gpu)(self._device.duplicate(), self._gpu.sky_view_size)

@@ -134,6 +134,7 @@ def render(
                     lit, seen, light=scene.lights.index(light), progress=progress, cancel=cancel
                 ),
                 cloud_directions=None if clouds is None else clouds.directions,
+                sky_view=None if clouds is None else clouds.sky_view,
             )
             share = None if progress is None else _shared(progress, number, len(pictures))
             add_rendered(layers, renderer, elements, share, cancel, black=number == 0)

@@ -326,13 +326,14 @@ def _compiling(
     The first frame on a machine takes longer to compile than to solve and render. Numba compiles
     one function at a time per process, so a second core needs a second process.
     """
-    if not reads_table or thread_count() < 2 or (clouds is not None and len(clouds.decks) > 1):
+    if not reads_table or thread_count() < 2:
         yield
         return
     if clouds is None:
         loops, compiler = SKY_VIEW_LOOPS, start_sky_view_compiler()
     else:
-        loops, compiler = cloudy_loops(), start_cloudy_compiler()
+        kinds = len(clouds.decks)
+        loops, compiler = cloudy_loops(kinds), start_cloudy_compiler(kinds)
     try:
         with FIRST_COMPILATION.elsewhere(loops):
             yield

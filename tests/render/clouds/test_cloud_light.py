@@ -5,9 +5,11 @@ import pytest
 
 from airlight import Scene, load_planet
 from airlight.clouds.cloud_field import CloudField
+from airlight.clouds.cloud_types import cloud_field
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop
-from airlight.render.clouds.beam_depth import beam_depths
+from airlight.planets.clouds import CumulusHumilis
+from airlight.render.clouds.beam_depth import LONG_STEP, STEP, beam_depths
 from airlight.render.clouds.clear_distance import clear_distances
 from airlight.render.clouds.cloud_deck import solved_wavelengths
 from airlight.render.clouds.cloud_light import box_spectrum, coarse_field
@@ -66,6 +68,20 @@ def test_steps_through_clear_air_change_no_depth(height):
     )
     for one, other in zip(found, small, strict=True):
         np.testing.assert_allclose(one, other, rtol=1e-5, atol=1e-6)
+
+
+@pytest.mark.parametrize("height", [0.9, 0.3])
+def test_long_steps_of_a_first_light_miss_little_of_a_beam(height):
+    # Transmittances below cumuli by steps of half a cell.
+    field = cloud_field(CumulusHumilis(), size=6400.0)
+    towards, clear = ((1.0 - height * height) ** 0.5, 0.0, height), clear_distances(field)
+    short, long = (
+        np.exp(-beam_depths(field, clear, towards, RADIUS, step=step)[0])
+        for step in (STEP, LONG_STEP)
+    )
+    assert 0.05 < short.mean() < 0.95
+    assert np.sqrt(((long - short) ** 2).mean()) < 0.02
+    np.testing.assert_allclose(long.mean(), short.mean(), atol=2e-3)
 
 
 def test_nothing_is_in_the_clear_distance():

@@ -32,12 +32,12 @@ def air():
     return solve_planet(load_planet("earth-atmosphere-plus"), NM, "preview", polarisation=False)
 
 
-def layer(air, columns, depth=10.0, seen=optics):
+def layer(air, columns, depth=10.0, seen=optics, base=1000.0, similar=None):
     """Mean layer of columns of an optical depth, of four."""
     cells = np.zeros((4, 4, 8), np.float32)
     cells[:columns] = depth / 400.0
-    field = CloudField(extinction=cells, spacing=(100.0, 100.0, 50.0), base=1000.0)
-    return mean_layer(air, [CloudDeck(field, seen)])
+    field = CloudField(extinction=cells, spacing=(100.0, 100.0, 50.0), base=base)
+    return mean_layer(air, [CloudDeck(field, seen)], similar=similar)
 
 
 @pytest.fixture(scope="module")
@@ -48,6 +48,20 @@ def overcast(air):
 def test_a_field_without_clouds_has_no_layer(air):
     assert layer(air, 4, depth=1e-6) is None
     assert layer(air, 0) is None
+
+
+def test_a_similar_layer_lends_its_columns_for_any_cover(air, overcast):
+    # exact for another cover; not taken for other altitudes or optical depths
+    r, mu_s = np.array([air.medium.bottom_radius]), np.array([0.7])
+    lent = layer(air, 2, base=1200.0, similar=overcast)
+    assert [one.solution for one in lent.columns] == [one.solution for one in overcast.columns]
+    full = overcast.sky_ratio(r, mu_s)
+    np.testing.assert_allclose(lent.sky_ratio(r, mu_s), 0.5 * (1.0 + full), rtol=1e-6)
+    # the error of the lent light, as of a first light
+    own = layer(air, 2, base=1200.0).sky_ratio(r, mu_s)
+    np.testing.assert_allclose(lent.sky_ratio(r, mu_s), own, rtol=0.02)
+    for other in (layer(air, 2, base=3000.0, similar=lent), layer(air, 2, 20.0, similar=lent)):
+        assert other.columns[1].solution is not overcast.columns[1].solution
 
 
 def test_light_is_the_mean_of_independent_columns(air, overcast):

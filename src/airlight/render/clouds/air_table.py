@@ -91,7 +91,7 @@ def air_table(
     length = np.concatenate([length, longest[:, None]], axis=1)
     layers = POLARISED_LAYERS if polarised else LAYERS
     out = np.zeros((window.texels, DISTANCES + 1, layers, tables.lanes), np.float32)
-    count = 0 if layer is None else layer.weights.shape[1]
+    count, air = (0, ()) if layer is None else (layer.weights.shape[1], layer.air)
     share = 16
 
     def fill(k: int) -> None:
@@ -100,10 +100,10 @@ def air_table(
         _fill(*here, observer, tables, new_workspace(tables), out[some])
         if layer is None or observer.orders == 1:
             return
-        found = [_higher(*here, one, polarised)[..., : len(layer.weights)] for one in layer.air]
+        found = [_higher(*here, observer, one, layers)[..., : len(layer.weights)] for one in air]
         clear = out[some, :, HIGHER, :count].copy()
-        for stokes, at in enumerate((HIGHER, HIGHER_Q, HIGHER_U) if polarised else (HIGHER,)):
-            change = layer.change([one[:, :, stokes] for one in found], found[0][:, :, 0])
+        for at in (HIGHER, HIGHER_Q, HIGHER_U) if polarised else (HIGHER,):
+            change = layer.change([one[:, :, at] for one in found], found[0][:, :, HIGHER])
             out[some, :, at, :count] += change * clear
             out[some, :, at + 1, :count] = -change * clear
 
@@ -121,11 +121,12 @@ def air_table(
 
 
 def _higher(
-    lines: FloatArray, length: FloatArray, tables: MarchTables, polarised: bool
+    lines: FloatArray, length: FloatArray, observer: Observer, tables: MarchTables, layers: int
 ) -> Float32Array:
-    """I, or I, Q and U, of higher orders of tables, shape (lines, nodes, 1 or 3, w). [sr⁻¹]"""
-    out = np.zeros((*length.shape, 3 if polarised else 1, tables.lanes), np.float32)
-    _fill_higher(lines, length, tables, new_workspace(tables), out)
+    """Layers with the higher orders of other tables only, shape (lines, nodes, layers, w)."""
+    out = np.zeros((*length.shape, layers, tables.lanes), np.float32)
+    higher = observer._replace(orders=0)
+    _fill(lines, length, higher, tables, new_workspace(tables), out)
     return out
 
 
@@ -157,6 +158,17 @@ def _lines(window, observer, tables, shell, lines, true):
 
 @compiled_loop
 def _fill(lines, length, observer, tables, work, out):
+    """Fill rows of ``CloudTables.air`` and beyond.
+
+    Parameters
+    ----------
+    lines, length : array, shapes (n, 7) and (n, nodes)
+        Results of ``_lines``, and optical lengths to the nodes. [m]
+    observer, tables, work : Observer, MarchTables, MarchWorkspace
+        Of the frame, and workspace.
+    out : array, shape (n, nodes, layers, w)
+        Receives the layers.
+    """
     tables, work = without_refcount((tables, work))
     polarised = out.shape[2] > LAYERS
     for k in range(lines.shape[0]):
@@ -189,22 +201,3 @@ def _fill(lines, length, observer, tables, work, out):
                     kept[HIGHER], kept[THROUGH] = found[0], found[1]
                     if polarised:
                         kept[HIGHER_Q], kept[HIGHER_U] = found[4], found[5]
-
-
-@compiled_loop
-def _fill_higher(lines, length, tables, work, out):
-    tables, work = without_refcount((tables, work))
-    polarised = out.shape[2] > 1
-    for k in range(lines.shape[0]):
-        r, mu, mu_s, nu, half_sine = lines[k, 0], lines[k, 1], lines[k, 2], lines[k, 3], lines[k, 4]
-        for node in range(length.shape[1]):
-            if length[k, node] <= _NOTHING:
-                continue
-            segment = Segment(r, mu, mu_s, nu, half_sine, length[k, node], no_rings())
-            terms = MarchTerms(True, False, polarised)
-            march(segment, 0, terms, tables, work, work.radiance)
-            for at in range(0, tables.lanes, LANES):
-                found, kept = lane_view(work.radiance, at), lane_view(out[k, node], at)
-                kept[0] = found[0]
-                if polarised:
-                    kept[1], kept[2] = found[4], found[5]

@@ -16,8 +16,9 @@ Float32Array = NDArray[np.float32]
 
 #: Optical depth at which a beam ends. [1]
 _OPAQUE = 40.0
-#: Steps of a beam over the smallest width of a cell. [1]
-_STEP = 0.5
+#: Steps of a beam over the smallest width of a cell; and longer ones, of a first light. [1]
+STEP = 0.5
+LONG_STEP = 1.5
 
 
 def beam_depths(
@@ -26,6 +27,7 @@ def beam_depths(
     towards: tuple[float, float, float],
     radius: float,
     *,
+    step: float = STEP,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> tuple[Float32Array, Float32Array]:
@@ -39,6 +41,8 @@ def beam_depths(
         Unit vector to the sun: east, north, up; it may be below the horizon. [1]
     radius : float
         Radius of the ground. [m]
+    step : float
+        Step over the smallest width of a cell. [1]
 
     Returns
     -------
@@ -49,19 +53,18 @@ def beam_depths(
     levels = np.append(np.arange(cells.shape[0]), -0.5)
     out = np.empty((levels.size, *cells.shape[1:]), np.float32)
     box = np.array([*field.spacing, field.base + radius])
-    periodic = field.beyond == "periodic"
+    periodic, length = field.beyond == "periodic", step * min(field.spacing)
 
     def fill(k: int) -> None:
-        _fill(levels[k], cells, clear, box, np.asarray(towards), periodic, out[k])
+        _fill(levels[k], cells, clear, box, length, np.asarray(towards), periodic, out[k])
 
     run_blocks(fill, levels.size, progress=progress, cancel=cancel, message="shadows of clouds")
     return out[:-1], out[-1]
 
 
 @compiled_loop
-def _fill(level, cells, clear, box, towards, periodic, out):
+def _fill(level, cells, clear, box, step, towards, periodic, out):
     nz, ny, nx = cells.shape
-    step = _STEP * min(box[0], box[1], box[2])
     flat = 1.0 - towards[2] * towards[2]
     for j in range(ny):
         for i in range(nx):

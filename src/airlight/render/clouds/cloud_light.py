@@ -15,7 +15,7 @@ from airlight.clouds.cloud_field import CloudField
 from airlight.clouds.cloud_optics import CloudOptics
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
-from airlight.render.clouds.beam_depth import beam_depths
+from airlight.render.clouds.beam_depth import LONG_STEP, STEP, beam_depths
 from airlight.render.clouds.box_air import box_air, with_deck
 from airlight.render.clouds.clear_distance import clear_distances
 from airlight.render.clouds.cloud_deck import CloudDeck, solved_wavelengths
@@ -39,8 +39,8 @@ Float32Array = NDArray[np.float32]
 #: cells above which a field is large; and number of levels that are not joined.
 MOST_SOLVED: Final = 640_000
 MOST_OF_LARGE: Final = 1_100_000
-#: Detail of light: that of still pictures, of live ones, and a first one without a finer box; and
-#: largest numbers of cells of the latter two.
+#: Detail of light: that of still pictures, of live ones, and a first one without a finer box, whose
+#: beams take longer steps; and largest numbers of cells of the latter two.
 STILL, LIVE, FIRST = "still", "live", "first"
 MOST_LIVE: Final = {LIVE: 160_000, FIRST: 40_000}
 LARGE: Final = 4_000_000
@@ -223,6 +223,7 @@ def solve_clouds(
         nothing,
         light.towards,
         solution.medium.bottom_radius,
+        step=LONG_STEP if detail == FIRST else STEP,
         progress=progress,
         cancel=cancel,
     )

@@ -22,7 +22,7 @@ from airlight.planets.planet import Planet
 from airlight.render.clouds import MOST_KINDS
 from airlight.render.clouds.air_table import DIRECTIONS
 from airlight.render.clouds.cloud_deck import CloudDeck
-from airlight.render.clouds.cloud_light import STILL, CloudLight, solve_clouds
+from airlight.render.clouds.cloud_light import FIRST, STILL, CloudLight, solve_clouds
 from airlight.render.clouds.incident_light import OtherClouds, sun_over
 from airlight.render.clouds.layer_geometry import seen_place
 from airlight.render.clouds.mean_layer import MeanLayer, mean_layer
@@ -32,8 +32,8 @@ from airlight.solver.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 #: Lights by what they depend on, with moments whose identity is a part of it.
 _Lights: TypeAlias = Cache[tuple[Any, ...], tuple[Any, tuple[CloudLight, ...]]]
-#: Mean layers by the identity of moments, with these.
-_Layers: TypeAlias = Cache[int, tuple[Any, MeanLayer | None]]
+#: Mean layers by the identity of moments and of a similar layer, with these.
+_Layers: TypeAlias = Cache[tuple[int, int], tuple[Any, MeanLayer | None]]
 
 
 #: Distance of the horizon, seen from the planet's centre, above which clouds are lit by other suns
@@ -57,6 +57,10 @@ class CloudsAround:
         Detail of the light, see ``solve_clouds``.
     directions : (int, int)
         Azimuths and rows of each half of the table of the air; fewer for coarse frames.
+    sky_view : (int, int), optional
+        The same of the sky-view LUT of small frames, whose pixels are marched by default.
+    similar : MeanLayer, optional
+        Mean layer of similar clouds, which may be taken for a first light.
     solved_at : sequence of (float, Scene)
         Weights and scenes between which the light is interpolated, see ``solve_clouds``; by default
         it is solved for every picture.
@@ -68,6 +72,8 @@ class CloudsAround:
     cache: bool = True
     detail: str = STILL
     directions: tuple[int, int] = DIRECTIONS
+    sky_view: tuple[int, int] | None = None
+    similar: MeanLayer | None = None
     solved_at: Sequence[tuple[float, Scene]] = ()
     #: The last light, which the next frame of a film may share.
     _lights: _Lights = dataclasses.field(default_factory=lambda: Cache(1))
@@ -153,12 +159,18 @@ class CloudsAround:
         )
 
         def make() -> tuple[Any, tuple[CloudLight, ...]]:
+            similar = self.similar if self.detail == FIRST else None
             _, layer = self._layers.of(
-                id(solution.moments),
+                (id(solution.moments), id(similar)),
                 lambda: (
-                    solution.moments,
+                    (solution.moments, similar),
                     mean_layer(
-                        solution, self.decks, cache=self.cache, progress=progress, cancel=cancel
+                        solution,
+                        self.decks,
+                        similar=similar,
+                        cache=self.cache,
+                        progress=progress,
+                        cancel=cancel,
                     ),
                 ),
             )

@@ -212,6 +212,22 @@ def render_cloudy(px, py, frame, work, weights, out):
 
 
 @compiled_loop
+def render_two_kinds(px, py, frame, work, weights, out):
+    """``render_cloudy`` with clouds of two kinds, which is compiled by itself."""
+    each_pixel(cloudy_light, False, px, py, frame, work, weights, out)
+
+
+@compiled_loop
+def render_three_kinds(px, py, frame, work, weights, out):
+    """``render_cloudy`` with clouds of three kinds."""
+    each_pixel(cloudy_light, False, px, py, frame, work, weights, out)
+
+
+@compiled_loop
 def march_cloudy(px, py, frame, work, weights, out):
     """March pixels; arguments of ``render_cloudy``."""
     each_pixel(cloudy_light, True, px, py, frame, work, weights, out)
+
+
+#: Loops with the sky-view LUT by the number of kinds of clouds less one.
+BY_KINDS = (render_cloudy, render_two_kinds, render_three_kinds)

@@ -12,12 +12,14 @@ from airlight.planets.planet import Planet
 from airlight.render.clouds.cloud_light import STILL, CloudLight
 from airlight.render.clouds.cloud_time import CloudTime
 from airlight.render.clouds.clouds_around import CloudsAround, is_wide
+from airlight.render.clouds.mean_layer import MeanLayer
 from airlight.render.pixels.scenes_by_light import scenes_by_light
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 
-#: Azimuths and rows of the table of the air of coarse frames, by eye.
+#: Azimuths and rows of the table of the air of coarse frames, and of their sky-view LUT, by eye.
 QUICK: Final = (15, 15)
+QUICK_SKY_VIEW: Final = (48, 48)
 #: Change of a light's direction up to which its clouds keep their light: a thousandth of it with
 #: the sun at 75°, 4/1000 at 89° (a fifth of the errors of 0.5° in docs/clouds.md). [deg]
 _SAME_LIGHT: Final = 0.1
@@ -99,6 +101,11 @@ class LitClouds(CloudsAround):
             for one, deck in zip(self.solved[light], self.decks, strict=True)
         )
 
+    @property
+    def mean_layer(self) -> MeanLayer | None:
+        """Mean layer of the clouds; None without cloudy columns or light."""
+        return next((one.layer for some in self.solved.values() for one in some), None)
+
     def at(self, scene: Scene, seconds: float = 0.0) -> LitClouds:
         """Clouds seen in a scene after the wind has moved them for a time. [s]"""
         own = self.scene
@@ -146,7 +153,7 @@ class LitClouds(CloudsAround):
 
 
 #: Fields of ``CloudsAround`` that do not change with the light.
-_OF_CLOUDS: Final = ("decks", "quality", "cache", "detail", "directions")
+_OF_CLOUDS: Final = ("decks", "quality", "cache", "detail", "directions", "sky_view")
 
 
 def near(one: Scene, other: Scene) -> bool:

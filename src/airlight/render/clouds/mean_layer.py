@@ -16,7 +16,6 @@ from airlight.clouds.columns import LAYER, EvenLayer, with_even_layer
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
-from airlight.planets.planet import Planet
 from airlight.render.clouds.cloud_deck import CloudDeck, solved_wavelengths
 from airlight.render.pixels.march_points import march_points
 from airlight.render.pixels.render_tables import render_tables
@@ -78,10 +77,21 @@ class MeanLayer:
         Columns; the first is clear.
     weights : array, shape (solved, nl)
         Weights of their wavelengths. [1]
+    layers : tuple of EvenLayer
+        Layers of clouds that the columns have.
     """
 
     columns: tuple[MeanColumn, ...]
     weights: FloatArray
+    layers: tuple[EvenLayer, ...]
+
+    def is_like(self, layers: Sequence[EvenLayer], columns: int) -> bool:
+        """Whether so many columns of layers, of any covers, have nearly the same light."""
+        return (
+            len(self.columns) == columns
+            and len(self.layers) == len(layers)
+            and all(one.is_like(other) for one, other in zip(self.layers, layers, strict=True))
+        )
 
     def ratio(self, light: Sequence[NDArray[np.floating]]) -> FloatArray:
         """Ratio q at all wavelengths, of the light (..., solved) of each column. [1]"""
@@ -136,10 +146,18 @@ def _air_tables(solution: MomentsSolution) -> MarchTables:
     return tables._replace(**without)
 
 
+def _fraction(layers: Sequence[EvenLayer], present: Sequence[bool]) -> float:
+    """Fraction of columns in which some layers are present, at random overlap. [1]"""
+    return prod(
+        one.cover if there else 1.0 - one.cover for one, there in zip(layers, present, strict=True)
+    )
+
+
 def mean_layer(
     solution: MomentsSolution,
     decks: Sequence[CloudDeck],
     *,
+    similar: MeanLayer | None = None,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -152,15 +170,23 @@ def mean_layer(
         Solution of the planet without clouds.
     decks : sequence of CloudDeck
         Clouds.
+    similar : MeanLayer, optional
+        Mean layer of the same planet, whose columns are taken if the layers are alike.
     cache : bool
         Whether solutions are read from and stored on disk.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
-    layers = [EvenLayer.of(deck.field) for deck in decks]
+    layers = tuple(EvenLayer.of(deck.field) for deck in decks)
     planet, every = solution.planet, solution.medium.wavelengths
     if planet is None or not any(layer.cover > 0.0 for layer in layers):
         return None
+    parts = [
+        (present, fraction)
+        for present in product((False, True), repeat=len(layers))
+        if (fraction := _fraction(layers, present)) > 0.0 or not any(present)
+    ]
+    known = similar if similar is not None and similar.is_like(layers, len(parts)) else None
     nm = every[solved_wavelengths(every.size)]
     settings = settings_for(QUALITY)
     # one degree for all, so that delta-M scaling of haze is the same
@@ -172,27 +198,32 @@ def mean_layer(
         thick_degree=degree,
         energy_tolerance=ENERGY_TOLERANCE,
     )
-    columns = []
-    for present in product((False, True), repeat=len(layers)):
-        chosen = tuple(zip(decks, layers, present, strict=True))
-        fraction = prod(one.cover if there else 1.0 - one.cover for _, one, there in chosen)
+
+    def solved(present: tuple[bool, ...]) -> MomentsSolution:
         column = planet.without_clouds
-        if fraction == 0.0 and any(present):
-            continue
-        for deck, layer, there in chosen:
+        for deck, layer, there in zip(decks, layers, present, strict=True):
             if there:
                 column = with_even_layer(column, layer, deck.optics_at(nm))
+        medium = Medium.from_planet(column, nm, progress=progress, cancel=cancel)
+        found = solve(medium, settings, cache=cache, progress=progress, cancel=cancel)
+        return found.of(column)
 
-        def solved(column: Planet = column) -> tuple[Any, MomentsSolution]:
-            medium = Medium.from_planet(column, nm, progress=progress, cancel=cancel)
-            found = solve(medium, settings, cache=cache, progress=progress, cancel=cancel)
-            return solution, found.of(column)
+    def clear() -> tuple[Any, MomentsSolution]:
+        return solution, solved((False,) * len(layers))
 
-        if any(present):
-            _, one = solved()
+    columns = []
+    for number, (present, fraction) in enumerate(parts):
+        if known is not None:
+            one = known.columns[number].solution
+        elif any(present):
+            one = solved(present)
         else:  # the same for all clouds
-            _, one = _CLEAR.of(id(solution.moments), solved)
+            _, one = _CLEAR.of(id(solution.moments), clear)
         columns.append(MeanColumn(fraction, one))
     order = np.argsort(nm)
     weights = [np.interp(every, nm[order], row[order]) for row in np.eye(nm.size)]
-    return MeanLayer(columns=tuple(columns), weights=np.array(weights))
+    return MeanLayer(
+        columns=tuple(columns),
+        weights=np.array(weights),
+        layers=layers if known is None else known.layers,
+    )

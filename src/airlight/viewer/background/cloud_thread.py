@@ -8,13 +8,17 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Final
 
+from airlight.kernel.background_compiler import BackgroundCompiler
+from airlight.kernel.compiling import Compiling, progress_text
 from airlight.kernel.memory import give_back
 from airlight.kernel.threads import Progress
 from airlight.planets.planet import Planet
 from airlight.render.background_compilation import live_cloudy_compiler
+from airlight.render.clouds import MOST_KINDS
 from airlight.render.clouds.cloud_light import FIRST, LIVE
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.clouds.lit_clouds import LitClouds, near, same_lights
+from airlight.render.clouds.loops import LOOPS
 from airlight.scene import Scene
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.viewer.background.latest_thread import LatestThread
@@ -78,20 +82,43 @@ class CloudThread(LatestThread[CloudRequest]):
     ----------
     latest : LitClouds or None
         Newest clouds, possibly of an older request; None before the first.
-    doing : str
-        Current task in one line.
     """
 
     def __init__(self, wake: Callable[[], None]) -> None:
         self.latest: LitClouds | None = None
-        self.doing = ""
+        self._doing = "clouds …"
         self._around: CloudsAround | None = None
         self._reported = 0.0
-        live_cloudy_compiler()  # in another process, while the light is solved
+        self._compiling = Compiling(LOOPS)
+        self._compiling.subscribe(self._compiled)
+        self._renderer: BackgroundCompiler | None = None
+        self._leave_renderer: Callable[[], None] = lambda: None
         super().__init__("airlight-clouds", wake)
+
+    @property
+    def doing(self) -> str:
+        """Current task in one line, also of the process that compiles pictures; empty if idle."""
+        compiling = progress_text([self._compiling]) if self.busy else ""
+        if self.busy and not compiling:
+            return self._doing
+        if self._renderer is not None and self._renderer.busy:
+            counts = [self._renderer.compiling] + ([self._compiling] if compiling else [])
+            compiling = progress_text(counts)
+        return f"clouds: {compiling} …" if compiling else ""
+
+    def end(self) -> None:
+        """Stop counting what is compiled."""
+        self._leave_renderer()
+        self._compiling.close()
 
     def want(self, request: CloudRequest) -> None:
         """Set the latest request, unless it has the same light; returns immediately."""
+        # compiles in another process, while the light is solved
+        renderer = live_cloudy_compiler(min(len(request.planet.clouds), MOST_KINDS))
+        if renderer is not self._renderer:
+            self._leave_renderer()
+            self._renderer = renderer
+            self._leave_renderer = renderer.compiling.subscribe(self._compiled)
         with self._news:
             wanted = self._wanted
         if not request.same(wanted) and not (wanted is self._served and self._shows(request)):
@@ -119,12 +146,15 @@ class CloudThread(LatestThread[CloudRequest]):
         assert around is not None
         self._around = around
         known = shown is not None and shown.same_light(place) and shown.decks == around.decks
+        similar = None
+        if shown is not None and shown.solution is request.solution:
+            similar = shown.mean_layer
         steps = ([] if known else [FIRST]) + ([LIVE] if request.refined else [])
         for detail in steps:
             if detail == LIVE:
                 self._wait_for_edit(request)
             self.latest = LitClouds.solve(
-                around,
+                replace(around, similar=similar),
                 request.planet,
                 request.solution,
                 place,
@@ -152,6 +182,11 @@ class CloudThread(LatestThread[CloudRequest]):
 
         return report
 
+    def _compiled(self) -> None:
+        """Show the progress of compilation."""
+        if time.perf_counter() - self._reported >= _REPORT_EVERY:
+            self._say(self._doing)
+
     def _say(self, words: str) -> None:
-        self.doing, self._reported = words, time.perf_counter()
+        self._doing, self._reported = words, time.perf_counter()
         self._wake()

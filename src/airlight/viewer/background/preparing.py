@@ -6,7 +6,7 @@ from collections.abc import Callable
 from time import perf_counter
 from typing import Final
 
-from airlight.kernel.compiling import Compiling
+from airlight.kernel.compiling import Compiling, progress_text
 from airlight.render.background_compilation import start_render_compiler
 from airlight.solver.moments.loops import LOOPS
 from airlight.viewer.background.solver_thread import SolverStatus
@@ -36,7 +36,7 @@ class Preparing:
         self.compiler = start_render_compiler()
         self._both = (self._solver, self.compiler.compiling)
         for one in self._both:
-            one.on_change = self._progressed
+            one.subscribe(self._progressed)
 
     def _progressed(self) -> None:
         now = perf_counter()
@@ -47,22 +47,15 @@ class Preparing:
     @property
     def share(self) -> float:
         """Compiled fraction of the functions. [1]"""
-        done, total = self._counts()
-        return done / total if total else 1.0
-
-    def _counts(self) -> tuple[int, int]:
-        """Numbers of compiled functions and of all functions, each counted once."""
         one, other = self._both
-        return len(one.finished | other.finished), len(one.names | other.names)
+        total = len(one.names | other.names)
+        return len(one.finished | other.finished) / total if total else 1.0
 
     def text(self, status: SolverStatus) -> str:
         """Current task, progress and time left."""
-        done, total = self._counts()
-        if done < total:
-            left = [one.seconds_left for one in self._both if one.done < one.total]
-            known = [one for one in left if one is not None]
-            about = f", about {max(known):.0f} s left" if known else ""
-            return f"compiling, once: {done} of {total} functions{about}"
+        words = progress_text(self._both)
+        if words:
+            return words
         if status.busy and status.total:
             return f"{status.doing}: {status.done} of at most {status.total} steps"
         return status.doing or "rendering"

@@ -155,9 +155,9 @@ class Sides:
     def _cloud_words(self, side: str) -> str:
         """What is done for the clouds of a side; empty if they are shown as they are to be."""
         thread, solved = self._clouds.get(side), self.solved(side)
-        if thread is None or solved is None or not solved.cloudy.clouds or not thread.busy:
+        if thread is None or solved is None or not solved.cloudy.clouds:
             return ""
-        return thread.doing or "clouds …"
+        return thread.doing
 
     @property
     def _metered(self) -> dict[str, float]:
