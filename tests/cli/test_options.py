@@ -12,7 +12,7 @@ from airlight.cli import options
 from airlight.cli.display_options import ToneOptions
 from airlight.cli.planet_options import LocalGroundOptions, load, with_ground_albedo
 from airlight.errors import ParameterError
-from airlight.image.exposure import camera_exposure
+from airlight.image.camera_exposure import camera_exposure
 
 
 class Known:

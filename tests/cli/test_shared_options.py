@@ -17,7 +17,7 @@ from airlight.cli.app import app, word_of
 from airlight.cli.option_groups import expand_groups, given_options
 from airlight.cli.place_options import PlaceOptions
 from airlight.errors import ParameterError
-from airlight.image.exposure import camera_exposure
+from airlight.image.camera_exposure import camera_exposure
 
 SNAP = ["--iso=100", "--aperture=f/8", "--shutter=1/250s"]
 EXPOSURE = camera_exposure(iso=100.0, aperture=8.0, shutter=1.0 / 250.0)

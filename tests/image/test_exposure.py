@@ -9,12 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
-from airlight.image.exposure import (
-    automatic_exposure,
-    camera_exposure,
-    eased,
-    exposure_factor,
-)
+from airlight.image.camera_exposure import camera_exposure
+from airlight.image.exposure import automatic_exposure, eased, exposure_factor
 from airlight.image.xyz import luminance
 from airlight.physics.constants import LUMINOUS_EFFICACY
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.image.exposure import camera_exposure
+from airlight.image.camera_exposure import camera_exposure
 from airlight.image.glare import Glare
 from airlight.scene import Camera, Scene
 from airlight.scene.metering import METERED, metering_weights, scene_exposure

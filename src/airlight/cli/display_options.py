@@ -65,7 +65,7 @@ class ToneOptions(OptionGroup):
         if self.iso is None or self.aperture is None or self.shutter is None:
             missing = [f"--{name}" for name in camera if f"--{name}" not in given]
             raise ConflictError(given[0], f"requires {' and '.join(missing)}")
-        from airlight.image.exposure import camera_exposure
+        from airlight.image.camera_exposure import camera_exposure
 
         for name in camera:
             if not 0.0 < getattr(self, name) < 1e9:

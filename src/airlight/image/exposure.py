@@ -1,4 +1,4 @@
-"""Exposure: factor from radiance to display, explicit, by camera settings, or metered."""
+"""Exposure: factor from radiance to display, explicit or metered."""
 
 from __future__ import annotations
 
@@ -63,9 +63,6 @@ _RISE, _FALL = 7.0, 3.0
 SAMPLE: Final = 32_768
 #: Rows that are sampled before the memory of a large picture is released.
 _ROWS: Final = 8
-#: Exposure at which a sensor of ISO 1 saturates [lx s], and the light that passes a lens.
-_SATURATION: Final = 78.0
-_LENS: Final = 0.65
 
 
 def exposure_factor(exposure: float) -> float:
@@ -91,53 +88,10 @@ def exposure_factor(exposure: float) -> float:
     >>> exposure_factor(-2.0)
     0.25
     """
-    if not (_is_number(exposure) and -MOST_EXPOSURE <= exposure <= MOST_EXPOSURE):
+    known = isinstance(exposure, (int, float, np.number))
+    if not (known and -MOST_EXPOSURE <= exposure <= MOST_EXPOSURE):
         raise ParameterError("exposure", exposure, '-100 to 100 EV, or "auto"')
     return math.pow(2.0, float(exposure))
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float, np.number))
-
-
-def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
-    r"""Saturation-based exposure of a camera: sensor saturation is 1.
-
-    .. math:: L_\mathrm{sat} = \frac{78}{S} \frac{N^2}{q\,t}, \quad q = 0.65
-
-    Parameters
-    ----------
-    iso : float
-        Sensitivity S. [ISO]
-    aperture : float
-        Focal length over the diameter of the lens, N. [1]
-    shutter : float
-        Exposure time t. [s]
-
-    Returns
-    -------
-    float
-        Exposure, within ±100. [EV]
-
-    Raises
-    ------
-    ParameterError
-        If a number is not above 0.
-
-    References
-    ----------
-    ISO 12232:2019, saturation-based speed, with q for a lens transmittance of 0.9.
-
-    Examples
-    --------
-    >>> f"{camera_exposure(iso=100.0, aperture=16.0, shutter=1 / 100):.2f}"  # "sunny 16"
-    '-5.49'
-    """
-    for name, value in (("iso", iso), ("aperture", aperture), ("shutter", shutter)):
-        if not (_is_number(value) and 0.0 < value < math.inf):
-            raise ParameterError(name, value, "above 0, finite")
-    saturating = _SATURATION / iso * aperture**2 / (_LENS * shutter)
-    return min(max(log2(LUMINOUS_EFFICACY / saturating), -MOST_EXPOSURE), MOST_EXPOSURE)
 
 
 @kernel

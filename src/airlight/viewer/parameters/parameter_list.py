@@ -15,11 +15,12 @@ from typing import Any, Final
 from airlight.errors import ParameterError
 from airlight.planets.clouds import CLOUDS
 from airlight.planets.ground import Ground
-from airlight.planets.planet import Planet, Shell
+from airlight.planets.planet import Planet
 from airlight.planets.reading.declared_keys import declared_key, is_flat, key_at
 from airlight.planets.reading.nested_tables import Tables, get, joined
 from airlight.planets.schema.field import Field, KindOfTable
 from airlight.planets.schema.measures import number_in
+from airlight.planets.shell import Shell
 from airlight.planets.star import Star
 from airlight.viewer.parameters.amounts import AMOUNTS
 from airlight.viewer.parameters.cloud_kinds import (
