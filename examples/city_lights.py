@@ -2,7 +2,7 @@
 
 Towns along the Nile and its delta from 400 km, under the green layer of airglow at 95 km: oxygen
 that shines by itself, all night, everywhere. The sun is 30° below the horizon. Airglow, lights of
-towns and the air between have their measured brightness; only the exposure is long.
+towns and the air between have their measured brightness; only the exposure is long, and the camera sees colours where eyes do not.
 """
 
 import airlight
@@ -19,7 +19,8 @@ scene = airlight.Scene(
     longitude=31.0,
     sun_zenith=120.0,
     sun_azimuth=195.0,
+    ground="detailed",
     camera=camera,
 )
 frame = airlight.render(solution, scene)
-airlight.write_picture("city_lights.png", frame.rgb, frame.metadata, exposure="auto")
+airlight.write_picture("city_lights.png", frame.rgb, frame.metadata, eye=False)

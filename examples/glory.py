@@ -16,7 +16,7 @@ for radius in ("5 um", "10 um"):
            "particles": {"index": "water", "optical_depth": 0.3, "at": "550 nm",
                          "sizes": {"kind": "gamma", "effective_radius": radius,
                                    "effective_variance": 0.02}}}  # fmt: skip
-    earth = airlight.load_planet("earth", {"constituents": [fog], "refraction": "none"})
+    earth = airlight.load_planet("earth", {"constituents": [fog], "ground": {"albedo": 0.0}, "refraction": "none"})
     solution = airlight.solve(earth, default_wavelengths(16), quality="preview")
     camera = airlight.Camera(width=240, height=240, field_of_view=14.0, look_zenith=180.0)
     frame = airlight.render(solution, airlight.Scene(altitude=2e3, sun_zenith=0.1, camera=camera))

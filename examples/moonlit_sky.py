@@ -1,8 +1,8 @@
 """Is the sky blue by moonlight?
 
-Yes, as by day: the full Moon's light is the sun's, 400 000 times darker and a little redder. Left by
-day, right by night with the Moon where the sun was, both exposed alike for a camera; an eye sees no
-colours at such light, and the picture would be grey.
+Yes, a little paler: moonlight is sunlight, 400 000 times darker and redder, as the Moon's ground is.
+Left by day, right by night with the full Moon where the sun was, each exposed for a camera. An eye
+sees no colours by so little light.
 """
 
 import numpy as np

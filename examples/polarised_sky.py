@@ -1,7 +1,7 @@
 """Where is the sky most polarised?
 
 In a band 90° from the sun, as bees and photographers know: there molecules scatter at right angles.
-Colours show the degree of polarisation of the whole sky, zenith in the middle, with the sun (below)
+Colours show the degree of polarisation of the whole sky, zenith in the middle, with the sun (right)
 60° from the zenith and at the horizon. The dark spots near the sun and opposite are neutral points.
 """
 
@@ -18,7 +18,7 @@ for k, sun in enumerate((60.0, 90.0)):
         altitude=0.0, sun_zenith=sun, view_zenith=zenith[:, None], azimuth=azimuth, stokes=True
     )
     degree = airlight.degree_of_polarisation(sky).sel(wavelength=550.0)
-    axes = figure.add_subplot(1, 2, k + 1, projection="polar", theta_zero_location="S")
+    axes = figure.add_subplot(1, 2, k + 1, projection="polar")
     shown = axes.pcolormesh(np.radians(azimuth), zenith, degree, vmin=0.0, vmax=0.8)
     axes.set(title=f"sun {sun:.0f}° from the zenith", xticks=[], yticks=[])
 figure.colorbar(shown, label="degree of polarisation")

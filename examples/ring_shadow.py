@@ -10,7 +10,7 @@ from airlight.image.spectral import default_wavelengths
 
 saturn = airlight.load_planet("saturn")
 solution = airlight.solve(saturn, default_wavelengths(8), quality="preview")
-camera = airlight.Camera(width=480, height=240, field_of_view=46.0, look_zenith=180.0, roll=-90.0)
+camera = airlight.Camera(width=480, height=240, field_of_view=62.0, look_zenith=180.0, roll=-90.0)
 scene = airlight.Scene(
     altitude=6.0 * saturn.bottom_radius,
     latitude=-12.0,
