@@ -1,9 +1,9 @@
 """Why do Jupiter's belts fade towards the edge of its disc?
 
-Towards the limb a line of sight ends higher, in haze and gas above the ammonia cloud that the belts
-are in. Their pattern is Cassini's map; the darkening, the blue-grey limb and the terminator follow
-from cloud, haze, methane and hydrogen. The disc is not round: a day of ten hours flattens it, which
-is left out here.
+Towards the limb a line of sight ends higher, in haze and gas above the ammonia cloud that the
+belts are in. Their pattern is Cassini's map; the darkening towards limb and terminator follows
+from cloud, haze, methane and hydrogen. A day of ten hours flattens the real disc, which is left
+out here.
 """
 
 import airlight

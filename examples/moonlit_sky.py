@@ -1,8 +1,8 @@
 """Is the sky blue by moonlight?
 
-Yes, a little paler: moonlight is sunlight, 400 000 times darker and redder, as the Moon's ground is.
-Left by day, right by night with the full Moon where the sun was, each exposed for a camera. An eye
-sees no colours by so little light.
+Yes, a little paler: moonlight is sunlight, 400 000 times darker and redder, as the Moon's ground
+is. Left by day, right by night with the full Moon where the sun was, each exposed for a camera. An
+eye sees no colours by so little light.
 """
 
 import numpy as np

@@ -1,8 +1,9 @@
 """Where is the sky most polarised?
 
-In a band 90° from the sun, as bees and photographers know: there molecules scatter at right angles.
-Colours show the degree of polarisation of the whole sky, zenith in the middle, with the sun (right)
-60° from the zenith and at the horizon. The dark spots near the sun and opposite are neutral points.
+In a band 90° from the sun, as bees and photographers know: there molecules scatter at right
+angles. Colours show the degree of polarisation of the whole sky, zenith in the middle, with the
+sun (right) 60° from the zenith and at the horizon. The dark spots near the sun and opposite are
+neutral points.
 """
 
 import numpy as np

@@ -1,8 +1,9 @@
 """Where do Saturn's rings cast their shadow?
 
-On the winter side: the sun stands 25° north of the rings' plane, so their shadow falls on the
-south, in bands that are the rings' own gaps. The planet's shadow cuts the rings behind it. Rings are
-of known optical depth at each radius, and each point of the air asks how much of the sun they hide.
+On the winter side: the sun stands 20° north of the rings' plane, so their shadow falls on the
+south, with bright lines where the rings have gaps. The planet's shadow cuts the rings behind it.
+Rings are of known optical depth at each radius, and each point of the air asks how much of the sun
+they hide.
 """
 
 import airlight

@@ -1,8 +1,9 @@
 """Why is Titan a ring when the sun is behind it?
 
-Its haze reaches 500 km up and scatters forwards: from the night side, with the sun hidden behind the
-disc, all of the limb shines, orange below and blue-grey in the thin haze above. An airless moon would
-be a thin crescent, or nothing. The camera is eight radii away, the sun 165° from its zenith.
+Its haze reaches 500 km up and scatters forwards: from the night side, with the sun hidden behind
+the disc, all of the limb shines, orange below and blue-grey in the thin haze above. An airless
+moon would be a thin crescent, or nothing. The camera is eight radii away, the sun 165° from its
+zenith.
 """
 
 import airlight

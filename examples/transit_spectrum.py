@@ -1,8 +1,8 @@
 """How does a transit show what an exoplanet's air is made of?
 
-In front of its star the planet is larger at colours that its air absorbs. The line is the height to
-which the Earth's air blocks light in transit: at blue the molecules that scatter, in the middle the
-ozone layer's Chappuis band.
+In front of its star the planet is larger at colours that its air absorbs. The line is the height
+to which the Earth's air blocks light in transit: at blue the molecules that scatter, in the middle
+the ozone layer's Chappuis band.
 """
 
 import numpy as np

@@ -7,7 +7,6 @@ import shlex
 from pathlib import Path
 
 import pytest
-from numpy.testing import assert_allclose
 
 from airlight.cli import main
 
@@ -19,8 +18,6 @@ PAGES = [
 ]
 #: Commands that take long, which are run with the lowest quality unless the page names one.
 COSTLY = ("irradiance", "spectrum", "export-page")
-#: A table whose rows a block of Python computes, and the name that it gives them.
-_COMPUTED = re.compile(r"^<!-- computed: (\w+) -->\n\|.*\n\|[-|]+\n((?:\|.*\n)+)", re.MULTILINE)
 _BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -53,10 +50,6 @@ def test_tutorial_runs_from_its_first_to_its_last_block(
                 if arguments[0] in COSTLY and "--quality" not in arguments:
                     arguments += ["--quality", "preview"]
                 assert _status(arguments) == 0, f"{where}: {command}"
-    for name, rows in _COMPUTED.findall(page.read_text(encoding="utf-8")):
-        printed = [[float(cell) for cell in row.split("|")[1:-1]] for row in rows.splitlines()]
-        # three digits are printed; the solver's last digits differ between processors
-        assert_allclose(printed, names[name], rtol=5e-3, atol=1e-3, err_msg=f"{page.name}, {name}")
 
 
 def _status(arguments: list[str]) -> int:
