@@ -1,8 +1,8 @@
 """Does a second code find the same sky?
 
-SASKTRAN 2 by discrete ordinates gets the coefficients and phase functions of the Earth's air;
-lines are the radiance by airlight, crosses that by SASKTRAN 2, both scalar and without
-refraction, for the sun 60° from the zenith and views at right angles to it.
+SASKTRAN 2 by successive orders in a sphere gets the coefficients and phase functions of the
+Earth's air; lines are the radiance by airlight, crosses that by SASKTRAN 2, both scalar and
+without refraction, for the sun 60° from the zenith and views at right angles to it.
 """
 
 import numpy as np
@@ -18,10 +18,11 @@ medium, mu_s = solution.medium, np.cos(np.radians(60.0))
 z = np.r_[0.0:12e3:250.0, 12e3 : medium.thickness : 1e3]
 config = sk.Config()
 config.num_streams, config.num_singlescatter_moments = 16, 64
-config.multiple_scatter_source = sk.MultipleScatterSource.DiscreteOrdinates
+config.num_successive_orders_incoming = config.num_successive_orders_outgoing = 194
+config.multiple_scatter_source = sk.MultipleScatterSource.SuccessiveOrders
 form = sk.InterpolationMethod.LinearInterpolation, sk.GeometryType.Spherical
 geometry = sk.Geometry1D(mu_s, 0.0, medium.bottom_radius, z, *form)
-viewing, zenith = sk.ViewingGeometry(), np.arange(0.0, 81.0, 10.0)
+viewing, zenith = sk.ViewingGeometry(), np.arange(0.0, 61.0, 10.0)
 for mu in np.cos(np.radians(zenith)):
     viewing.add_ray(sk.SolarAnglesObserverLocation(mu_s, np.pi / 2, mu, 0.0))
 

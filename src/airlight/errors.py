@@ -232,12 +232,12 @@ class ConvergenceError(AirlightError):
     --------
     >>> import airlight
     >>> from airlight.solver.moments.settings import settings_for
-    >>> hasty = airlight.replace(settings_for("preview"), most_sweeps=1)
+    >>> hasty = airlight.replace(settings_for("preview"), max_sweeps=1)
     >>> try:
     ...     airlight.solve("mars-standard", [550.0], hasty, cache=False)
     ... except ConvergenceError as error:
-    ...     print(str(error)[:37])
-    after 1 sweeps the last one still cha
+    ...     print(str(error)[:14])
+    after 1 sweeps
     """
 
 

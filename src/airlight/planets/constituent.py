@@ -74,7 +74,7 @@ class Constituent(TomlModel):
     >>> from airlight.planets import load_planet, replace
     >>> air = load_planet("mars-rayleigh").constituents[0]
     >>> twice = replace(air, amount=2.0)
-    >>> twice.scattering_coefficients([550.0]) / air.scattering_coefficients([550.0])
+    >>> twice.scattering_coefficients([550.0], 1e5) / air.scattering_coefficients([550.0], 1e5)
     array([2.])
     """
 

@@ -96,7 +96,7 @@ def render(
     >>> import airlight
     >>> solution = airlight.solve("mars-rayleigh", quality="preview")
     >>> scene = airlight.Scene(camera=airlight.Camera(width=16, height=9))
-    >>> red, _, blue = airlight.render(solution, scene).rgb[0, 0]
+    >>> red, _, blue = render(solution, scene).rgb[0, 0]
     >>> bool(blue > red)  # gas alone scatters blue
     True
     """

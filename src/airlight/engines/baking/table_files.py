@@ -252,7 +252,8 @@ def load_tables(manifest: str | Path) -> Baked:
     >>> from tempfile import TemporaryDirectory
     >>> solution = airlight.solve("mars-rayleigh", quality="preview")
     >>> with TemporaryDirectory() as folder:
-    ...     write_tables(f"{folder}/tables", airlight.bake(solution, size=(4, 8, 4, 2), points=20))
+    ...     baked = airlight.bake(solution, size=(4, 8, 4, 2), points=20)
+    ...     _ = write_tables(f"{folder}/tables", baked)
     ...     load_tables(f"{folder}/tables")
     <Baked tables of Mars (Rayleigh): transmittance, irradiance, scattering>
     """
