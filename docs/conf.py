@@ -59,6 +59,7 @@ html_theme = "pydata_sphinx_theme"
 html_title = "airlight"
 html_static_path = ["_static"]
 html_css_files = ["airlight.css"]
+html_search_scorer = "_static/search_scores.js"
 html_copy_source = False
 html_show_sphinx = False
 html_sidebars = {"index": [], "generated/gallery/index": []}

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+from command_pictures import FOLDER, OPTIONS
 from page_files import write_pages
 
 HEAD = """# Commands
@@ -39,7 +40,10 @@ def _command(name: str, command: Any) -> list[str]:
     if arguments or options:
         parts.append("| | |\n|---|---|")
         parts.extend(f"| `{_metavar(one)}` | {_cell(one.help)} |" for one in arguments)
-        parts.extend(f"| {_flags(one)} | {_cell(one.help)}{_default(one)} |" for one in options)
+        parts.extend(
+            f"| {_flags(one)} | {_cell(one.help)}{_default(one)}{_picture(name, one)} |"
+            for one in options
+        )
         parts.append("")
     lines = re.findall(r"airlight [a-z].*", command.epilog or "")
     if lines:
@@ -62,6 +66,18 @@ def _default(option: Any) -> str:
     if option.default in (None, False, True, "", (), []) or callable(option.default):
         return ""
     return f" (default: `{option.default}`)"
+
+
+def _picture(command: str, option: Any) -> str:
+    """Pair of pictures of an option that changes one."""
+    flag = option.opts[-1]
+    words = OPTIONS.get((command, flag))
+    if words is None:
+        return ""
+    picture = FOLDER / f"{command}{flag}.jpg"
+    if not picture.exists():
+        raise ValueError(f"{picture} is missing: builders/option_pictures.py makes it")
+    return f"<br>![{flag}](../images/options/{picture.name})<br>Right: `{words}`"
 
 
 def _prose(text: str | None) -> str:

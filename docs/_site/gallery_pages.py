@@ -14,11 +14,17 @@ from page_files import write_pages
 #: What the examples are about, in the order of the gallery.
 SECTIONS = {
     "Skies from the ground": (
-        "sunset_colours", "belt_of_venus", "ozone", "twilight", "mars_sunset",
+        "sunset_colours", "belt_of_venus", "ozone", "twilight", "mars_sunset", "moonlit_sky",
+        "polarised_sky",
     ),
-    "From space": ("limb_from_orbit", "two_planets"),
+    "From space": (
+        "limb_from_orbit", "two_planets", "city_lights", "glory", "jupiter", "ring_shadow",
+        "ice_giants", "titan_backlight",
+    ),
     "Planets of your own": ("own_planet", "dust"),
-    "Spectra, and how right they are": ("zenith_spectrum", "monte_carlo"),
+    "Spectra, and how right they are": (
+        "zenith_spectrum", "transit_spectrum", "monte_carlo", "second_code",
+    ),
     "For engines, domes and pictures": (
         "transmittance_table", "dome_master", "cube_map", "exposure",
     ),

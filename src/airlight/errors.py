@@ -15,7 +15,17 @@ _LONGEST_LINE: Final = 800
 
 
 class AirlightError(Exception):
-    """Base of the errors raised by airlight, with a one-line message."""
+    """Base of the errors raised by airlight, with a one-line message.
+
+    Examples
+    --------
+    >>> import airlight
+    >>> try:
+    ...     airlight.load_planet("erth")
+    ... except AirlightError as error:
+    ...     print(str(error).partition(";")[0])
+    planet is 'erth'
+    """
 
     def __str__(self) -> str:
         return plain(brief(super().__str__()))
@@ -198,7 +208,13 @@ class Collector:
 
 
 class FileError(AirlightError):
-    """File that cannot be read or written, with the reason."""
+    """File that cannot be read or written, with the reason.
+
+    Examples
+    --------
+    >>> print(FileError("sky.csv", "is empty"))
+    sky.csv: is empty
+    """
 
     def __init__(self, file: str | Path, reason: str) -> None:
         self.file = file
@@ -210,7 +226,19 @@ class FileError(AirlightError):
 
 
 class ConvergenceError(AirlightError):
-    """Iteration that did not reach its tolerance within the allowed number of sweeps."""
+    """Iteration that did not reach its tolerance within the allowed number of sweeps.
+
+    Examples
+    --------
+    >>> import airlight
+    >>> from airlight.solver.moments.settings import settings_for
+    >>> hasty = airlight.replace(settings_for("preview"), max_sweeps=1)
+    >>> try:
+    ...     airlight.solve("mars-standard", [550.0], hasty, cache=False)
+    ... except ConvergenceError as error:
+    ...     print(str(error)[:14])
+    after 1 sweeps
+    """
 
 
 class CostError(AirlightError):
@@ -222,11 +250,27 @@ class WorkerError(AirlightError):
 
 
 class Cancelled(AirlightError):
-    """Computation cancelled by the caller."""
+    """Computation cancelled by the caller.
+
+    Examples
+    --------
+    >>> import airlight
+    >>> try:
+    ...     airlight.solve("mars-rayleigh", quality="preview", cancel=lambda: True, cache=False)
+    ... except Cancelled:
+    ...     print("no result")
+    no result
+    """
 
 
 class AirlightWarning(UserWarning):
-    """Base of the warnings of airlight, with a one-line message."""
+    """Base of the warnings of airlight, with a one-line message.
+
+    Examples
+    --------
+    >>> with warnings.catch_warnings(record=True) as issued:
+    ...     warnings.simplefilter("error", AirlightWarning)  # stop at results of less accuracy
+    """
 
 
 def warn(line: str) -> None:

@@ -16,8 +16,8 @@ PAGES = [
     *sorted((ROOT / "docs" / "tutorials").glob("*.md")),
     *(ROOT / "docs" / name for name in OTHERS),
 ]
-#: Commands of many wavelengths, which are run with the lowest quality unless the page names one.
-COSTLY = ("irradiance", "spectrum")
+#: Commands that take long, which are run with the lowest quality unless the page names one.
+COSTLY = ("irradiance", "spectrum", "export-page")
 _BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 

@@ -15,6 +15,7 @@ import pytest
 from numpy.testing import assert_allclose
 from PIL import Image
 from test_pictures import FIXED, HEIGHT, SKY, WAVELENGTHS, WIDTH, drawn
+from waiting import until
 
 from airlight.planets import load_planet
 from airlight.planets.medium import Medium
@@ -210,6 +211,9 @@ def test_the_newest_edit_wins_and_none_is_the_planet_as_it_was(
           return airlight.picture.solutions;
         }"""
     )
+    text = "airlight.parts.probe.textContent"
+    page.evaluate("airlight.probe.pin(300, 50)")
+    unedited = until(page, text)
     took = page.evaluate(
         """async () => {
           for (const depth of [1, 0.15]) airlight.state.set({ "air.amounts[1]": depth });
@@ -219,6 +223,8 @@ def test_the_newest_edit_wins_and_none_is_the_planet_as_it_was(
     )
     assert took == [before + 1, [1, 0.3]]
     assert "solved in" in page.evaluate("airlight.edits.status()")
+    until(page, f"{text} !== {json.dumps(unedited)}")  # a point that is kept follows
+    page.evaluate("airlight.probe.release()")
     undone = page.evaluate(
         """async () => {
           airlight.state.reset();

@@ -68,6 +68,14 @@ class Constituent(TomlModel):
     -----
     Coefficients follow power laws between given wavelengths (``spectra.power_law``), and beyond
     them are constant for 10 nm or, with a ``Rayleigh`` phase function, follow λ⁻⁴.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet, replace
+    >>> air = load_planet("mars-rayleigh").constituents[0]
+    >>> twice = replace(air, amount=2.0)
+    >>> twice.scattering_coefficients([550.0], 1e5) / air.scattering_coefficients([550.0], 1e5)
+    array([2.])
     """
 
     has_wavelengths = True

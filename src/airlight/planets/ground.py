@@ -102,6 +102,11 @@ class Ground(TomlModel):
     wind : float, optional
         Wind speed over water, 0.5 to 25. If given, the water of a map is specular; otherwise only
         the law ``water`` is, at 5 m/s. [m s⁻¹]
+
+    Examples
+    --------
+    >>> Ground(albedo=0.3).albedos([440.0, 680.0])
+    array([0.3, 0.3])
     """
 
     has_wavelengths = True

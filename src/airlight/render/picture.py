@@ -117,6 +117,15 @@ def write_picture(
         For an exposure or a setting that is not allowed.
     FileError
         If the file cannot be written; an existing file is then unchanged.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     grey = np.full((2, 4, 3), 0.2, np.float32)
+    ...     written = write_picture(f"{folder}/grey.png", grey, exposure=1.0)
+    >>> written.path.name, written.exposure
+    ('grey.png', 1.0)
     """
     suffix = picture_suffix(path)
     from airlight.image.display_settings import display_settings

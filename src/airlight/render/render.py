@@ -90,6 +90,15 @@ def render(
         If the frame needs more memory than is free.
     Cancelled
         If ``cancel`` requested it.
+
+    Examples
+    --------
+    >>> import airlight
+    >>> solution = airlight.solve("mars-rayleigh", quality="preview")
+    >>> scene = airlight.Scene(camera=airlight.Camera(width=16, height=9))
+    >>> red, _, blue = render(solution, scene).rgb[0, 0]
+    >>> bool(blue > red)  # gas alone scatters blue
+    True
     """
     if not isinstance(scene, Scene):
         raise ParameterError("scene", scene, "a Scene")

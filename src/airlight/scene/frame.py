@@ -48,6 +48,11 @@ class Frame:
         Small frame without the camera's polariser, which is metered; None without one.
     origin : (int, int)
         First column and row of the frame in the uncropped frame. [pixel]
+
+    Examples
+    --------
+    >>> Frame(rgb=np.zeros((9, 16, 3), np.float32))
+    <Frame: 16 x 9 pixels of linear sRGB, W m⁻² sr⁻¹>
     """
 
     rgb: NDArray[np.float32]

@@ -56,6 +56,14 @@ class Solution(ABC):
         Provenance of the solution.
     planet : Planet or None
         Planet of the medium.
+
+    Examples
+    --------
+    >>> import airlight
+    >>> solution = airlight.solve("mars-rayleigh", quality="preview")
+    >>> thin = solution.transmittance(altitude=0.0, view_zenith=[0.0, 80.0])
+    >>> thin.dims, bool((thin > 0.9).all())
+    (('view_zenith', 'wavelength'), True)
     """
 
     medium: Medium

@@ -165,6 +165,13 @@ def bake(
         If the planet has three-dimensional clouds.
     Cancelled
         If ``cancel`` returned True.
+
+    Examples
+    --------
+    >>> import airlight
+    >>> solution = airlight.solve("mars-rayleigh", quality="preview")
+    >>> bake(solution, size=(4, 8, 4, 2), points=20)
+    <Baked tables of Mars (Rayleigh): transmittance, irradiance, scattering>
     """
     solution = solution_of(solution, progress=progress, cancel=cancel)
     if solution.planet is not None:

@@ -245,6 +245,17 @@ def load_tables(manifest: str | Path) -> Baked:
     ------
     FileError
         If a file is missing, damaged, or of another kind.
+
+    Examples
+    --------
+    >>> import airlight
+    >>> from tempfile import TemporaryDirectory
+    >>> solution = airlight.solve("mars-rayleigh", quality="preview")
+    >>> with TemporaryDirectory() as folder:
+    ...     baked = airlight.bake(solution, size=(4, 8, 4, 2), points=20)
+    ...     _ = write_tables(f"{folder}/tables", baked)
+    ...     load_tables(f"{folder}/tables")
+    <Baked tables of Mars (Rayleigh): transmittance, irradiance, scattering>
     """
     path = _manifest_path(manifest)
     content = _read_manifest(path)

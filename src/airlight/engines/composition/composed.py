@@ -164,6 +164,16 @@ def compose(
         the ground.
     Cancelled
         If ``cancel`` requested it.
+
+    Examples
+    --------
+    >>> import airlight
+    >>> solution = airlight.solve("mars-rayleigh", quality="preview")
+    >>> camera = airlight.Pinhole(width=4, height=2, focal_x=2.0, focal_y=2.0, to_world=np.eye(4))
+    >>> black, far = np.zeros((2, 4, 3)), np.full((2, 4), 20e3)
+    >>> place = airlight.Placement(altitude=100.0)
+    >>> bool((compose(black, far, camera, solution, place).rgb > 0.0).all())  # air before it
+    True
     """
     colors, cover, passes, kind = _checked(rgb, alpha, depth, depth_kind, camera)
     relit = _relit(colors.shape, albedo, normals, shadow)

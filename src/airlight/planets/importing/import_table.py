@@ -56,6 +56,13 @@ class ImportedPlanet:
         Planet.
     tables : PlanetTables
         Tables of its file, with comments.
+
+    Examples
+    --------
+    >>> table = {"wavelength [nm]": [400.0, 800.0], "reflectance": [0.2, 0.4]}
+    >>> desert = import_table("albedo", table, planet="earth-bruneton")
+    >>> desert.planet.ground.albedos([600.0]).round(6)
+    array([0.3])
     """
 
     planet: Planet

@@ -18,7 +18,7 @@ export class Probe {
     this.pinned = false; // whether a click chose the point
     this.mark = element("div", { className: "airlight-mark", hidden: true });
     canvas.after(this.mark);
-    this.busy = false;
+    this.busy = this.stale = false;
     this.ending = new AbortController();
     const { signal } = this.ending;
     canvas.addEventListener("pointermove", (event) => this.point(event), { signal });
@@ -59,22 +59,29 @@ export class Probe {
     this.place.textContent = "";
   }
 
+  /** Read the point once the picture is at rest; again if asked meanwhile. */
   async ask() {
-    if (this.busy || !this.pointed) return;
+    this.stale = true;
+    if (this.busy) return;
     this.busy = true;
-    const asked = this.pointed;
     try {
-      await this.viewer.loop.settled();
-      const { drawn, state, picture, closed } = this.viewer;
-      if (closed || !drawn) return;
-      const place = asked.map((share, i) => Math.min(Math.floor(share * drawn[i]), drawn[i] - 1));
-      const text = await this.viewer.alone(() => picture.probe(state.values, drawn, place));
-      if (this.pointed) this.place.textContent = text;
-      await new Promise((resolve) => setTimeout(resolve, PAUSE));
+      while (this.stale && this.pointed) {
+        this.stale = false;
+        await this.read(this.pointed);
+        await new Promise((resolve) => setTimeout(resolve, PAUSE));
+      }
     } finally {
       this.busy = false;
     }
-    if (this.pointed && this.pointed !== asked) this.ask();
+  }
+
+  async read(asked) {
+    await this.viewer.loop.settled();
+    const { drawn, state, picture, closed } = this.viewer;
+    if (closed || !drawn) return;
+    const place = asked.map((share, i) => Math.min(Math.floor(share * drawn[i]), drawn[i] - 1));
+    const text = await this.viewer.alone(() => picture.probe(state.values, drawn, place));
+    if (this.pointed) this.place.textContent = text;
   }
 
   close() {

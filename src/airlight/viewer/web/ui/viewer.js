@@ -228,6 +228,7 @@ export class Viewer {
     if (!this.picture || this.closed) return;
     await this.alone(() => this.picture.take(update));
     this.request();
+    this.probe?.ask();
   }
 
   retitle(title) {
