@@ -189,7 +189,7 @@ def main() -> None:
     parser.add_argument("version")
     parser.add_argument("--home", metavar="URL", help="of the repository")
     parser.add_argument("--only", choices=["wheel"], help="build and try the wheel of this system")
-    parser.add_argument("--tested", action="store_true", help="scripts/test has passed")
+    parser.add_argument("--tested", action="store_true", help="scripts/test passed, both parts")
     parser.add_argument("--no-tag", action="store_true")
     chosen = parser.parse_args()
     notes = stated(chosen.version)
@@ -199,6 +199,7 @@ def main() -> None:
         if not chosen.only and not chosen.tested:
             with step("every check"):
                 run("scripts/test", cwd=source)
+                run("scripts/test", "--validation", cwd=source)
         wheel = built(source, place, only_wheel=chosen.only == "wheel")
         tried(source, wheel, lowest=False)
         if chosen.only:

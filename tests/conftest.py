@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import pickle
 import re
@@ -58,6 +59,17 @@ def pytest_configure(config: pytest.Config) -> None:
     if workers is not None:  # all workers together have as many threads as there are CPU cores
         threads = str(max(1, (os.cpu_count() or 1) // int(workers)))
         os.environ.setdefault("AIRLIGHT_THREADS", threads)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[None]:
+    """Modules and tests stay to the end: the garbage collector never looks through them."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
+        gc.freeze()
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

@@ -30,7 +30,7 @@ except ImportError:  # Windows
 
 #: Longest time to wait for another process that compiles the same function, and polling interval.
 #: [s]
-_LONGEST_WAIT: Final = 120.0
+_LONGEST_WAIT: Final = 600.0
 _POLL: Final = 0.02
 #: Files that this process has locked: a second lock would wait for the first.
 _held: Final[set[Path]] = set()
@@ -177,7 +177,7 @@ def one_process(file: Path) -> Iterator[None]:
     Parameters
     ----------
     file : Path
-        Locked file, left empty. The block runs unlocked after two minutes, or if locks are
+        Locked file, left empty. The block runs unlocked after ten minutes, or if locks are
         unsupported.
     """
     if file in _held:
