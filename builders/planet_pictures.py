@@ -72,15 +72,26 @@ def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
 
 
 def from_space(planet: Planet, **given: float) -> Scene:
-    """Planet from six radii, north above, the sun on the left; the height is 1.15 diameters."""
+    """Planet from six radii, north above, the sun on the left; the height is 1.15 diameters.
+
+    Rings are whole, and seen and lit from 20 degrees to the north.
+    """
     distance = 6.0 * planet.bottom_radius
     half = 1.15 * math.asin(planet.top_radius / distance)
-    across = 2.0 * math.degrees(math.atan(WIDTH / HEIGHT * math.tan(half)))
+    rings = max((one.outer_radius for one in planet.rings), default=0.0)
+    wide = max(WIDTH / HEIGHT * math.tan(half), 1.05 * rings / distance)
+    sun = 270.0
+    if rings > 0.0:
+        sun, given = 290.0, {"latitude": 20.0} | given
     far = Camera(
-        width=WIDTH, height=HEIGHT, look_zenith=180.0, look_azimuth=90.0, field_of_view=across
+        width=WIDTH,
+        height=HEIGHT,
+        look_zenith=180.0,
+        look_azimuth=360.0 - sun,
+        field_of_view=2.0 * math.degrees(math.atan(wide)),
     )
     altitude = distance - planet.bottom_radius
-    return Scene(camera=far, altitude=altitude, sun_azimuth=270.0, ground="detailed", **given)
+    return Scene(camera=far, altitude=altitude, sun_azimuth=sun, ground="detailed", **given)
 
 
 def reversed_rayleigh(mars: Planet) -> Planet:

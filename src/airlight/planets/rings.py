@@ -226,7 +226,7 @@ class Ring(TomlModel):
         if not stopped.sum() > 0.0:
             return np.ones_like(at)
         mean = np.average(table.brightness[own], weights=stopped)
-        return np.interp(at, table.radii, table.brightness) / mean
+        return np.asarray(np.interp(at, table.radii, table.brightness) / mean)
 
 
 def check_rings(rings: tuple[Ring, ...], top_radius: float) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +28,7 @@ class LinesOfSight:
     to_ground : array of bool, shape (n,)
         Whether the line ends on the ground.
     pole : array, shape (n, 3), optional
-        North pole in the frame of ``start_frame``, for the shadow of rings; 0 or None without. [1]
+        North pole in the frame of ``start_frame``, for the shadow of rings; 0 without. [1]
     """
 
     r: FloatArray
@@ -37,10 +37,10 @@ class LinesOfSight:
     nu: FloatArray
     length: FloatArray
     to_ground: NDArray[np.bool_]
-    pole: FloatArray | None = None
+    pole: FloatArray = field(default_factory=lambda: np.zeros((0, 3)))
 
     def __post_init__(self) -> None:
-        if self.pole is None:
+        if len(self.pole) != self.r.size:
             object.__setattr__(self, "pole", np.zeros((self.r.size, 3)))
         # marches are compiled for contiguous writable arrays, and would be again for any other kind
         for one in fields(self):

@@ -92,8 +92,9 @@ def read_ring_profile(name: str) -> RingProfile:
     radii, depths = table.numbers(_RADIUS), table.numbers(_DEPTH)
     if radii.size < 2 or not (np.diff(radii) > 0.0).all():
         raise FileError(name, "is not a profile of rings: two or more radii, ascending")
-    known = table.find(_BRIGHTNESS) is not None
-    brightness = table.numbers(_BRIGHTNESS) if known else np.ones_like(radii)
+    brightness = np.ones_like(radii)
+    if table.find(_BRIGHTNESS) is not None:
+        brightness = table.numbers(_BRIGHTNESS)
     for array in (radii, depths, brightness):
         array.flags.writeable = False
     return RingProfile(radii, depths, brightness)

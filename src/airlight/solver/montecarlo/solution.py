@@ -138,7 +138,7 @@ class MonteCarloSolution(Solution):
 
     def _shadows(self, lines: LinesOfSight) -> list[RingShadow] | None:
         """Rings in front of the star for each line; None without."""
-        if lines.pole is None or not lines.pole.any():
+        if not lines.pole.any():
             return None
         rings = ring_tables(self.medium.rings, self.wavelengths)
         return [RingShadow(Vec3(*one), rings) for one in lines.pole.tolist()]
