@@ -60,7 +60,7 @@ def test_fit_writes_planet_and_report(
         (["--free", "ground.albdo"], "--free is 'ground.albdo'; allowed: the path of a number"),
         (["--free", "ground.albdo"], "such as 'ground.albedo'"),
         (["--free", ","], "--free"),
-        (["--bandwidth", "0nm"], "--bandwidth is '0nm'"),
+        (["--bandwidth", "0nm"], "--bandwidth is 0.0; allowed: more than 0"),
         (["--free", "ground.albedo", "--bounds", "ground.albedo"], "--bounds is 'ground.albedo'"),
         (["--free", "ground.albedo", "--bounds", "ground.albedo=0.1"], "LOW..HIGH"),
         (["--free", "ground.albedo", "--prior", "ground.albedo=0.1"], "MEAN±SIGMA"),
