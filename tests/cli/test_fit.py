@@ -9,6 +9,8 @@ from xml.etree import ElementTree
 import pytest
 
 from airlight.cli import main
+from airlight.cli.fit import FREE, FitOptions
+from airlight.cli.planet_options import PlanetOptions
 from airlight.planets import load_planet
 
 HEADER = "wavelength_nm,sun_zenith_deg,view_zenith_deg,azimuth_deg,radiance"
@@ -54,12 +56,21 @@ def test_fit_writes_planet_and_report(
     assert "ground.albedo" in text
 
 
+def test_without_free_the_aerosol_is_fitted_and_what_the_data_need_besides() -> None:
+    # Of a photograph, whose exposure is free, the load alone.
+    planet = PlanetOptions(planet="earth")
+    sky = FitOptions().settings(planet, photograph=False)
+    assert tuple(sky.free) == FREE
+    assert list(FitOptions().settings(planet, photograph=True).free) == ["aerosol.optical_depth"]
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         (["--free", "ground.albdo"], "--free is 'ground.albdo'; allowed: the path of a number"),
         (["--free", "ground.albdo"], "such as 'ground.albedo'"),
         (["--free", ","], "--free"),
+        (["--bandwidth", "0nm"], "--bandwidth is 0.0; allowed: more than 0"),
         (["--free", "ground.albedo", "--bounds", "ground.albedo"], "--bounds is 'ground.albedo'"),
         (["--free", "ground.albedo", "--bounds", "ground.albedo=0.1"], "LOW..HIGH"),
         (["--free", "ground.albedo", "--prior", "ground.albedo=0.1"], "MEAN±SIGMA"),

@@ -230,7 +230,7 @@ def fit(
 
 def _named_errors() -> AbstractContextManager[None]:
     """Context that puts names of options into errors."""
-    names = ("free", "bounds", "prior", "start", "loss", "encoding", "tone_map")
+    names = ("free", "bounds", "prior", "start", "bandwidth", "loss", "encoding", "tone_map")
     return named_errors(*names, per_scan="--each-scan", override="--set")
 
 

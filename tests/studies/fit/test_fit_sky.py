@@ -194,8 +194,8 @@ def test_two_lobes_start_with_the_mean_cosine_of_the_phase_function() -> None:
     base = fit_sky._Base("earth", settings, None, None)
     assert base.settings.free[-1] == "aerosol.phase_function.weight"
     one = next(one for one in base.planet.constituents if one.name == "aerosol").phase_function
-    assert_allclose(one.weight * one.asymmetry_1 + (1 - one.weight) * one.asymmetry_2, 0.709,
-                    atol=5e-4)  # fmt: skip
+    cosine = one.weight * one.asymmetry_1 + (1.0 - one.weight) * one.asymmetry_2
+    assert_allclose(cosine, 0.709, atol=5e-4)
     droplets = FitSettings(free=["dust.phase_function"], keep=False)
     with pytest.raises(ConflictError, match="requires a constituent with a phase function"):
         fit_sky._Base("mars", droplets, None, None)

@@ -101,6 +101,14 @@ def test_column_and_ground_are_written_in_what_the_file_has() -> None:
     assert_allclose(brighter.ground.albedos([400.0, 550.0, 900.0]), [0.1, 0.2, 0.8])
 
 
+def test_ozone_of_the_earth_has_the_bounds_of_what_was_measured() -> None:
+    # 73 to some 600 DU were; another planet may have none.
+    tables, planet = tables_of("earth")
+    earth = free_parameter("ozone.column", tables, planet, NM).parameter
+    assert (earth.low, earth.start, earth.high) == (50.0, 345.0, 700.0)
+    assert free_parameter("ozone.column", *tables_of("haze"), NM).parameter.low == 0.0
+
+
 def test_number_of_the_file_has_its_declared_unit_and_range() -> None:
     # As docs/planet-files.md says: scale heights in km, albedos from 0 to 1.
     tables, planet = tables_of("haze")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -34,6 +34,8 @@ Write = Callable[[Tables, float], Tables]
 
 #: Wavelength of optical depths and of the ground's albedo. [nm]
 AT: Final = 550.0
+#: Columns of ozone on Earth: 73 DU in the hole of 1994 (NASA Ozone Watch), 600 in spring. [DU]
+EARTH_OZONE: Final = (50.0, 700.0)
 #: Largest optical depth: that of the densest smoke and the thickest dust cloud. [1]
 _DEEPEST: Final = 30.0
 #: Range of exponents: negative for coarse dust, 4 for molecules. [1]
@@ -86,7 +88,9 @@ def free_parameter(
     if index is not None and rest == "column":
         path = _column_path(tables, index)
         if path is not None:
-            return _number(name, path, tables)
+            found = _number(name, path, tables)
+            ozone = planet.body == "earth" and path.endswith(".ozone")
+            return _within(found, EARTH_OZONE) if ozone else found
     path = name if index is None else joined(f"constituents[{index}]", rest)
     if not rest and index is not None:
         raise _unknown(name, tables)
@@ -175,6 +179,13 @@ def _number(name: str, path: str, tables: Tables) -> FreeParameter:
         return lifted(changed, tables) if path == BOTTOM else changed
 
     return FreeParameter(parameter=parameter, write=write)
+
+
+def _within(found: FreeParameter, limits: tuple[float, float]) -> FreeParameter:
+    """Parameter with narrower bounds, widened to its start."""
+    one = found.parameter
+    low, high = min(limits[0], one.start), max(limits[1], one.start)
+    return replace(found, parameter=replace(one, low=max(low, one.low), high=min(high, one.high)))
 
 
 def _limits(key: Field, start: float) -> tuple[float, float]:
