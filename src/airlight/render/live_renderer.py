@@ -9,7 +9,7 @@
   final frame, which, unlike a long pass, leaves the GPU queue free for the window.
 * The CPU renders three-dimensional clouds, beside a software GPU because it is twenty times faster
   there; its coarse frames have coarser tables. The loop that marches every pixel, which takes
-  longest to compile, is left out, except among rings.
+  longest to compile, is for planets that are always marched.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
   not compiled either, which takes longer (``render.background_compilation``): then a hardware GPU
   renders first. The first frame of a window has full resolution, as coarse frames need the loop
