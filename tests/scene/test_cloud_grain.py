@@ -35,7 +35,7 @@ WAY = Vec3(0.48, -0.6, 0.64)
 
 def grain_at(place: np.ndarray, footprint: float) -> CloudGrain:
     """Texture at a place. [m]"""
-    return cloud_grain(Vec3(*place), footprint, 0.5, CELL, WHOLE, PART, WAY)
+    return cloud_grain(Vec3(*place), footprint, 0.5, CELL, WHOLE, PART, WAY, True)
 
 
 @pytest.mark.parametrize("footprint", [10.0, 300.0, 1500.0])
@@ -70,8 +70,10 @@ def test_no_scale_of_the_texture_prevails() -> None:
 
 def test_the_texture_has_no_seam_where_its_lattice_repeats() -> None:
     step = Vec3(2.0, 0.0, 0.0)
-    below = cloud_grain(step, 1.0, 0.5, 1.0, Vec3(float(WHOLE_PERIOD - 4), 5e6, 7e6), PART, WAY)
-    above = cloud_grain(step, 1.0, 0.5, 1.0, Vec3(0.0, 5e6, 7e6), PART, WAY)
+    below = cloud_grain(
+        step, 1.0, 0.5, 1.0, Vec3(float(WHOLE_PERIOD - 4), 5e6, 7e6), PART, WAY, True
+    )
+    above = cloud_grain(step, 1.0, 0.5, 1.0, Vec3(0.0, 5e6, 7e6), PART, WAY, True)
     # 4 cells of the finest lattice apart, of which the finest octave shown has 1024
     assert above == pytest.approx(below, rel=0.05, abs=0.05)
 

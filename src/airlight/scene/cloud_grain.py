@@ -110,7 +110,7 @@ def turning_place(whole, beyond, scale):
 
 
 @kernel
-def cloud_grain(place, footprint, cover, cell, whole, part, way):
+def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
     """``CloudGrain`` of a place.
 
     Parameters
@@ -119,17 +119,21 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way):
         Cover of the map there: few clouds are small ones. [1]
     way : Vec3
         Direction of the ascent, in the planet's frame. [1]
+    whole_grain : bool
+        Whether edge and ascent are asked for; the edge is ``EDGE`` otherwise.
     place, footprint, cell, whole, part :
         Arguments of ``ground_detail``.
     """
     coarse = SMALL + GROWING * cover
     beyond_x, beyond_y = part.x + place.x / cell, part.y + place.y / cell
     beyond_z = part.z + place.z / cell
-    scale = float(SOFTNESS)
-    x, _x = turning_place(whole.x, beyond_x, scale)
-    y, _y = turning_place(whole.y, beyond_y, scale)
-    z, _z = turning_place(whole.z, beyond_z, scale)
-    edge = EDGE * exp(VARIED * gradient_noise(x, y, z))
+    edge = EDGE
+    if whole_grain:
+        scale = float(SOFTNESS)
+        x, _x = turning_place(whole.x, beyond_x, scale)
+        y, _y = turning_place(whole.y, beyond_y, scale)
+        z, _z = turning_place(whole.z, beyond_z, scale)
+        edge *= exp(VARIED * gradient_noise(x, y, z))
     scale = float(COARSEST)
     total, variance, share = 0.0, 0.0, 1.0
     ascent, smooth = 0.0, 1.0
@@ -140,20 +144,16 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way):
             y, along_y = turning_place(whole.y, beyond_y, scale)
             z, along_z = turning_place(whole.z, beyond_z, scale)
             moved, inverse = WARPED * total, 1.0 / (cell * scale)
-            noise, growth = sloping_gradient_noise(
-                x + moved,
-                y - moved,
-                z + moved,
-                Vec3(
-                    along_x * inverse * way.x,
-                    along_y * inverse * way.y,
-                    along_z * inverse * way.z,
-                ),
-            )
+            x, y, z, noise, growth = x + moved, y - moved, z + moved, 0.0, 0.0
+            if whole_grain:
+                along = Vec3(along_x * way.x, along_y * way.y, along_z * way.z)
+                noise, growth = sloping_gradient_noise(x, y, z, along)
+            else:
+                noise = gradient_noise(x, y, z)
             puffs = (abs(noise) - FOLDED) / FOLDED_DEVIATION
             total += shown * (PUFFED * puffs + OPEN * noise / GRADIENT_DEVIATION)
             heaped = growth if noise > 0.0 else -growth
-            ascent += shown * smooth * heaped / FOLDED_DEVIATION
+            ascent += shown * smooth * heaped * inverse / FOLDED_DEVIATION
             variance += shown * shown
         share *= FALL
         smooth *= SMOOTH

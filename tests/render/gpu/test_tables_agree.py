@@ -514,7 +514,7 @@ WHOLE = {
         "height_at", "turning_place", "level_ground", "map_channel", "map_value",
         "moved_coast", "pixel_width", "relief_light", "sharper_share", "slope_light",
         "texture_footprint", "textured", "unevenness", "unmixed", "unshaded", "hazy_day",
-        "removed_haze", "kept_haze", "cover_at", "sloping_gradient_noise", "star_azimuth",
+        "removed_haze", "kept_haze", "cover_near", "sloping_gradient_noise", "star_azimuth",
         "tops_light",
     ),
     "test_clouds.py::test_a_device_solves_for_the_mean_ground": (

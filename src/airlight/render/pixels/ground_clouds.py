@@ -22,9 +22,9 @@ from airlight.physics.optics.clouds import (
 from airlight.physics.optics.reflection import brdf_diffuse
 from airlight.physics.optics.water import brdf_diffuse as water_diffuse
 from airlight.render.pixels.star_azimuth import star_azimuth
-from airlight.scene.cloud_grain import STEP_OF_COVER, cloud_grain
+from airlight.scene.cloud_grain import EDGE, STEP_OF_COVER, cloud_grain
 from airlight.scene.ground_detail import grained_cover, pixel_width
-from airlight.scene.ground_place import latitude_longitude, map_channel
+from airlight.scene.ground_place import latitude_longitude, map_channel, map_value
 from airlight.scene.land_texture import texture_footprint
 
 #: Values of ``color``: cover of the star's beam over the mean around it, and light of the tops of
@@ -46,8 +46,9 @@ LEVELLED: Final = 0.5
 SHADING: Final = 0.4
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
 LOWEST: Final = 0.06
-#: Cover through which no shadow is seen. [1]
-HIDDEN: Final = 0.97
+#: Cover through which no shadow is seen, and finest texture of shadows over that of clouds. [1]
+HIDDEN: Final = 0.9
+SOFTER: Final = 2.0
 
 
 @kernel
@@ -74,24 +75,25 @@ def tops_light(mu_s, ascent):
 
 
 @inlined
-def cover_at(latitude, longitude, level, view):
-    """Cover of the map. [1]
+def cover_near(latitude, longitude, level, view):
+    """Cover of the map at a mip level. [1]
 
     Parameters
     ----------
-    latitude, longitude, level : float
-        Geocentric coordinates [rad]; level of the overlay [1].
+    latitude, longitude : float
+        Geocentric coordinates. [rad]
+    level : int
+        Mip level of the overlay.
     view : ViewUniforms
         Camera with its maps.
     """
-    return map_channel(
+    return map_value(
         view.over_texels,
         view.over_rows,
         view.over_columns,
-        view.over_levels,
+        level,
         latitude,
         longitude,
-        level,
         CHANNELS - 1,
     )
 
@@ -127,7 +129,7 @@ def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer,
     out = layer_distance(mu_s, bottom, view.cloud_altitude)
     width = pixel_width(level) if view.detailed else 1.0
     blur = texture_footprint(footprint, cosine)
-    color[BEAM], color[TOPS] = 1.0, 1.0
+    color[BEAM], color[TOPS], edge = 1.0, 1.0, EDGE
     for towards in range(2):
         way = Vec3(-back * ray.x, -back * ray.y, -back * ray.z)
         if towards == 1:
@@ -137,7 +139,16 @@ def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer,
             components(plus(end, way), observer.ground_x, observer.ground_y, observer.ground_z)
         )
         latitude, longitude = latitude + north, longitude + east
-        cover = cover_at(latitude, longitude, level, view)
+        cover = map_channel(
+            view.over_texels,
+            view.over_rows,
+            view.over_columns,
+            view.over_levels,
+            latitude,
+            longitude,
+            level,
+            CHANNELS - 1,
+        )
         color[9 + towards] = cover
         wanted = view.detailed and cover > STEP_OF_COVER
         if towards == 1:
@@ -146,16 +157,20 @@ def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer,
             star = star_azimuth(end, latitude, longitude, bottom, observer)
             ascent = 0.0
             if towards == 0 and mu_s > 0.0:
-                angle = pi / view.over_rows * 2.0 ** max(level, 0.0)
+                which = int(min(max(level, 0.0), view.over_levels - 1.0))
+                angle = pi / view.over_rows * 2.0**which
                 lat, lon = angle * star.north, angle * star.east
-                ahead = cover_at(latitude + lat, longitude + lon, level, view)
-                behind = cover_at(latitude - lat, longitude - lon, level, view)
+                ahead = cover_near(latitude + lat, longitude + lon, which, view)
+                behind = cover_near(latitude - lat, longitude - lon, which, view)
                 ascent = THICKNESS * (ahead - behind) / (2.0 * angle * bottom)
             if width < 1.0 and cover < 1.0 - STEP_OF_COVER:
                 place = components(way, observer.ground_x, observer.ground_y, observer.ground_z)
                 place, cell = plus(spot, place), view.detail_cell
-                grain = cloud_grain(place, blur, cover, cell, view.whole, view.part, star.way)
-                grained = grained_cover(cover, width, grain.noise, grain.variance, grain.edge)
+                grain = cloud_grain(
+                    place, blur, cover, cell, view.whole, view.part, star.way, towards == 0
+                )
+                edge = grain.edge if towards == 0 else edge
+                grained = grained_cover(cover, width, grain.noise, grain.variance, edge)
                 ascent += HEAPED * (1.0 - LEVELLED * cover) * grain.ascent
                 if towards == 0:
                     color[9] = grained
@@ -163,6 +178,7 @@ def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer,
                     color[BEAM] = grained / cover
             if towards == 0:
                 color[TOPS] = tops_light(mu_s, ascent)
+        blur *= SOFTER
     if observer.r <= view.cloud_radius:
         color[9] = 0.0
 
