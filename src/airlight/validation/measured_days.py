@@ -251,8 +251,8 @@ def _scores(day: Day) -> ReportTable:
         rows=[*rows, ("the measured sky made symmetric", f"{floor:.2f}", "")],
         marks=["ours" if k == day.counted else "" for k in range(len(rows))] + [""],
         note="The highlighted row has load and phase function of the day, fitted to all scans "
-        "except the scored scan, by the linear model about the fit to all. The aerosol's albedo, which was not measured, and the "
-        "instrument's scale are degenerate.",
+        "except the scored scan, by the linear model about the fit to all. The aerosol's albedo, "
+        "which was not measured, and the instrument's scale are degenerate.",
     )
 
 
