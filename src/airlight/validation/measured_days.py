@@ -255,9 +255,9 @@ def _scores(day: Day) -> ReportTable:
         columns=["row", f"RMSE [{UNIT}]", f"farther than {NEAR:g}° from the sun"],
         rows=[*rows, ("the measured sky made symmetric", f"{floor:.2f}", "")],
         marks=["ours" if k == day.counted else "" for k in range(len(rows))] + [""],
-        note="The highlighted row has the aerosol of the day, fitted to all scans except the scored "
-        "scan; load and phase function by the linear model about the fit to all. The aerosol's albedo, "
-        "which was not measured, and the instrument's scale are degenerate.",
+        note="The highlighted row has the aerosol of the day, fitted to all scans except the "
+        "scored scan; load and phase function by the linear model about the fit to all. The "
+        "aerosol's albedo, which was not measured, and the instrument's scale are degenerate.",
     )
 
 
