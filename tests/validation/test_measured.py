@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -110,7 +111,11 @@ def test_symmetric_sky_has_no_floor_and_antisymmetric_part_is_all_of_it() -> Non
     assert_allclose(symmetric_part(odd), even.radiance, atol=4e-3 * 3.0)
 
 
-def day(load: AngstromLaw, seed: int = 0, count: int = 6) -> Scans:
+#: Asymmetries of two lobes and the weight of the first.
+LOBES = (0.87, 0.5, 0.3)
+
+
+def day(load: AngstromLaw, seed: int = 0, count: int = 6, **inputs: Any) -> Scans:
     """Made-up day of some scans by the planet of a load, with 1 % of noise."""
     sun = np.linspace(35.0, 55.0, count)
     view, azimuth = np.meshgrid([12.0, 40.0, 65.0, 77.0], [20.0, 100.0, -150.0])
@@ -123,7 +128,7 @@ def day(load: AngstromLaw, seed: int = 0, count: int = 6) -> Scans:
         radiance=np.ones((*shape, nm.size)), solar_irradiance=np.full(nm.size, 1.8),
         ground_albedo=np.full(nm.size, 0.1), date="2013-05-27",
     )  # fmt: skip
-    air = planet(replace(BEST, load=load, aeronet_phase=False), empty, Path())
+    air = planet(replace(BEST, load=load, aeronet_phase=False, **inputs), empty, Path())
     clean = empty.seen(solve(air, nm, smooth("preview"), cache=False))
     noise = np.random.default_rng(seed).standard_normal(clean.shape)
     return replace(empty, radiance=clean * (1.0 + 0.01 * noise))
@@ -173,10 +178,10 @@ def test_one_newton_step_predicts_the_scan_left_out_as_a_fit_does() -> None:
 @pytest.mark.validation
 def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None:
     # Two made-up days under the names of measured ones: rows whose parameters stand before their
-    # scores, thresholds by the row that was left out.
+    # scores, thresholds by the row that was left out. From five scans on the lobes are found too.
     pytest.importorskip("matplotlib")
     for k, name in enumerate(("kider2013-05-27.npz", "kider2013-06-01.npz")):
-        scans = day(AERONET_AEROSOL, k, 2)
+        scans = day(AERONET_AEROSOL, k, 5 - 3 * k, lobes=LOBES if k == 0 else None)
         np.savez(
             tmp_path / name, time=np.array([f"{name[5:15]} {one}" for one in scans.time]),
             sun_zenith_deg=scans.sun_zenith, view_zenith_deg=scans.view_zenith,
@@ -194,6 +199,8 @@ def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None
         assert len(mine) == 5
         assert "parameters of each row" in mine[0]
         assert "scores" in mine[1]
+    first = [part for part in suite.parts if "2013-05-27: parameters" in part.title]  # type: ignore[union-attr]
+    assert first[0].rows[6][4].startswith("lobes of g 0.8")  # type: ignore[union-attr]
     second = [part for part in suite.parts if "2013-06-01: parameters" in part.title]  # type: ignore[union-attr]
     assert second[0].rows[1][4] == "Cornette-Shanks, g 0.7"  # type: ignore[union-attr]
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError
 from airlight.planets.planet import Planet
+from airlight.studies.fit.covariance import FEWEST_SCANS
 from airlight.studies.fit.pictures import dome_pictures, residual_curves
 from airlight.studies.fit.residuals import Residuals
 from airlight.studies.fit.scans import Scans, read_scan_file
@@ -125,7 +126,7 @@ def compute_day(run: SuiteRun, file: Path) -> Day:
 
     def step(message: str) -> None:
         nonlocal done
-        run.step(done, 5 + 2 * len(scans.time), f"{scans.date}, {message}")
+        run.step(done, 5 + len(scans.time), f"{scans.date}, {message}")
         done += 1
 
     def known(name: str, inputs: Inputs) -> DayRow:
@@ -146,14 +147,19 @@ def compute_day(run: SuiteRun, file: Path) -> Day:
     left_out = model.left_out(whole, lambda k: step(f"load fitted, without {scans.time[k]}"))
     step("load and instrument's scale fitted")
     scaled = AerosolModel(run, planet_of, scans, best, with_scale=True).fitted()
-    step("load and phase function fitted")
-    lobes = AerosolModel(run, planet_of, scans, replace(best, lobes=LOBES_START))
-    shaped = lobes.fitted()
-    others = lobes.left_out(shaped, lambda k: step(f"both fitted, without {scans.time[k]}"))
     rows += [
         DayRow("load fitted to all scans", best, whole.predicted, whole),
         DayRow("load fitted, the scored scan left out", best, left_out, whole, True),
         DayRow("load and instrument's scale fitted to all scans", best, scaled.predicted, scaled),
+    ]
+    if len(scans.time) < FEWEST_SCANS:
+        return Day(file=file, scans=scans, rows=rows, counted=3)
+    step("load and phase function fitted")
+    start = replace(best, lobes=LOBES_START)
+    shaped = AerosolModel(run, planet_of, scans, start).fitted()
+    assert shaped.fitted.left_out is not None
+    others = shaped.fitted.left_out.reshape(scans.radiance.shape)
+    rows += [
         DayRow("load and phase function fitted to all scans", best, shaped.predicted, shaped),
         DayRow("both fitted, the scored scan left out", best, others, shaped, True),
     ]
@@ -249,9 +255,9 @@ def _scores(day: Day) -> ReportTable:
         columns=["row", f"RMSE [{UNIT}]", f"farther than {NEAR:g}° from the sun"],
         rows=[*rows, ("the measured sky made symmetric", f"{floor:.2f}", "")],
         marks=["ours" if k == day.counted else "" for k in range(len(rows))] + [""],
-        note="The highlighted row has load and phase function of the day, fitted to all scans "
-        "except the scored scan. The aerosol's albedo, which was not measured, and the "
-        "instrument's scale are degenerate.",
+        note="The highlighted row has the aerosol of the day, fitted to all scans except the "
+        "scored scan; load and phase function by the linear model about the fit to all. The "
+        "aerosol's albedo, which was not measured, and the instrument's scale are degenerate.",
     )
 
 
@@ -304,7 +310,7 @@ def _summary(day: Day) -> str:
     return (
         f"On {day.scans.date}, with the inputs of all published models: {first:.2f} {UNIT}; with "
         f"the best known inputs, nothing fitted, {second:.2f}; with the aerosol's load fitted to "
-        f"the other scans, {_score(day, day.rows[3]):.2f}; with load and phase function fitted to "
-        f"them, the row that counts, {counted:.2f} (optical depth "
+        f"the other scans, {_score(day, day.rows[3]):.2f}; the row that counts, "
+        f"{day.row.name}, {counted:.2f} (optical depth "
         f"{depth} at 550 nm, exponent {exponent})."
     )
