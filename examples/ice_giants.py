@@ -13,7 +13,7 @@ from airlight.image.spectral import default_wavelengths
 halves = []
 for name, gain in (("uranus", 1.0), ("neptune", 2.5)):
     planet = airlight.load_planet(name)
-    solution = airlight.solve(planet, default_wavelengths(6), quality="preview")
+    solution = airlight.solve(planet, default_wavelengths(16), quality="preview")
     camera = airlight.Camera(width=240, height=240, field_of_view=20.0, look_zenith=180.0)
     scene = airlight.Scene(altitude=6.0 * planet.bottom_radius, sun_zenith=40.0, camera=camera)
     halves.append(gain * airlight.render(solution, scene).rgb)

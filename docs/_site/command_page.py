@@ -27,7 +27,11 @@ def write(path: Path) -> None:
     parts = [HEAD]
     for name in root.list_commands(None):
         parts.extend(_command(name, root.get_command(None, name)))
-    write_pages(path.parent, {path.name: "\n".join(parts)})
+    shown = "\n".join(parts)
+    lost = [f"{command}{flag}" for command, flag in OPTIONS if f"{command}{flag}.jpg" not in shown]
+    if lost:
+        raise ValueError(f"docs/_site/command_pictures.py: no such option: {', '.join(lost)}")
+    write_pages(path.parent, {path.name: shown})
 
 
 def _command(name: str, command: Any) -> list[str]:
