@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import re
 import shlex
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from airlight.cli import main
+from airlight.clouds.planet_clouds import Box
+from airlight.render.clouds import clouds_around
 
 ROOT = Path(__file__).parents[2]
 OTHERS = ("observables.md", "index.md")
@@ -37,6 +40,8 @@ def test_tutorial_runs_from_its_first_to_its_last_block(
 ) -> None:
     # a reader who copies block after block gets what the page says, or its assertions fail
     monkeypatch.chdir(tmp_path)
+    # small fields of clouds: the same code in less time
+    monkeypatch.setattr(clouds_around, "Box", partial(Box, size=6400.0))
     names: dict[str, object] = {"__name__": "__main__"}
     for language, text, line in _blocks(page):
         where = f"{page.name}, line {line}"
