@@ -66,6 +66,20 @@ def start_frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> Float
     return np.stack([x, y if along @ y >= 0.0 else -y, up])
 
 
+def distance_to_shell(
+    r: FloatArray, mu: FloatArray, sine: FloatArray, top: float | FloatArray
+) -> FloatArray:
+    """Distances from observers to where their lines enter the shell, 0 from within. [m]
+
+    Parameters
+    ----------
+    r, mu, sine, top :
+        Arguments of ``enter_shell``.
+    """
+    half_chord = np.sqrt(np.maximum(np.square(top) - np.square(r * sine), 0.0))
+    return np.where(r > top, -r * mu - half_chord, 0.0)
+
+
 def enter_shell(
     r: FloatArray,
     mu: FloatArray,

@@ -23,7 +23,7 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.rings import warn_of_rings
 from airlight.solver.air_mass_columns import replace_air_mass
-from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
+from airlight.solver.lines_of_sight import LinesOfSight, distance_to_shell, enter_shell
 from airlight.solver.named_axes import Argument, NamedAxes
 from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.solver.report import Report
@@ -369,11 +369,8 @@ class Solution(ABC):
         length = lines.length
         blocked = lines.to_ground
         if distance is not None:
-            half_chord = np.sqrt(np.maximum(top**2 - (r * sine) ** 2, 0.0))
-            way = np.where(r > top, -r * mu - half_chord, 0.0)
-            asked = self.geometry.optical_length(
-                lines.r, lines.mu, np.maximum(arrays[2] - way, 0.0), length
-            )
+            inside = np.maximum(arrays[2] - distance_to_shell(r, mu, sine, top), 0.0)
+            asked = self.geometry.optical_length(lines.r, lines.mu, inside, length)
             blocked = blocked & (asked > length * (1.0 + 1e-12))
             length = np.minimum(length, asked)
         drawn = self.geometry.medium
@@ -433,13 +430,11 @@ class Solution(ABC):
             sun = sun * ring_shade_at(self.medium, r, *np.radians(arrays[1:]))[:, None]
         import xarray
 
-        return xarray.Dataset(
-            {
-                name: self._labelled(values * sun, axes, words, "W m-2 nm-1")
-                for name, (words, values) in parts.items()
-            },
-            attrs=self.provenance,
-        )
+        labelled = {
+            name: self._labelled(values * sun, axes, words, "W m-2 nm-1")
+            for name, (words, values) in parts.items()
+        }
+        return xarray.Dataset(labelled, attrs=self.provenance)
 
     def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
         """Diffuse irradiance over that of the star [1], its label, and its error if known."""

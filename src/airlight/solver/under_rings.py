@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.planets.medium import Medium
 from airlight.planets.parameters import MISSING
-from airlight.solver.lines_of_sight import LinesOfSight, start_frame
+from airlight.solver.lines_of_sight import LinesOfSight, distance_to_shell, start_frame
 from airlight.solver.named_axes import Argument
 from airlight.solver.tables.ring_shadow import ring_shades, ring_tables
 
@@ -84,11 +84,7 @@ def under_rings(
         axis=-1,
     )
     north = pole_direction(*place)
-    way = np.where(
-        r > lines.r,
-        -r * along[:, 2] - np.sqrt(np.maximum(lines.r**2 - (r * np.sin(zenith)) ** 2, 0.0)),
-        0.0,
-    )
+    way = distance_to_shell(r, along[:, 2], np.sin(zenith), lines.r)
     start = np.stack([zero, zero, r], axis=-1) + way[:, None] * along
     up = start / np.linalg.norm(start, axis=-1, keepdims=True)
     frames = [start_frame(up[k], along[k], towards[k]) for k in range(r.size)]

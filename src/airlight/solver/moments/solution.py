@@ -211,13 +211,9 @@ class MomentsSolution(Solution):
 
     def _phase_f12(self, medium: Medium) -> FloatArray:
         """Elements F₁₂ of the phase matrices on the nodes of the phase table, (nodes, nc, nl)."""
-        nodes, constituents, count = (
-            medium.phase_table.shape[2],
-            len(medium.names),
-            self.wavelengths,
-        )
+        nodes, constituents = medium.phase_table.shape[2], len(medium.names)
         if not self.polarised:
-            return np.zeros((nodes, constituents, count.size))
+            return np.zeros((nodes, constituents, self.wavelengths.size))
         return medium.phase_f12(1.0 - 2.0 * np.linspace(0.0, 1.0, nodes) ** 2)
 
     @property
