@@ -138,7 +138,7 @@ PRESETS: Final = (
     Preset("titan", "Titan", "Titan", "reference", _WHOLE),
     Preset("mercury", "Mercury", "Mercury", "reference", _WHOLE),
     Preset("moon", "Moon", "Moon", "reference", _WHOLE),
-    Preset("jupiter", "Jupiter", "Jupiter", "reference", _NORTH_UP),
+    Preset("jupiter", "Jupiter", "Jupiter", "reference", _WHOLE),
     Preset("saturn", "Saturn", "Saturn", "reference", _NORTH_UP),
     Preset("uranus", "Uranus", "Uranus", "reference", _WHOLE),
     Preset("neptune", "Neptune", "Neptune", "reference", _WHOLE),
