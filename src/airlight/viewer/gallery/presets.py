@@ -74,14 +74,14 @@ class Look:
 
 
 #: Limb from above the atmosphere; atmosphere over ground from above; low sun from the ground;
-#: daytime on the ground; the sky after sunset; the whole planet, half lit; with rings, north above.
+#: daytime on the ground; the sky after sunset; the whole planet, half lit; north above.
 _LIMB: Final = Look(12.0, 11.0, -58.0, 74.0, latitude=34.0, sun_azimuth=110.0)
 _ABOVE: Final = Look(4.0, 14.0, 60.0, 62.0)
 _SUNSET: Final = Look(2e-5, -8.0, 8.0, 86.0)
 _DAY: Final = Look(2e-5, -12.0, 60.0, 65.0)
 _DUSK: Final = Look(2e-5, -14.0, 0.0, 93.0)
 _WHOLE: Final = Look(-3.2, 180.0, 0.0, 62.0, 58.0, latitude=20.0, longitude=15.0, sun_azimuth=250.0)
-_RINGED: Final = Look(-4.0, 180.0, 70.0, 62.0, 58.0, latitude=20.0, sun_azimuth=290.0)
+_NORTH_UP: Final = Look(-4.0, 180.0, 70.0, 62.0, 58.0, latitude=20.0, sun_azimuth=290.0)
 _BACKLIT: Final = Look(-3.2, 180.0, 0.0, 160.0, 58.0, sun_azimuth=250.0)
 
 
@@ -139,7 +139,7 @@ PRESETS: Final = (
     Preset("mercury", "Mercury", "Mercury", "reference", _WHOLE),
     Preset("moon", "Moon", "Moon", "reference", _WHOLE),
     Preset("jupiter", "Jupiter", "Jupiter", "reference", _WHOLE),
-    Preset("saturn", "Saturn", "Saturn", "reference", _RINGED),
+    Preset("saturn", "Saturn", "Saturn", "reference", _NORTH_UP),
     Preset("uranus", "Uranus", "Uranus", "reference", _WHOLE),
     Preset("neptune", "Neptune", "Neptune", "reference", _WHOLE),
     Preset("triton", "Triton", "Triton", "reference", _BACKLIT),
