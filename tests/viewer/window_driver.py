@@ -24,6 +24,7 @@ from airlight.render.clouds import clouds_around
 from airlight.render.clouds.cloud_light import FIRST, LIVE, MOST_LIVE
 from airlight.render.clouds.clouds_around import CloudsAround
 from airlight.render.gpu.device.device import open_device
+from airlight.render.pixels.sky_view_window import COARSEST
 from airlight.render.rendering_gpu import Choice
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import to_fragment
@@ -223,13 +224,14 @@ class Answers:
         return {"cover": planet.clouds[0].cover, "detail": lit.detail, "by": shown.by}
 
     def cpu_picture(self, file: str) -> bool:
-        """Write the still picture of the CPU in the state shown, with light as detailed."""
+        """Write the CPU's picture of the state shown, with light and LUT as detailed."""
         shown = self.window.shown("A")
         assert shown is not None
         request, planet = shown.request, self.window._sides.solved("A").cloudy  # type: ignore[union-attr]
         around = CloudsAround.of(planet, request.scene, quality="preview", cache=False)
         assert around is not None
-        frame = render(request.solution, request.scene, clouds=replace(around, detail=LIVE))
+        clouds = replace(around, detail=LIVE, sky_view=COARSEST)
+        frame = render(request.solution, request.scene, clouds=clouds)
         np.save(file, request.displayed(frame, shown.exposure))
         return True
 
