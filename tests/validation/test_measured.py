@@ -244,8 +244,8 @@ def test_bands_spread_the_suns_light_and_lose_none_of_it() -> None:
     assert_allclose(band_irradiance(nm).sum(), solar_irradiance(nm).sum() / 1.0133**2, rtol=1e-3)
 
 
-def test_band_of_a_line_is_three_nanometres_wide() -> None:
-    # At the Ca II lines near 393.4 and 396.8 nm the sun is dark: 3 nm bands fill them in, but not
+def test_band_of_a_line_is_narrower_than_means_over_twelve_nanometres() -> None:
+    # At the Ca II lines near 393.4 and 396.8 nm the sun is dark: 6 nm bands fill them in, but not
     # as far as 11.75 nm means do.
     line = float(band_irradiance([393.5])[0]) * 1.0133**2
     assert solar_irradiance(393.5) < line < solar_irradiance(387.5 + np.arange(12.0)).mean()

@@ -14,7 +14,7 @@ from airlight.planets.planet import Planet
 from airlight.studies.fit.covariance import FEWEST_SCANS
 from airlight.studies.fit.pictures import dome_pictures, residual_curves
 from airlight.studies.fit.residuals import Residuals
-from airlight.studies.fit.scans import Scans, read_scan_file
+from airlight.studies.fit.scans import BAND_WIDTH, Scans, read_scan_file
 from airlight.validation.kider.fits import AerosolFit, AerosolModel
 from airlight.validation.kider.planets import (
     PUBLISHED_INPUTS,
@@ -219,7 +219,7 @@ def _inputs(day: Day) -> ReportTable:
         if found is not None and found.inputs.lobes is not None:
             first, second, weight = found.inputs.lobes
             phase = f"lobes of g {first:.3f} (weight {weight:.3f}) and {second:.3f}"
-        sun = "3 nm, distance of the day" if inputs.measured_sun else "11.75 nm, 1 au"
+        sun = f"{BAND_WIDTH:g} nm, distance of the day" if inputs.measured_sun else "11.75 nm, 1 au"
         air = "Peck & Reeder, Bates" if inputs.measured_air else "Penndorf"
         rows.append(
             cells(

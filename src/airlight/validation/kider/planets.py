@@ -142,7 +142,10 @@ def steps() -> list[tuple[str, Inputs]]:
     """Named inputs, changed one at a time from the published to the best."""
     named_steps: tuple[tuple[str, dict[str, Any]], ...] = (
         ("same inputs as everybody", {}),
-        ("sun: 3 nm bands at 1.0133 au for 11.75 nm means at 1 au", {"measured_sun": True}),
+        (
+            f"sun: {BAND_WIDTH:g} nm bands at 1.0133 au for 11.75 nm means at 1 au",
+            {"measured_sun": True},
+        ),
         ("air: Peck & Reeder, Bates for Penndorf", {"measured_air": True}),
         (f"air: {SITE / 100:.0f} hPa of the site for 1013", {"pressure": SITE}),
         (f"ozone, {OZONE:g} DU", {"ozone": OZONE}),
