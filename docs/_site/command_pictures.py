@@ -11,7 +11,7 @@ BASES = {"render": "earth --altitude 2m --sun-zenith 80 --look 82,25 --size 200x
 
 #: Option, and what is added for the right picture.
 OPTIONS = {
-    ("render", "--set"): "--set aerosol.optical_depth=0.5",
+    ("render", "--set"): "--set aerosol.amount=8",
     ("render", "--ground-albedo"): "--ground-albedo 0.8",
     ("render", "--star-temperature"): "--star-temperature 3000K",
     ("render", "--altitude"): "--altitude 12km",
