@@ -28,7 +28,6 @@ from airlight.render.pixels.sky_view_window import COARSEST
 from airlight.render.rendering_gpu import Choice
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import to_fragment
-from airlight.viewer.window import canvas as window_canvas
 from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels.probe import numbers_of
@@ -311,7 +310,6 @@ def main() -> None:
     # small fields, with light of few cells: the same code in less time
     MOST_LIVE.update({LIVE: 10_000, FIRST: 3_000})
     clouds_around.Box = partial(Box, size=6400.0)  # type: ignore[attr-defined, assignment]
-    window_canvas._FRAME_RATE = 25.0  # type: ignore[misc]  # software takes 15 ms of a CPU a frame
     start = Start(planet=planet, view=view, size=(width, height), device=by, changes=changes)
     session = opened(start)
     canvas = DesktopCanvas((width, height), "airlight test")
