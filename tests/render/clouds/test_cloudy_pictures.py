@@ -16,8 +16,6 @@ from airlight.render.render import render
 from airlight.render.solve_planet import solve_planet
 
 pytestmark = pytest.mark.slow
-#: Loops for two kinds of clouds are compiled for these tests alone: 58 s.
-TWO_KINDS = pytest.mark.validation
 
 NM = (440.0, 520.0, 600.0, 680.0)
 
@@ -156,7 +154,6 @@ def test_steps_of_wide_pixels_are_not_higher_than_a_level(air, zenith):
     np.testing.assert_allclose(wide, narrow, rtol=3e-3)
 
 
-@TWO_KINDS
 @pytest.mark.parametrize(("altitude", "zenith"), [(2.0, 0.0), (2.0, 60.0), (3000.0, 150.0)])
 def test_two_decks_one_above_the_other_are_one_layer(air, altitude, zenith):
     """A layer cut in two; higher orders of the halves pass through the light of the boxes."""
@@ -166,7 +163,6 @@ def test_two_decks_one_above_the_other_are_one_layer(air, altitude, zenith):
     np.testing.assert_allclose(found, look(air, zenith, layer(4.0), altitude), rtol=0.05)
 
 
-@TWO_KINDS
 @pytest.mark.parametrize(
     "upper", [deck(2.0), deck(2.0, base=1250.0, levels=4)], ids=["the same heights", "upper half"]
 )
@@ -185,7 +181,7 @@ def test_decks_at_the_same_heights_add_up(air, upper, altitude, zenith):
     np.testing.assert_allclose(found, expected, rtol=0.02)
 
 
-@TWO_KINDS
+@pytest.mark.validation
 @pytest.mark.parametrize("sun", [0.0, 80.0])
 @pytest.mark.parametrize(
     ("altitude", "zenith"), [(2.0, 60.0), (5000.0, 120.0), (5000.0, 60.0), (4e5, 180.0)]
