@@ -67,7 +67,7 @@ around = clouds_around.CloudsAround.of(planet, scene, cache=False)
 before = used()
 LitClouds.solve(around, planet, solution, scene, detail=FIRST)
 found, known = used() - before, {name_of(one) for one in LOOPS}
-print(len(known & found), *sorted(found ^ known))
+print(len(known & found), *sorted((found - set(reached(LOOPS))) | (known - found)))
 """
 
 
