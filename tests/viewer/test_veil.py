@@ -61,14 +61,16 @@ def window(device: Device, solver: Solver) -> Iterator[Window]:
 
 
 def until(window: Window, reached: Callable[[], object]) -> np.ndarray:
-    """Frames until a condition holds; median brightness of the sides after one more."""
+    """Frames until a condition holds before and after one; median brightness of its sides."""
     canvas = cast(OffscreenCanvas, window._canvas)
     end = time.monotonic() + LONG
-    while not reached():
-        assert time.monotonic() < end
+    while True:
+        before = reached()
         canvas.run(window.draw)
+        if before and reached():
+            break
+        assert time.monotonic() < end
         time.sleep(0.02)
-    canvas.run(window.draw)
     assert canvas.picture is not None
     place = window.picture_rectangle()
     rows = slice(int(place.top) + 60, int(place.top + place.height) - 60)
