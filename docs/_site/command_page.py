@@ -63,7 +63,8 @@ def _metavar(parameter: Any) -> str:
 
 def _flags(option: Any) -> str:
     flags = ", ".join(f"`{flag}`" for flag in [*option.opts, *option.secondary_opts])
-    return flags if option.is_flag else f"{flags} `{_metavar(option)}`"
+    words = _metavar(option).replace("|", "\\|")  # within a table
+    return flags if option.is_flag else f"{flags} `{words}`"
 
 
 def _default(option: Any) -> str:

@@ -1,3 +1,7 @@
+if (location.protocol === "file:") {
+  DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false; // a browser fetches nothing from disk
+}
+
 /** Scores of the site's search: the page of a name before all else that bears it. */
 var Scorer = {
   score: ([docname, title, , , score]) => {
