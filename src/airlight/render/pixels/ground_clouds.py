@@ -39,11 +39,11 @@ CLOUD_VALUES: Final = 13
 THICKNESS: Final = 3300.0
 #: Height of tops in a standard deviation of the coarsest octave of the texture, of few clouds, and
 #: the share of it that full cover loses, by eye. [m], [1]
-HEAPED: Final = 900.0
+HEAPED: Final = 600.0
 LEVELLED: Final = 0.5
 #: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
 #: eye. [1]
-SHADING: Final = 0.4
+SHADING: Final = 0.25
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
 LOWEST: Final = 0.06
 #: Cover through which no shadow is seen, and finest texture of shadows over that of clouds. [1]
