@@ -264,11 +264,13 @@ def test_pictures_of_two_sizes_cover_the_same_places(cloudy: Cloudy) -> None:
     assert enlarged(pixels, 8, 16) is pixels
 
 
-@pytest.mark.parametrize("albedo", [0.0, 0.8])
-def test_texture_shadows_and_shaded_tops_keep_the_mean_light(cloudy: Cloudy, albedo: float) -> None:
+@pytest.mark.parametrize(("albedo", "seen"), [(0.0, 0.1), (0.8, 0.01)])
+def test_texture_shadows_and_shaded_tops_keep_the_mean_light(
+    cloudy: Cloudy, albedo: float, seen: float
+) -> None:
     # The layer without texture is the limit. Shadows fall 112 km away, three cells of the coarsest
     # noise, so that no cloud hides its own. Four views of 900 km, with some 500 of its cells each,
-    # err by 1 %, the logistic function by 2 %.
+    # err by 1 %, the logistic function by 2 %. Clouds before bright ground are hardly seen.
     solution = cloudy(0.5, albedo=albedo, cloud_altitude="30 km")
     camera = Camera(width=96, height=96, field_of_view=96.0, look_zenith=180.0)
     found = []
@@ -278,7 +280,7 @@ def test_texture_shadows_and_shaded_tops_keep_the_mean_light(cloudy: Cloudy, alb
         )
         detailed = rgb_of(solution, replace(scene, ground="detailed"))
         plain = rgb_of(solution, scene)
-        assert np.std(detailed / plain) > 0.1
+        assert np.std(detailed / plain) > seen
         found.append([detailed.mean(axis=(0, 1)), plain.mean(axis=(0, 1))])
     with_texture, without = np.mean(found, axis=0)
     assert_allclose(with_texture, without, rtol=0.03)

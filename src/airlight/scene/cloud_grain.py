@@ -130,9 +130,9 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
     edge = EDGE
     if whole_grain:
         scale = float(SOFTNESS)
-        x, _x = turning_place(whole.x, beyond_x, scale)
-        y, _y = turning_place(whole.y, beyond_y, scale)
-        z, _z = turning_place(whole.z, beyond_z, scale)
+        x, along_x = turning_place(whole.x, beyond_x, scale)
+        y, along_y = turning_place(whole.y, beyond_y, scale)
+        z, along_z = turning_place(whole.z, beyond_z, scale)
         edge *= exp(VARIED * gradient_noise(x, y, z))
     scale = float(COARSEST)
     total, variance, share = 0.0, 0.0, 1.0
