@@ -277,23 +277,29 @@ def _errors(solution: Solution, tables: CosmoScoutTables) -> tuple[ErrorRow, ...
                     measure="delta E 2000",
                 )
             )
-    return (*rows, _sunlight(solution, tables))
+    return (*rows, *_sunlight(solution, tables))
 
 
-def _sunlight(solution: Solution, tables: CosmoScoutTables) -> ErrorRow:
-    """Colour of transmitted sunlight at CosmoScout's three wavelengths."""
+def _sunlight(solution: Solution, tables: CosmoScoutTables) -> list[ErrorRow]:
+    """Colour of transmitted sunlight at CosmoScout's three wavelengths, where it is not dark."""
     star, medium = solution.lights[0], solution.medium
     angles = np.array([0.0, 45.0, 75.0, 85.0, 88.0])
     true = solution.transmittance(altitude=0.0, view_zenith=angles).values * star.irradiance
     true = true @ rgb_weights(solution.wavelengths, star.spectrum)
     ground = np.full(angles.size, medium.bottom_radius)
-    made = tables.through(ground, np.cos(np.radians(angles))) * sun_color(star.spectrum)
-    return ErrorRow.of(
-        "colour of sunlight on the ground",
-        color_difference(made, true),
-        where="sun at 0 to 88 deg from the zenith",
-        measure="delta E 2000",
-    )
+    whole = sun_color(star.spectrum)
+    made = tables.through(ground, np.cos(np.radians(angles))) * whole
+    seen = luminance(true) > _DARK * luminance(whole)
+    if not seen.any():
+        return []
+    return [
+        ErrorRow.of(
+            "colour of sunlight on the ground",
+            color_difference(made[seen], true[seen]),
+            where=f"sun at 0 to {angles[seen].max():.0f} deg from the zenith",
+            measure="delta E 2000",
+        )
+    ]
 
 
 TARGET: Final = Target(
