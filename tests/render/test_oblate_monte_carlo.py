@@ -7,13 +7,14 @@ extrapolated at its slope is never exceeded: the majorant of Woodcock et al. (19
 
 from __future__ import annotations
 
+from functools import cache
 from math import cos, exp, log, pi, sin, sqrt
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 from numba import njit
+from numpy.testing import assert_allclose
 
 import airlight
 from airlight import Camera, Scene
@@ -23,6 +24,8 @@ from airlight.render import render
 A, H, TOP, ALBEDO = 60000.0, 60.0, 600.0, 0.5
 FAR = 600000.0  # camera above the radius of the equator
 SUN = np.array([cos(0.35) * cos(0.8), cos(0.35) * sin(0.8), sin(0.35)])  # 20° N, 46° E
+#: Share by which solver and pixels may err.
+SOLVER = 0.005
 NM = (680.0, 550.0, 440.0)
 FILE = """
 name = "Spheroid"
@@ -103,7 +106,7 @@ def to_ground(x, y, z, u, v, w, f):
 
 @njit(cache=True)
 def to_sun(x, y, z, sun, f, density):
-    """Transmittance to the sun: Gauss's rule of three points on pieces shorter than H in altitude."""
+    """Transmittance to the sun by Gauss's rule, three points for each scale height at most."""
     if to_ground(x, y, z, sun[0], sun[1], sun[2], f) >= 0.0:
         return 0.0
     depth = 0.0
@@ -123,8 +126,10 @@ def to_sun(x, y, z, sun, f, density):
 
 
 @njit(cache=True)
-def path(x, y, z, u, v, w, sun, f, density):
+def path(eye, ray, sun, f, density, random):
     """Radiance along one path, for an irradiance of 1."""
+    x, y, z = eye
+    u, v, w = ray
     light = 0.0
     while True:
         ground = to_ground(x, y, z, u, v, w, f)
@@ -142,7 +147,7 @@ def path(x, y, z, u, v, w, sun, f, density):
                 step, rate = 1000.0, density * exp(-h / H) * (1.0 + 1e-9)
                 if 0.0 <= ground < step:
                     step = ground
-                wanted = -log(1.0 - np.random.random())
+                wanted = -log(1.0 - random.random())
                 slope = mu / H  # majorant rate·exp(-slope t)
                 if abs(slope) * 1000.0 < 1e-6:
                     t = wanted / rate
@@ -154,7 +159,7 @@ def path(x, y, z, u, v, w, sun, f, density):
                     ground -= t if ground >= 0.0 else 0.0
                     h, nx, ny, nz = place(x, y, z, f)
                     real = density * exp(-h / H) if h < TOP else 0.0
-                    if np.random.random() * rate * exp(-slope * t) < real:
+                    if random.random() * rate * exp(-slope * t) < real:
                         break
                     continue
             x, y, z = x + step * u, y + step * v, z + step * w
@@ -165,8 +170,8 @@ def path(x, y, z, u, v, w, sun, f, density):
                     break
         if not hit:
             light += to_sun(x, y, z, sun, f, density) / (4.0 * pi)
-            w = 2.0 * np.random.random() - 1.0
-            turn, level = 2.0 * pi * np.random.random(), sqrt((1.0 - w) * (1.0 + w))
+            w = 2.0 * random.random() - 1.0
+            turn, level = 2.0 * pi * random.random(), sqrt((1.0 - w) * (1.0 + w))
             u, v = level * cos(turn), level * sin(turn)
             continue
         h, nx, ny, nz = place(x, y, z, f)
@@ -174,23 +179,22 @@ def path(x, y, z, u, v, w, sun, f, density):
         rise = nx * sun[0] + ny * sun[1] + nz * sun[2]
         if rise > 0.0:
             light += ALBEDO / pi * rise * to_sun(x, y, z, sun, f, density)
-        if np.random.random() > ALBEDO:
+        if random.random() > ALBEDO:
             return light
         # Lambert: the normal plus a point of the unit sphere
-        w = 2.0 * np.random.random() - 1.0
-        turn, level = 2.0 * pi * np.random.random(), sqrt((1.0 - w) * (1.0 + w))
+        w = 2.0 * random.random() - 1.0
+        turn, level = 2.0 * pi * random.random(), sqrt((1.0 - w) * (1.0 + w))
         u, v, w = nx + level * cos(turn), ny + level * sin(turn), nz + w
         size = sqrt(u * u + v * v + w * w)
         u, v, w = u / size, v / size, w / size
 
 
 @njit(cache=True)
-def traced(eye, ray, sun, f, density, number, seed):
+def traced(eye, ray, sun, f, density, number, random):
     """Mean radiance of paths, and its standard error."""
-    np.random.seed(seed)
     total = square = 0.0
     for _ in range(number):
-        one = path(eye[0], eye[1], eye[2], ray[0], ray[1], ray[2], sun, f, density)
+        one = path(eye, ray, sun, f, density, random)
         total += one
         square += one * one
     mean = total / number
@@ -260,57 +264,82 @@ def bound(line: Line, f: float) -> float:
     return total
 
 
+def pixel(line: Line, f: float, solution: airlight.Solution) -> float:
+    """Light of a picture of one pixel on a line of sight."""
+    _, ray, _ = seen(line, f)
+    up = direction(line.camera, 0.0)
+    north = direction(line.camera + 90.0, 0.0)
+    scene = Scene(
+        altitude=FAR * 1e3,
+        latitude=line.camera,
+        sun_zenith=float(np.degrees(np.arccos(SUN @ up))),
+        sun_azimuth=float(np.degrees(np.arctan2(SUN @ np.cross(north, up), SUN @ north))),
+    )
+    turn = scene.ground_frame
+    assert_allclose(turn @ scene.sun_direction, SUN, atol=1e-9)
+    assert_allclose(turn[:, 2], up, atol=1e-12)
+    x, y, z = turn.T @ ray
+    camera = Camera(
+        look_zenith=float(np.degrees(np.arctan2(np.hypot(x, y), z))),
+        look_azimuth=float(np.degrees(-np.arctan2(y, x))),
+        width=1,
+        height=1,
+        field_of_view=1e-3,
+    )
+    assert_allclose(turn @ camera.axes[2], ray, atol=1e-9)  # 0.6 m at the planet
+    frame = render(solution, replace(scene, camera=camera), disc=False, exact=True)
+    return float(frame.rgb[0, 0, 1])
+
+
 @pytest.fixture(scope="module")
 def painted(tmp_path_factory):
-    """Radiance by ``render``, of one optical depth and flattening, for an irradiance of 1."""
-    path: Path = tmp_path_factory.mktemp("spheroid") / "spheroid.toml"
-    path.write_text(FILE)
-    planet = load_planet(path)
-    solutions: dict[tuple[float, float], airlight.Solution] = {}
+    """Radiance by ``render`` for an irradiance of 1."""
+    file = tmp_path_factory.mktemp("spheroid") / "spheroid.toml"
+    file.write_text(FILE)
+    planet = load_planet(file)
 
-    def solved(depth: float, f: float) -> airlight.Solution:
-        if (depth, f) not in solutions:
-            air = replace(planet.constituents[0], scattering=depth / (H * 1e3))
-            one = replace(planet, constituents=(air,), flattening=f)
-            solutions[depth, f] = airlight.solve(one, NM, quality=QUALITY, polarisation=False)
-        return solutions[depth, f]
-
-    def pixel(line: Line, f: float, solution: airlight.Solution) -> float:
-        eye, ray, _ = seen(line, f)
-        up = eye / np.linalg.norm(eye)
-        north = np.array([-1.0, 0.0, 0.0]) if line.camera == 90.0 else np.array([0.0, 0.0, 1.0])
-        east = np.cross(north, up)
-        bearing = np.degrees(np.arctan2(SUN @ east, SUN @ north))
-        scene = Scene(
-            altitude=FAR * 1e3,
-            latitude=line.camera,
-            sun_zenith=float(np.degrees(np.arccos(SUN @ up))),
-            sun_azimuth=float(bearing),
-        )
-        turn = scene.ground_frame
-        assert np.allclose(turn @ scene.sun_direction, SUN, atol=1e-9)
-        assert np.allclose(turn[:, 2], up)
-        local = turn.T @ ray
-        best = []
-        for sign in (1.0, -1.0):
-            camera = Camera(
-                look_zenith=float(np.degrees(np.arctan2(np.hypot(*local[:2]), local[2]))),
-                look_azimuth=float(np.degrees(np.arctan2(sign * local[1], local[0]))),
-                width=1,
-                height=1,
-                field_of_view=1e-3,
-            )
-            best.append((float(camera.axes[2] @ local), camera))
-        cosine, camera = max(best, key=lambda one: one[0])
-        assert cosine > 1.0 - 1e-13
-        frame = render(solution, replace(scene, camera=camera), disc=False, exact=True)
-        return float(frame.rgb[0, 0, 1])
+    @cache
+    def solved(depth: float, f: float, quality: str) -> airlight.Solution:
+        air = replace(planet.constituents[0], scattering=depth / (H * 1e3))
+        one = replace(planet, constituents=(air,), flattening=f)
+        return airlight.solve(one, NM, quality=quality, polarisation=False)
 
     # Lambert's law in hardly any air
     centre = LINES["disc centre"]
-    _, _, normal = seen(centre, 0.0)
-    unit = pixel(centre, 0.0, solved(1e-7, 0.0)) / (ALBEDO / pi * float(normal @ SUN))
-    return lambda depth, f, line: pixel(line, f, solved(depth, f)) / unit
+    unit = pixel(centre, 0.0, solved(1e-7, 0.0, "preview")) * pi / (ALBEDO * SUN[0])
+    return lambda name, depth, f, quality: pixel(LINES[name], f, solved(depth, f, quality)) / unit
 
 
-QUALITY = "preview"
+def compared(painted, name: str, depth: float, f: float, quality: str, number: int):
+    """Relative difference of a picture from the reference, and the standard error of that."""
+    eye, ray, _ = seen(LINES[name], f)
+    random = np.random.default_rng([list(LINES).index(name), int(1e3 * f), int(10.0 * depth)])
+    mean, error = traced(tuple(eye), tuple(ray), SUN, f, depth / H, number, random)
+    return painted(name, depth, f, quality) / mean - 1.0, error / mean
+
+
+@pytest.mark.parametrize("f", [0.0, 0.1])
+@pytest.mark.parametrize("name", ["mid-disc, 50° N", "limb, pole", "limb, from the pole"])
+def test_the_disc_is_that_of_the_spheroid_and_the_limb_errs_by_its_curvature(painted, name, f):
+    difference, error = compared(painted, name, 0.3, f, "preview", 60_000)
+    assert abs(difference) < 3.0 * error + SOLVER + bound(LINES[name], f)
+
+
+@pytest.mark.validation
+@pytest.mark.parametrize("name", LINES)
+@pytest.mark.parametrize("depth", [0.3, 3.0])
+@pytest.mark.parametrize("f", [0.0, 0.065, 0.1])
+def test_lines_of_sight_to_the_spheroid(painted, name, depth, f):
+    difference, error = compared(painted, name, depth, f, "default", 300_000)
+    print(f"{f} {depth} {name}: {difference:+.2%} ± {error:.2%}, bound {bound(LINES[name], f):.2%}")
+    assert abs(difference) < 3.0 * error + SOLVER + bound(LINES[name], f)
+
+
+@pytest.mark.validation
+@pytest.mark.parametrize(
+    ("name", "sign"), [("limb, pole", -1), ("limb, from the pole", 1), ("limb, equator", 0)]
+)
+def test_thin_limbs_show_the_curvature(painted, name, sign):
+    # the sign that √(R/R_c) gives, beyond five standard errors
+    difference, error = compared(painted, name, 0.3, 0.1, "default", 300_000)
+    assert (abs(difference) > 5.0 * error) * np.sign(difference) == sign
