@@ -71,7 +71,7 @@ LINES = {
 }
 
 
-@njit(cache=True)
+@njit
 def place(x, y, z, f):
     """Geodetic altitude and normal by Bowring (1985), twice."""
     rho = sqrt(x * x + y * y)
@@ -90,7 +90,7 @@ def place(x, y, z, f):
     return h, x * level, y * level, s
 
 
-@njit(cache=True)
+@njit
 def to_ground(x, y, z, u, v, w, f):
     """Distance to the spheroid ahead, or -1."""
     g = 1.0 / (1.0 - f)
@@ -104,7 +104,7 @@ def to_ground(x, y, z, u, v, w, f):
     return max(t - sqrt(room / a), 0.0)
 
 
-@njit(cache=True)
+@njit
 def to_sun(x, y, z, sun, f, density):
     """Transmittance to the sun by Gauss's rule, three points for each scale height at most."""
     if to_ground(x, y, z, sun[0], sun[1], sun[2], f) >= 0.0:
@@ -125,7 +125,7 @@ def to_sun(x, y, z, sun, f, density):
     return exp(-depth)
 
 
-@njit(cache=True)
+@njit
 def path(eye, ray, sun, f, density, random):
     """Radiance along one path, for an irradiance of 1."""
     x, y, z = eye
@@ -189,7 +189,7 @@ def path(eye, ray, sun, f, density, random):
         u, v, w = u / size, v / size, w / size
 
 
-@njit(cache=True)
+@njit
 def traced(eye, ray, sun, f, density, number, random):
     """Mean radiance of paths, and its standard error."""
     total = square = 0.0
