@@ -68,6 +68,7 @@ LINES = {
     "near the limb, from the pole": Line(90.0, 30.0, None, 0.1),
     "limb, from the pole": Line(90.0, 30.0, None, 0.0, 240.0),
     "limb, low sun, from the pole": Line(90.0, 120.0, None, 0.0, 240.0),
+    "dusk at the south pole": Line(0.0, 45.8, -73.4),
 }
 
 
