@@ -125,7 +125,10 @@ def test_the_shadow_of_rings_falls_where_the_spheroid_has_it():
     expected = np.where(
         (to_star > 0.0) & (radius > 8.2e6) & (radius < 13e6), np.exp(-0.6 / abs(star[2])), 1.0
     )
-    edge = np.minimum(np.abs(radius - 8.2e6), np.abs(radius - 13e6)) < 2e5  # penumbra
+    normal = ground / np.array([R, R, POLAR]) ** 2
+    slant = -np.sum(normal * rays, axis=-1) / np.linalg.norm(normal, axis=-1)
+    pixel = one.camera.pixel_angle * way / np.maximum(slant, 0.2) / abs(star[2])
+    edge = np.minimum(np.abs(radius - 8.2e6), np.abs(radius - 13e6)) < 2e5 + pixel  # penumbra
     sure = (least < 0.9) & (free > 0.02 * free.max()) & ~edge & ~hidden
     assert (expected[sure] < 1.0).sum() > 50
     assert_allclose(shaded[sure] / free[sure], expected[sure], rtol=2e-3)

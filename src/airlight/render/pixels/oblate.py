@@ -6,7 +6,9 @@ spherical solution has the line's and the star's true zenith angles, and scatter
 change. The silhouette, the terminator and the latitude of maps are exact. The profile of the
 file holds along each local vertical. Left out: that curvature differs from 1/R, by which columns
 at the limb err as √(R/R_c) with the radius of curvature R_c along the line: -5 % at the pole of
-Saturn, +11 % at its equator seen from the pole.
+Saturn, +11 % at its equator seen from the pole. By Monte Carlo in a spheroid of f = 0.1, light errs
+by -4 and +9 % there in thin air and by 1 % in thick air; with the sun 1.7° below the horizon by
+-3 % at the equator and +6 % at a pole, 3.4° below by +13 %; by less than 0.5 % on the lit disc.
 """
 
 from __future__ import annotations
