@@ -57,7 +57,7 @@ def _nothing_is_computed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Non
     monkeypatch.setattr(import_module("airlight.render.solve_planet"), "solve_planet", work)
     monkeypatch.setattr("airlight.engines.environment.environment_map.environment_map", work)
     monkeypatch.setattr("airlight.validation.run.run", work)
-    monkeypatch.setattr("airlight.cli.fit._radiances", work)
+    monkeypatch.setattr("airlight.cli.fit._measurements", work)
     monkeypatch.chdir(tmp_path)
 
 

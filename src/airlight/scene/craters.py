@@ -93,7 +93,7 @@ def crater_slope(distance):
 
     Examples
     --------
-    >>> crater_slope(0.0), round(crater_slope(0.5), 3), crater_slope(2.0)
+    >>> crater_slope(0.0), round(crater_slope(0.5), 3), abs(crater_slope(2.0))
     (0.0, 0.392, 0.0)
     """
     if distance < 1.0:

@@ -479,7 +479,7 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
              [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *VECTORS]}  # fmt: skip
     others = {"meets_ground", "panel_leg", "apparent_sun", "refraction_table_index",
               "apparent_sun_cosine", "star_points", "direct_horizontal_weights", "shown_light",
-              "insert_edge", "place_edges",
+              "insert_edge", "place_edges", "start_vectors",
               "place_nodes", "map_color", "map_channel",
               "map_value", "map_cell", "add_texel", "encoded"}  # fmt: skip
     rooms = [
