@@ -19,9 +19,9 @@ FILE = Path(__file__).parents[1] / "src/airlight/physics/optics/data/rings-satur
 FIRST, LAST, NUMBER, TOGETHER = 74_510.0, 140_390.0, 13_177, 4
 #: Optical depth of a row through which nothing was seen. [1]
 OPAQUE = 4.0
-#: Optical depth below which the albedo of particles is not told from it, and sum of the inverse
-#: cosines of star and observer, by eye for low elevations. [1]
-THIN, SLANT = 0.3, 6.0
+#: Optical depth below which brightness does not separate albedo from depth, and air mass: the sum
+#: of the inverse cosines of star and observer, by eye for low elevations. [1]
+THIN, AIR_MASS = 0.3, 6.0
 FROM = "transparency and backscattered light, from data of NASA's PDS"
 WORDS = "the author's words, in the copyright file of Debian's stellarium-data"
 HEADER = (
@@ -48,7 +48,7 @@ def main() -> None:
     mean = given[:whole].reshape(-1, TOGETHER).mean(axis=1)
     depth = -np.log(np.clip(mean, np.exp(-OPAQUE), 1.0))
     middle = radii[:whole].reshape(-1, TOGETHER).mean(axis=1)
-    light = lit[:whole].reshape(-1, TOGETHER).mean(axis=1) / -np.expm1(-SLANT * depth - 1e-9)
+    light = lit[:whole].reshape(-1, TOGETHER).mean(axis=1) / -np.expm1(-AIR_MASS * depth - 1e-9)
     columns = middle.tolist(), depth.tolist(), np.where(depth > THIN, light, 1.0).tolist()
     rows = (f"{r:g},{d:.3g},{b:.3g}" for r, d, b in zip(*columns, strict=True))
     FILE.write_text("\n".join((*HEADER, *rows)) + "\n", encoding="utf-8")

@@ -8,18 +8,20 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ConflictError, ParameterError, warn
-from airlight.physics.optics.ring_profile import read_ring_profile
+from airlight.physics.optics.ring_profile import RingProfile, read_ring_profile
 from airlight.planets.parameters import MISSING, ascending, parameters
 from airlight.planets.schema.field import Field, Wavelengths, always, key
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import TomlTable
-from airlight.planets.spectral import Limits, Spectral, spectral_at, spectral_limits
+from airlight.planets.spectral import Limits, PerWavelength, Spectral, spectral_at, spectral_limits
 
 FloatArray = npt.NDArray[np.float64]
 
 #: Largest number of rings of a planet, and of rows of a profile.
 MAX_RINGS: Final = 16
 MOST_ROWS: Final = 1000
+#: Fraction of an edge's radius by which a table of radii may end before it. [1]
+_NEAR: Final = 1e-3
 #: Largest normal optical depth, which transmits nothing. [1]
 DENSEST: Final = 100.0
 #: Exponent of the phase function of Callisto, which fits the A ring: Dones, Cuzzi & Showalter
@@ -172,7 +174,7 @@ class Ring(TomlModel):
         if self.profile is not None:
             if listed or self.optical_depth is not None:
                 raise ConflictError("profile", "cannot be combined with optical_depth or radii")
-            read_ring_profile(self.profile)
+            self._check_profile(read_ring_profile(self.profile))
             return
         if self.optical_depth is not None:
             if listed:
@@ -192,6 +194,21 @@ class Ring(TomlModel):
         if not self.inner_radius <= self.radii[0] <= self.radii[-1] <= self.outer_radius:
             allowed = f"{self.inner_radius:.10g} to {self.outer_radius:.10g} m, the edges"
             raise ParameterError("radii", self.radii, allowed)
+
+    def _check_profile(self, table: RingProfile) -> None:
+        """Refuse a table that ends within the ring, and one with which albedos exceed 1."""
+        low, high = table.radii[0] * (1.0 - _NEAR), table.radii[-1] * (1.0 + _NEAR)
+        if not low <= self.inner_radius < self.outer_radius <= high:
+            allowed = f"a table from {self.inner_radius:.10g} to {self.outer_radius:.10g} m"
+            raise ParameterError("profile", self.profile, allowed)
+        own = table.radii[(table.radii >= self.inner_radius) & (table.radii <= self.outer_radius)]
+        given = self.single_scattering_albedo
+        mean = max(given.values) if isinstance(given, PerWavelength) else given
+        relative = self.relative_albedo(own).max(initial=1.0)
+        if mean * relative > 1.0:
+            allowed = f"at most {1.0 / relative:.3g}: brightness of the profile is up to "
+            allowed += f"{relative:.3g} times its mean"
+            raise ParameterError("single_scattering_albedo", float(mean), allowed)
 
     @property
     def limits(self) -> Limits:

@@ -13,13 +13,13 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from importlib import resources
 from math import sqrt
 from typing import Final, NamedTuple
 
 from airlight.errors import ParameterError
 from airlight.kernel import kernel
 from airlight.physics.constants import PLANCK, SPEED_OF_LIGHT
+from airlight.physics.optics.data_files import data_names, data_text
 
 #: Photon radiance of one rayleigh, exact. [m⁻² s⁻¹ sr⁻¹] Baker (1974), Appl. Opt. 13, 2160.
 RAYLEIGH: Final = 1e10 / (4.0 * math.pi)
@@ -56,9 +56,7 @@ class Emission(NamedTuple):
 @cache
 def airglow_names() -> tuple[str, ...]:
     """Names of the tables that ship with the package."""
-    folder = resources.files("airlight.physics.optics") / "data"
-    found = [entry.name for entry in folder.iterdir() if entry.name.startswith(_PREFIX)]
-    return tuple(sorted(name.removeprefix(_PREFIX).removesuffix(".csv") for name in found))
+    return data_names(_PREFIX)
 
 
 @cache
@@ -85,8 +83,7 @@ def airglow_emissions(name: str) -> tuple[Emission, ...]:
     """
     if name not in airglow_names():
         raise ParameterError("airglow", name, ", ".join(("none", *airglow_names())))
-    file = resources.files("airlight.physics.optics") / "data" / f"{_PREFIX}{name}.csv"
-    lines = [one for one in file.read_text(encoding="utf-8").splitlines() if one[:1] != "#"]
+    lines = [one for one in data_text(_PREFIX, name).splitlines() if one[:1] != "#"]
     found = []
     for line in lines[1:]:
         emitter, *numbers = line.split(",")

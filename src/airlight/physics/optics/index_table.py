@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from pathlib import Path
 from typing import Final
 
@@ -15,6 +14,7 @@ from airlight.errors import FileError, ParameterError
 from airlight.files.input_files import read_text
 from airlight.physics.data_tables.data_table import Quantity
 from airlight.physics.data_tables.text_tables import read_text_table
+from airlight.physics.optics.data_files import data_names, data_text
 from airlight.physics.spectra.power_law import power_law
 from airlight.physics.units import values_in
 
@@ -84,9 +84,7 @@ def index_names() -> tuple[str, ...]:
     >>> "water" in index_names()
     True
     """
-    folder = resources.files("airlight.physics.optics") / "data"
-    found = [entry.name for entry in folder.iterdir() if entry.name.startswith(_PREFIX)]
-    return tuple(sorted(name.removeprefix(_PREFIX).removesuffix(".csv") for name in found))
+    return data_names(_PREFIX)
 
 
 @cache
@@ -112,8 +110,7 @@ def read_index(name: str) -> IndexTable:
         If the file cannot be read or is not of this format.
     """
     if name in index_names():
-        file = resources.files("airlight.physics.optics") / "data" / f"{_PREFIX}{name}.csv"
-        return _parsed(file.read_text(encoding="utf-8"), name)
+        return _parsed(data_text(_PREFIX, name), name)
     path = Path(name)
     if path.suffix != ".csv":
         known = ", ".join(index_names())

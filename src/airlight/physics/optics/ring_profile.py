@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from pathlib import Path
 from typing import Final
 
@@ -15,6 +14,7 @@ from airlight.errors import FileError, ParameterError
 from airlight.files.input_files import read_text
 from airlight.physics.data_tables.data_table import Quantity
 from airlight.physics.data_tables.text_tables import read_text_table
+from airlight.physics.optics.data_files import data_names, data_text
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -52,9 +52,7 @@ def ring_profiles() -> tuple[str, ...]:
     >>> ring_profiles()
     ('saturn',)
     """
-    folder = resources.files("airlight.physics.optics") / "data"
-    found = [entry.name for entry in folder.iterdir() if entry.name.startswith(_PREFIX)]
-    return tuple(sorted(name.removeprefix(_PREFIX).removesuffix(".csv") for name in found))
+    return data_names(_PREFIX)
 
 
 @cache
@@ -81,8 +79,7 @@ def read_ring_profile(name: str) -> RingProfile:
     True
     """
     if name in ring_profiles():
-        file = resources.files("airlight.physics.optics") / "data" / f"{_PREFIX}{name}.csv"
-        text = file.read_text(encoding="utf-8")
+        text = data_text(_PREFIX, name)
     elif Path(name).suffix == ".csv":
         text = read_text(Path(name))
     else:

@@ -21,6 +21,7 @@ from airlight.physics.optics.clouds import (
 )
 from airlight.physics.optics.reflection import brdf_diffuse
 from airlight.physics.optics.water import brdf_diffuse as water_diffuse
+from airlight.render.pixels.relief import LOWEST
 from airlight.render.pixels.star_azimuth import star_azimuth
 from airlight.scene.cloud_grain import EDGE, STEP_OF_COVER, cloud_grain
 from airlight.scene.ground_detail import grained_cover, pixel_width
@@ -44,8 +45,6 @@ LEVELLED: Final = 0.5
 #: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
 #: eye. [1]
 SHADING: Final = 0.25
-#: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
-LOWEST: Final = 0.06
 #: Cover through which no shadow is seen, and finest texture of shadows over that of clouds. [1]
 HIDDEN: Final = 0.9
 SOFTER: Final = 2.0
