@@ -228,16 +228,17 @@ def export_page(
             cancel=cancel,
         )
         data = page_data(solution, str(planet), title, session.values, count)
-        first = first_picture(solution, session.values, progress=progress, cancel=cancel)
-        content = page_text(title, data, first).encode()
-        if len(content) <= LARGEST:
+        length = len(page_text(title, data).encode()) + LARGEST_PICTURE
+        if length <= LARGEST:
             break
-    if len(content) > LARGEST:
-        size = f"{len(content) / 1e6:.1f} MB"
+    if length > LARGEST:
+        size = f"{length / 1e6:.1f} MB"
         most = f"{LARGEST / 1e6:g} MB"
         least = "at the quality preview with three wavelengths"
         reason = f"the page would have {size}, more than {most}, even {least}"
         raise FileError(output, reason)
+    first = first_picture(solution, session.values, progress=progress, cancel=cancel)
+    content = page_text(title, data, first).encode()
     with atomic_file(output) as place:
         place.write_bytes(content)
     return Page(Path(output), len(content), level, count)
