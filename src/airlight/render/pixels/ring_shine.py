@@ -16,7 +16,7 @@ import numpy.typing as npt
 from airlight.geometry.spheroid import spheroid_point
 from airlight.geometry.vectors import Vec3, cross, dot, minus, plus, scaled
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, lane_view, load, store
+from airlight.kernel.lanes import LANES, lane_view, largest, load, store
 from airlight.kernel.without_refcount import without_refcount
 from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
 from airlight.render.pixels.ground import ground_factor
@@ -36,6 +36,8 @@ _RADII: Final = 96
 _AROUND: Final = 120
 #: Mean square of sin(θ/2) over an arch of rings, by which phase functions are blurred: by eye. [1]
 SPREAD: Final = 0.06
+#: Irradiance by the rings over that by the star, by day, below which it is neglected. [1]
+FAINT: Final = 3e-3
 
 
 class RingShine(NamedTuple):
@@ -283,6 +285,23 @@ def vertical_seen(ray, found, observer, tables):
 
 
 @inlined
+def exceeds_daylight(place, up, observer, view, lanes):
+    """Whether the rings illuminate a place by more than ``FAINT`` of what the star does.
+
+    Parameters
+    ----------
+    place, up : ShinePlace, Vec3
+        Results of ``shine_place`` and ``vertical_seen``.
+    observer, view, lanes : Observer, ViewUniforms, int
+        Observer, camera, and number of lanes.
+    """
+    most = np.float32(0.0)
+    for at in range(0, lanes, LANES):
+        most = max(most, largest(shine_between(lane_view(view.shine, at), place)))
+    return most > FAINT * (observer.sun_x * up.x + observer.sun_z * up.z)
+
+
+@inlined
 def add_ring_shine(ray, found, seen, observer, frame, work, color, result):
     """Add the light of air and ground that the rings illuminate.
 
@@ -296,7 +315,8 @@ def add_ring_shine(ray, found, seen, observer, frame, work, color, result):
     tables, view = frame.tables, frame.camera
     up = vertical_seen(ray, found, observer, tables)
     place = shine_place(up, observer, view.shine_directions)
-    if dot(place.light, place.light) > 0.0:
+    lit = dot(place.light, place.light) > 0.0
+    if lit and exceeds_daylight(place, up, observer, view, tables.lanes):
         look_by_shine(ray, found, place.light, observer, tables, work)
         for at in range(0, tables.lanes, LANES):
             radiance = lane_view(work.radiance, at)
