@@ -65,3 +65,19 @@ def test_a_change_elsewhere_is_not(write: Write) -> None:
     assert fingerprint(above) != before[1]
     assert len(before[0]) == 16
     assert int(before[0], 16) >= 0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "if TYPE_CHECKING:\n    from airlight.geometry import A",
+        "def late():\n    from airlight.geometry import A",
+    ],
+)
+def test_compiled_code_does_not_depend_on_late_imports(write: Write, text: str) -> None:
+    write("geometry.py", "A = 1")
+    file = write("picture.py", text)
+    before = fingerprint(file, late=False), fingerprint(file)
+    write("geometry.py", "A = 2")
+    assert fingerprint(file, late=False) == before[0]
+    assert fingerprint(file) != before[1]

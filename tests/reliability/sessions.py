@@ -57,7 +57,7 @@ QUICK = MomentsSettings(
     column_directions=32,
     march_nodes=6,
     march_panels=1,
-    cut_nodes=(6, 6, 6),
+    cut_nodes=(6, 6, 6, 6),
     cut_panels=1,
 )
 

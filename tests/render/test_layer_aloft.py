@@ -75,7 +75,7 @@ def test_few_points_see_a_faint_stratosphere(
     camera = Camera(width=24, height=14, look_zenith=sun - 8.0)
     scene = Scene(altitude=2.0, sun_zenith=sun, camera=camera)
     rendered = render(solution, scene, exact=True).rgb
-    monkeypatch.setitem(march_points.BY_PANELS, 1, MarchPoints((24, 24, 24), 3))
+    monkeypatch.setitem(march_points.BY_PANELS, 1, MarchPoints((24, 24, 24, 24), 3))
     exact = render(solution, scene, exact=True).rgb
     assert_allclose(rendered, exact, rtol=rtol)
 

@@ -181,7 +181,7 @@ def _call(loops: tuple[Any, ...], arguments: list[tuple[Any, ...]]) -> None:
 
 def _arguments() -> list[tuple[Any, ...]]:
     """Arguments of each loop for zero texels and pixels."""
-    tables = empty(MarchTables)._replace(rules=quadratures((1, 1, 1)))
+    tables = empty(MarchTables)._replace(rules=quadratures((1, 1, 1, 1)))
     work = new_workspace(tables)
     numbers: Any = defaultdict(float)
     observer = observer_from(numbers)

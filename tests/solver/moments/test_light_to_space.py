@@ -40,8 +40,8 @@ def test_more_points_on_a_line_lose_no_light(
     # that light from space may err.
     solution = solved(load_planet(name), NM, "preview")
     lines, _ = solution.lines_of_sight(**lines_from_space(np.array([0.0, 40.0, 65.0])))
-    few = solution.tables._replace(rules=quadratures((20,) * 3), panels=2)
-    many = few._replace(rules=quadratures((28,) * 3), panels=8)
+    few = solution.tables._replace(rules=quadratures((20,) * 4), panels=2)
+    many = few._replace(rules=quadratures((28,) * 4), panels=8)
     of_few, of_many = (
         solution.radiance_per_irradiance(lines, 0, tables=light) for light in (few, many)
     )

@@ -60,7 +60,7 @@ def test_points_of_lines_of_sight_are_enough(
         view_zenith=rng.uniform(0, 180, n),
         azimuth=rng.uniform(0.0, 180.0, n),
     )
-    many = solution.tables._replace(rules=quadratures((28,) * 3), panels=6)
+    many = solution.tables._replace(rules=quadratures((28,) * 4), panels=6)
     got, truth = (
         solution.radiance_per_irradiance(lines, 2),
         solution.radiance_per_irradiance(lines, 2, tables=many),

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
-from airlight.solver.moments.solution import MomentsSolution
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 
 class MarchPoints(NamedTuple):
@@ -13,19 +14,19 @@ class MarchPoints(NamedTuple):
     Attributes
     ----------
     points : tuple of int
-        Quadrature points of a panel: steep by day, general, and grazing.
+        Quadrature points of a panel, see ``quadratures``.
     panels : int
         Number of panels of a leg.
     """
 
-    points: tuple[int, int, int]
+    points: tuple[int, int, int, int]
     panels: int
 
 
 #: Resolution for pixels and for shaders on hardware GPUs; queries need more.
-FEW: Final = MarchPoints((8, 12, 24), 1)
+FEW: Final = MarchPoints((8, 12, 24, 4), 1)
 #: Resolution for fine solutions.
-MANY: Final = MarchPoints((20, 20, 24), 2)
+MANY: Final = MarchPoints((20, 20, 24, 20), 2)
 #: Resolution by panels per leg of the solution.
 BY_PANELS: Final = {1: FEW, 2: FEW}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.solver.moments.harmonics import EVEN
 from airlight.solver.moments.march_tables import MarchTables, quadratures
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 Float32Array = NDArray[np.float32]
 
@@ -57,7 +59,7 @@ def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     return tuple(order[:MAX_PEAKS])
 
 
-def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
+def even_points(solution: MomentsSolution) -> tuple[int, int, int, int]:
     """Equal numbers of quadrature points for all lines, as software GPUs require.
 
     Mesa's software renderer ends the loops of neighbouring pixels with the shortest one, and all
@@ -73,14 +75,14 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
     point = (degree + 1) * (constituents + 2) + 2 * terms + 12 * constituents + polarised
     fitting = [n for n in _EVEN if n * panels * (point + n * constituents // 4) <= _MOST_TURNS]
     chosen = fitting[0] if fitting else _EVEN[-1]
-    return chosen, chosen, chosen
+    return chosen, chosen, chosen, chosen
 
 
 def render_tables(
     solution: MomentsSolution,
     *,
     peaks: bool = True,
-    points: tuple[int, int, int] | None = None,
+    points: tuple[int, int, int, int] | None = None,
     panels: int = 1,
 ) -> MarchTables:
     """March tables of a solution for rendering.

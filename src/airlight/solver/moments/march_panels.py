@@ -34,7 +34,8 @@ GRAZING = 9.0
 FULL_DAY = 0.1
 #: Transmittance below which a panel is not computed. [1]
 MIN_TRANSMITTANCE = 1e-7
-#: Numbers of edges, per panel of a leg, beyond which a panel needs fewer points.
+#: Numbers of edges, per panel of a leg, beyond which a panel needs fewer points; with four on steep
+#: lines of the giant planets 99 % of pixels are within 5e-4.
 SOME_EDGES = 6
 MANY_EDGES = 10
 #: By day, multiple scattering is neglected at points whose scattering is below this fraction of
@@ -257,7 +258,9 @@ def place_panels(r, mu, mu_s, nu, length, tables, work):
     slant = length / (tables.top - tables.bottom)
     day = end > FULL_DAY
     kind = 1 if slant < GRAZING or count > SOME_EDGES * tables.panels else 2
-    if (day and slant < STEEP) or count > MANY_EDGES * tables.panels:
+    if day and slant < STEEP:
+        kind = 3 if count > MANY_EDGES * tables.panels else 0
+    elif count > MANY_EDGES * tables.panels:
         kind = 0
     rule = int(tables.rules[kind])
     if columns_between(r, mu, length, tables, work) > THICK:

@@ -307,7 +307,7 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
 def new_workspace(tables: MarchTables) -> MarchWorkspace:
     """Workspace of one CPU thread."""
     count = tables.constituents
-    points = max(int(tables.rules[int(tables.rules[k])]) for k in range(3))
+    points = max(int(tables.rules[int(tables.rules[k])]) for k in range(4))
     single = ("point_density", "depths", "functions")
     arrays: dict[str, Any] = {
         name: np.empty(size, np.float32 if name in single else np.float64)
@@ -327,7 +327,8 @@ def quadratures(counts: tuple[int, ...]) -> FloatArray:
     ----------
     counts : tuple of int
         Number of points of each rule: for steep lines in full daylight, where the source function
-        is smooth; for most lines; and for those that graze the ground.
+        is smooth; for most lines; for those that graze the ground; and for those of the first that
+        have many panels.
 
     Returns
     -------

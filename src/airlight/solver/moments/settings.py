@@ -38,7 +38,7 @@ class MomentsSettings:
     march_nodes, march_panels : int
         Points per panel and panels per leg of a ray march.
     cut_nodes : tuple of int
-        Points per panel with layers aloft: on steep lines by day, most lines, and grazing lines.
+        Points per panel with layers aloft, see ``quadratures``.
     cut_panels : int
         Panels per leg there, before those of the layers.
     layer_degree : int
@@ -64,7 +64,7 @@ class MomentsSettings:
     column_directions: int
     march_nodes: int
     march_panels: int
-    cut_nodes: tuple[int, int, int]
+    cut_nodes: tuple[int, int, int, int]
     cut_panels: int
     layer_degree: int = 16
     energy_tolerance: float = 1e-2
@@ -93,7 +93,7 @@ QUALITIES: Final = {
         column_directions=144,
         march_nodes=16,
         march_panels=1,
-        cut_nodes=(16, 16, 16),
+        cut_nodes=(16, 16, 16, 16),
         cut_panels=1,
         energy_tolerance=3e-2,
     ),
@@ -113,7 +113,7 @@ QUALITIES: Final = {
         column_directions=256,
         march_nodes=20,
         march_panels=2,
-        cut_nodes=(20, 24, 28),
+        cut_nodes=(20, 24, 28, 20),
         cut_panels=1,
     ),
     "fine": MomentsSettings(
@@ -133,7 +133,7 @@ QUALITIES: Final = {
         column_directions=288,
         march_nodes=24,
         march_panels=4,
-        cut_nodes=(24, 24, 24),
+        cut_nodes=(24, 24, 24, 24),
         cut_panels=4,
     ),
 }

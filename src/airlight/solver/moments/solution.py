@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,6 @@ from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.physics.optics.reflection import cos_reflected
 from airlight.planets.light_source import LightSource
-from airlight.planets.medium import Medium
 from airlight.planets.without_clouds import check_clear
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.moments.energy_balance import imbalance
@@ -49,6 +48,9 @@ from airlight.solver.solution import Solution
 from airlight.solver.tables.column_ratios import column_rows, rational_mean_density
 from airlight.solver.tables.columns import ColumnTable, density_table
 from airlight.solver.tables.ring_shadow import Rings, ring_line, ring_tables
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -188,7 +190,7 @@ class MomentsSolution(Solution):
             start=expansion.start,
             ahead=expansion.ahead,
             back=expansion.back,
-            rules=quadratures(settings.cut_nodes if cut else (settings.march_nodes,) * 3),
+            rules=quadratures(settings.cut_nodes if cut else (settings.march_nodes,) * 4),
             scaled_extinction=air.extinction,
             extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
