@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import product
 from math import prod
-from typing import Any, Final, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +17,10 @@ from airlight.errors import ConflictError, ParameterError
 from airlight.planets.clouds import ICE, Clouds, CloudType
 from airlight.planets.constituent import Constituent
 from airlight.planets.matter.profiles import Layer, Layered
-from airlight.planets.planet import Planet
 from airlight.planets.spectral import PerWavelength
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Largest number of columns.
 MOST_COLUMNS: Final = 8

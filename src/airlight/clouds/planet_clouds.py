@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any, Final, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +16,9 @@ from airlight.clouds.cloud_types import SIZE, cloud_field
 from airlight.errors import ParameterError
 from airlight.physics.units import values_in
 from airlight.planets.clouds import WATER, CloudFile, Clouds, CloudType
-from airlight.planets.planet import Planet
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Number of fields, and of shapes, that are kept: those of a picture, and the last edited ones.
 _KEPT: Final = 4

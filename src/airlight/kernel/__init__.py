@@ -40,7 +40,7 @@ _KEPT_FINGERPRINTS: Final = 8
 def _compiled_folder(source: str, kind: str) -> tuple[Path, bool] | None:
     """Folder of compiled code of a source file, and whether it is trusted; None without a file."""
     try:
-        key = fingerprint(Path(source))
+        key = fingerprint(Path(source), late=False)
     except OSError:  # typed at a prompt
         return None
     names = "kernels", Path(source).stem, key, kind

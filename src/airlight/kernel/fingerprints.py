@@ -17,20 +17,23 @@ import numba
 
 _PACKAGE: Final = Path(__file__).parent.parent
 _IMPORTS: Final = re.compile(
-    rb"^[ \t]*(?:from[ \t]+(airlight[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)"
+    rb"^([ \t]*)(?:from[ \t]+(airlight[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)"
     rb"|import[ \t]+(airlight[\w.]*))",
     re.MULTILINE,
 )
 
 
 @cache
-def fingerprint(file: Path) -> str:
+def fingerprint(file: Path, late: bool = True) -> str:
     """Hash of a source file, of all files of the package that it imports, and of the compiler.
 
     Parameters
     ----------
     file : Path
         Path of a Python source file.
+    late : bool
+        Whether indented imports count: those of functions and of type checking, which compiled code
+        cannot depend on.
 
     Returns
     -------
@@ -38,32 +41,35 @@ def fingerprint(file: Path) -> str:
         Hash of sixteen hexadecimal digits.
     """
     digest = hashlib.sha256(numba.__version__.encode())
-    for one in sorted(_reached(file)):
+    for one in sorted(_reached(file, late)):
         digest.update(one.name.encode() + _read(one)[0])
     return digest.hexdigest()[:16]
 
 
-def _reached(file: Path) -> set[Path]:
+def _reached(file: Path, late: bool) -> set[Path]:
     """The file and all files of the package that it imports, directly or indirectly."""
     found = {file}
     waiting = [file]
     while waiting:
-        fresh = _read(waiting.pop())[1] - found
+        _, early, every = _read(waiting.pop())
+        fresh = (every if late else early) - found
         found |= fresh
         waiting += fresh
     return found
 
 
 @cache
-def _read(file: Path) -> tuple[bytes, frozenset[Path]]:
-    """Hash of one file, and the files of the package that it imports."""
+def _read(file: Path) -> tuple[bytes, frozenset[Path], frozenset[Path]]:
+    """Hash of a file, and the files of the package that it imports: all but late ones, and all."""
     text = file.read_bytes()
-    found: set[Path] = set()
-    for module, names, plain in _IMPORTS.findall(text):
+    early: set[Path] = set()
+    late: set[Path] = set()
+    for indent, module, names, plain in _IMPORTS.findall(text):
+        found = late if indent else early
         found |= _files(module or plain)
         for name in re.findall(rb"\w+", names):
             found |= _files(module + b"." + name)
-    return hashlib.sha256(text).digest(), frozenset(found)
+    return hashlib.sha256(text).digest(), frozenset(early), frozenset(early | late)
 
 
 @cache

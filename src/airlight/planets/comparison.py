@@ -5,17 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 import numpy.typing as npt
 
-from airlight.planets.constituent import Constituent
 from airlight.planets.medium import Medium
 from airlight.planets.parameter_values import parameter_values
 from airlight.planets.planet import RED_GREEN_BLUE, Planet
 from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.spectral import narrowest
+
+if TYPE_CHECKING:
+    from airlight.planets.constituent import Constituent
 
 FloatArray = npt.NDArray[np.float64]
 Value = float | str | None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 import numpy as np
 
@@ -12,8 +12,10 @@ from airlight.physics.optics.density_profile import Row
 from airlight.physics.units import Measure, quantity
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import instance_of, parameters, replace
-from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import PlanetLike, load_planet
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Height of the observer above the floor of a basin. [m]
 EYES: Final = 2.0

@@ -6,7 +6,7 @@ import dataclasses
 import hashlib
 from dataclasses import dataclass, field
 from functools import cached_property, partial
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -24,12 +24,14 @@ from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
-from airlight.planets.planet import Planet
 from airlight.planets.refractivities import refractivities
-from airlight.planets.rings import Ring
 from airlight.planets.spectral import check_wavelength_list
 from airlight.planets.surface import PLAIN, Surface
 from airlight.planets.without_clouds import check_clear
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+    from airlight.planets.rings import Ring
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -176,6 +178,8 @@ class Medium:
         Cancelled
             If ``cancel`` returned True.
         """
+        from airlight.planets.planet import Planet
+
         if not isinstance(planet, Planet):
             raise ParameterError("planet", planet, "a Planet, as load_planet returns it")
         check_clear(planet)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +13,9 @@ from airlight.image.four_wavelengths import CHOSEN
 from airlight.physics.units import values_in
 from airlight.planets.gas_bands import AIRMASS, absorbs_lines, gas_columns, omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.planets.planet import Planet
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Bands without a table in airlight, by formula: where some thousandths of a gas are visible in the
 #: spectrum of a planet. Goody & Yung (1989), Atmospheric Radiation, chapter 3; CH4: Karkoschka

@@ -7,17 +7,19 @@ import dataclasses
 import re
 import zlib
 from collections.abc import Iterator, Mapping
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from airlight.errors import ParameterError
-from airlight.planets.constituent import Constituent
 from airlight.planets.matter.particle_sizes import ParticleSizes
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.profiles import Profile
 from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.spectral import PerWavelength
+
+if TYPE_CHECKING:
+    from airlight.planets.constituent import Constituent
 
 #: Key of a value: name, unit, wavelength [nm] or None.
 ValueKey = tuple[str, str, float | None]

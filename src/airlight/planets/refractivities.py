@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
-from airlight.planets.planet import Planet
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 FloatArray = npt.NDArray[np.float64]
 

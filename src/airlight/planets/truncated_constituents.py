@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from airlight.physics.optics.density_profile import DensitySegments
-from airlight.planets.planet import Planet
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Scale heights below the top from which no truncation is reported: exp(-8) is 0.03 %.
 ENOUGH: Final = 8.0

@@ -33,16 +33,16 @@ from airlight.render.pixels.view_uniforms import (
     overlay_uniforms,
     view_uniforms,
 )
-from airlight.scene import Scene
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
 from airlight.solver.moments.march_tables import new_workspace
-from airlight.solver.moments.solution import MomentsSolution
 
 if TYPE_CHECKING:
     from airlight.render.clouds.before_surfaces import CloudsBefore
     from airlight.render.clouds.cloud_light import CloudLight
     from airlight.render.clouds.cloud_tables import CloudTables
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

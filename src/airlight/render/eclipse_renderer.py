@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,9 +11,11 @@ from airlight.errors import ParameterError
 from airlight.geometry.vectors import Vec3
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.pixels.eclipsed_pixel import EclipsedWorkspace, render_eclipsed
-from airlight.scene import Scene
 from airlight.solver.eclipsed.eclipsed_march import new_eclipse
 from airlight.solver.eclipsed.solution import EclipsedSolution
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -12,7 +12,7 @@ import math
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +37,6 @@ from airlight.render.seen_past import SeenPast
 from airlight.render.star_points import add_sky
 from airlight.render.system_layers import BackgroundLayers
 from airlight.render.through_air import AirAround
-from airlight.scene import Camera
 from airlight.scene.directions import level_axes
 from airlight.scene.frame import Frame
 from airlight.scene.light_position import LightPosition
@@ -46,7 +45,10 @@ from airlight.scene.projections.projected import projected_rays
 from airlight.scene.system import System
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.scene import Camera
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

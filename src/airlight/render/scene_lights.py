@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from threading import RLock
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +20,10 @@ from airlight.scene.system import System
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
 from airlight.solver.disc_light import disc_light
-from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.shadow_light import ShadowLight
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

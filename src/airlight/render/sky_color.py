@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -15,7 +15,9 @@ from airlight.image.white_balance import star_white
 from airlight.image.xyz import chromaticity, rgb_to_xyz
 from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.planets.planet import Planet
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 FloatArray = npt.NDArray[np.float64]
 

@@ -22,13 +22,13 @@ from airlight.physics.units import values_in
 from airlight.planets.medium import Medium
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
-from airlight.planets.planet import Planet
 from airlight.planets.without_clouds import check_clear
 from airlight.render.rendering_gpu import Choice, fits
 from airlight.scene.local_ground import local_ground
 from airlight.solver.moments.settings import MomentsSettings, settings_for
 
 if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
     from airlight.render.gpu.device.device import Device
     from airlight.scene.system import System
     from airlight.solver.moments.solution import MomentsSolution

@@ -22,10 +22,10 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.projected import projected_rays
 from airlight.scene.system.milky_way import Sun, milky_way_radiance
 from airlight.scene.system.stars import stars
-from airlight.solver.moments.solution import MomentsSolution
 
 if TYPE_CHECKING:
     from airlight.render.clouds.clouds_around import CloudsAround
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,11 +21,13 @@ from airlight.render.pixels.scenes_by_light import SceneForLight
 from airlight.render.pixels.star_disc import SMALL
 from airlight.render.planet_renderer import scene_of_light, zenith_above
 from airlight.render.scene_lights import SceneLights
-from airlight.scene import Camera
 from airlight.scene.directions import level_axes
 from airlight.scene.light_position import LightPosition
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
+
+if TYPE_CHECKING:
+    from airlight.scene import Camera
 
 FloatArray = NDArray[np.float64]
 Uniforms = dict[str, float]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Final, Protocol
+from typing import TYPE_CHECKING, Final, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +13,10 @@ from numpy.typing import NDArray
 from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.geometry.vectors import Vec3
 from airlight.solver.lines_of_sight import LinesOfSight, enter_shell
-from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.tables.columns import columns
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

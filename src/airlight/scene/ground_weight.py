@@ -20,14 +20,16 @@ star, so that one solution serves a day; refraction.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.planets.medium import Medium
 from airlight.solver.tables.columns import columns
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.physics.optics.air_mass import air_mass_pickering2002
-from airlight.planets.medium import Medium
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from airlight.geometry.mappings.transmittance import altitude_coordinate, radius_from_coordinate
 from airlight.kernel import vectorized
 from airlight.physics.optics.layer_edges import layer_edges
-from airlight.planets.medium import Medium
 from airlight.solver.tables.columns import density_table, even_radii
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

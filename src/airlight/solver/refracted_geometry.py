@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,10 +16,12 @@ from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.cache import Cache
 from airlight.physics.cubic_curves import cubic_curve, monotone_slopes
 from airlight.physics.optics.refracting_shell import RefractingShell
-from airlight.planets.medium import Medium
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.tables.columns import columns
 from airlight.solver.tables.refraction_table import NONE, refraction_angles, refraction_table
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ along the whole line of sight, and radiance is low, the error reaches 0.1.
 from __future__ import annotations
 
 from math import exp
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,6 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.sun_disc import sun_elevation, visible_fraction
 from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, run_blocks
-from airlight.planets.medium import Medium
 from airlight.solver.layered_columns import column_radii, layer_ends
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.refracted_geometry import require_no_refraction
@@ -31,6 +30,9 @@ from airlight.solver.tables.columns import (
     split_at_profile_edges,
     trace_resolved,
 )
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

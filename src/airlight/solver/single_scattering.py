@@ -13,7 +13,7 @@ the ground.
 from __future__ import annotations
 
 from math import exp
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +33,6 @@ from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.physics.optics.density_profile import relative_density
 from airlight.physics.optics.reflection import cos_reflected, direct_reflectances
-from airlight.planets.medium import Medium
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.refracted_geometry import require_no_refraction
 from airlight.solver.star_light import (
@@ -45,6 +44,9 @@ from airlight.solver.star_light import (
     star_rules,
 )
 from airlight.solver.tables.columns import split_at_profile_edges
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

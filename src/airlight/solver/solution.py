@@ -19,8 +19,6 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.files.provenance import provenance
 from airlight.planets.light_source import LightSource
-from airlight.planets.medium import Medium
-from airlight.planets.planet import Planet
 from airlight.planets.rings import warn_of_rings
 from airlight.solver.air_mass_columns import replace_air_mass
 from airlight.solver.lines_of_sight import LinesOfSight, distance_to_shell, enter_shell
@@ -35,6 +33,8 @@ if TYPE_CHECKING:
     import xarray
 
     from airlight.physics.units import Measures
+    from airlight.planets.medium import Medium
+    from airlight.planets.planet import Planet
 
 FloatArray = NDArray[np.float64]
 

@@ -16,7 +16,6 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import values_in
 from airlight.planets.medium import Medium
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
-from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.solver.band_columns import BandColumns
 from airlight.solver.band_solution import BandSolution
@@ -24,6 +23,7 @@ from airlight.solver.solution import Solution
 
 if TYPE_CHECKING:
     from airlight.physics.units import Measures
+    from airlight.planets.planet import Planet
     from airlight.solver.direct.settings import DirectSettings
     from airlight.solver.direct.solution import DirectSolution
     from airlight.solver.moments.settings import MomentsSettings

@@ -8,7 +8,7 @@ below 1e-5 for the sun.
 from __future__ import annotations
 
 from math import acos, asin, cos, exp, pi, sin
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +19,10 @@ from airlight.geometry.shell import chord
 from airlight.geometry.sun_disc import star_elevation
 from airlight.kernel import compiled_loop
 from airlight.physics.optics.density_profile import relative_density
-from airlight.planets.medium import Medium
 from airlight.solver.tables.columns import split_at_profile_edges
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 Rule = tuple[FloatArray, FloatArray, FloatArray]

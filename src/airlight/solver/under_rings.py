@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.planets.medium import Medium
 from airlight.planets.parameters import MISSING
 from airlight.solver.lines_of_sight import LinesOfSight, distance_to_shell, start_frame
 from airlight.solver.named_axes import Argument
@@ -17,6 +16,7 @@ from airlight.solver.tables.ring_shadow import ring_shades, ring_tables
 
 if TYPE_CHECKING:
     from airlight.physics.units import Measures
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

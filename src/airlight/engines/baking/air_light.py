@@ -7,7 +7,7 @@ attenuated radiance of the ground is subtracted.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,13 +21,15 @@ from airlight.physics.optics.reflection import (
     diffuse_reflectances,
     direct_reflectances,
 )
-from airlight.planets.medium import Medium
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.moments.march_sun_angles import scattering_by_constituent
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.solution import Solution
 from airlight.solver.tables.columns import columns
 from airlight.solver.tables.layout import Positions
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

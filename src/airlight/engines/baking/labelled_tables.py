@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.engines.baking.air_light import lines_of_sight
 from airlight.errors import ParameterError
-from airlight.planets.medium import Medium
 from airlight.solver.solution import Solution
 from airlight.solver.tables.columns import columns
 from airlight.solver.tables.irradiance import IrradianceLayout
 from airlight.solver.tables.layout import Positions, TableLayout
 from airlight.solver.tables.table import Table, stored
 from airlight.solver.tables.transmittance import TransmittanceLayout
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

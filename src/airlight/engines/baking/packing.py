@@ -10,7 +10,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,11 +18,13 @@ from numpy.typing import NDArray
 from airlight.engines.baking.air_light import AirLight, groups, lines_of_sight
 from airlight.kernel import vectorized
 from airlight.physics.optics.phase_functions import rayleigh
-from airlight.planets.medium import Medium
 from airlight.solver.scattered_once import scattered_once
 from airlight.solver.tables.atmosphere_plus import at_azimuth
 from airlight.solver.tables.layout import Positions
 from airlight.solver.tables.scattered_light import PhaseFunctions
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
-from typing import Any, Final, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,9 +17,11 @@ from airlight.engines.baking.air_light import AirLight, lines_of_sight
 from airlight.engines.baking.labelled_tables import transmittance
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
-from airlight.planets.medium import Medium
 from airlight.solver.tables.layout import Positions
 from airlight.solver.tables.scattered_light import ScatteredLight
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

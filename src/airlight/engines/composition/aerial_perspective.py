@@ -7,7 +7,7 @@ is nearly the same, without new tables. The sky behind has separate tables.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,9 +27,11 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.physics.units import Measure, quantity, values_in
 from airlight.planets.left_out import warn_of_shape
 from airlight.render.pixels.view_uniforms import view_uniforms
-from airlight.scene import Scene
 from airlight.solver.lines_of_sight import enter_shell
 from airlight.solver.moments.solution import MomentsSolution, moments_solution
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -15,12 +15,12 @@ from airlight.engines.composition.placement import PinholeView
 from airlight.engines.composition.relight import Relight
 from airlight.kernel.threads import run_blocks
 from airlight.render.cpu_renderer import CpuRenderer
-from airlight.scene import Scene
-from airlight.solver.moments.solution import MomentsSolution
 
 if TYPE_CHECKING:
     from airlight.render.clouds.before_surfaces import CloudsBefore
     from airlight.render.clouds.clouds_around import CloudsAround
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

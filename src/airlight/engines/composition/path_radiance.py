@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.render.pixels.march_points import march_points
 from airlight.render.pixels.render_tables import render_tables
-from airlight.scene import Scene
 from airlight.solver.lines_of_sight import enter_shell
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

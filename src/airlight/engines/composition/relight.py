@@ -10,14 +10,16 @@ Colours of surfaces that are not relit are attenuated spectrally, see ``SurfaceL
 from __future__ import annotations
 
 import math
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.image.upsampling import reflectance_basis
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

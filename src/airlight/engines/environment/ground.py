@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from airlight.physics.spectra.color_matching import cie_1931
 from airlight.planets.parameters import replace
 from airlight.render.through_air import straight_lines
-from airlight.solver.moments.solution import MomentsSolution
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,12 +24,14 @@ from airlight.errors import ParameterError
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Progress
 from airlight.physics.optics.phase_functions import cornette_shanks, rayleigh
-from airlight.planets.medium import Medium
 from airlight.solver.solution import Solution
 from airlight.solver.tables.bruneton import BrunetonLayout
 from airlight.solver.tables.irradiance import IrradianceLayout
 from airlight.solver.tables.layout import Positions
 from airlight.solver.tables.transmittance import TransmittanceLayout
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 Stored = NDArray[Any]

@@ -10,7 +10,7 @@ import json
 import math
 from dataclasses import replace as changed
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,13 +43,15 @@ from airlight.image.xyz import luminance
 from airlight.kernel.threads import Progress
 from airlight.planets import replace
 from airlight.planets.medium import Medium
-from airlight.planets.planet import Planet
 from airlight.solver import solve
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.solution import Solution
 from airlight.solver.tables.columns import columns
 from airlight.solver.tables.table import Table
 from airlight.solver.tables.transmittance import TransmittanceLayout
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 FloatArray = NDArray[np.float64]
 

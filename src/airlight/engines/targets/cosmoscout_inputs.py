@@ -10,7 +10,7 @@ import json
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,9 +22,11 @@ from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.matter.phases import TabulatedPhase
 from airlight.planets.matter.profiles import Tabulated
-from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.star import Star
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +14,11 @@ from airlight.engines.baking.labelled_tables import transmittance
 from airlight.engines.baking.table_errors import SEED, above_horizon, random_positions
 from airlight.engines.targets.bruneton_tables import SkyTables
 from airlight.engines.targets.target import ErrorRow
-from airlight.planets.medium import Medium
 from airlight.solver.solution import Solution
 from airlight.solver.tables.layout import Positions
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 #: Path radiance as a function of position, shape (n,) to (n, nl). [W m⁻² sr⁻¹ nm⁻¹]

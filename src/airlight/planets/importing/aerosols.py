@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ConflictError, FileError, ParameterError
 from airlight.physics.data_tables.data_table import DataColumn, DataTable, Quantity
-from airlight.planets.constituent import Constituent
 from airlight.planets.importing.phase_tables import WAVELENGTH, PhaseRows, phase_rows
 from airlight.planets.importing.planet_tables import PlanetTables
+
+if TYPE_CHECKING:
+    from airlight.planets.constituent import Constituent
 
 FloatArray = NDArray[np.float64]
 

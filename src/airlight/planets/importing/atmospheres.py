@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,13 +16,15 @@ from airlight.physics.data_tables.data_table import DataColumn, DataTable, Quant
 from airlight.physics.data_tables.headings import conversion
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.optics.hydrostatic import mass_per_length, thickness_between
-from airlight.planets.constituent import Constituent
 from airlight.planets.importing.planet_tables import PlanetTables, numbers_text
 from airlight.planets.importing.thinning import monotone, tabulated_between, thinned
 from airlight.planets.matter.absorbers import OzoneAbsorption
 from airlight.planets.matter.profiles import Sounding
 from airlight.planets.matter.profiles.layers import Layers
-from airlight.planets.planet import Planet
+
+if TYPE_CHECKING:
+    from airlight.planets.constituent import Constituent
+    from airlight.planets.planet import Planet
 
 FloatArray = NDArray[np.float64]
 

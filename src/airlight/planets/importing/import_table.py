@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import FileError, ParameterError
 from airlight.files.atomic_file import atomic_file, check_target
@@ -18,9 +18,11 @@ from airlight.planets.importing.planet_tables import PlanetTables
 from airlight.planets.importing.profiles import import_profile
 from airlight.planets.importing.surfaces_and_stars import import_albedo, import_star
 from airlight.planets.parameters import inside
-from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import read_planet
 from airlight.planets.spectral import PerWavelength
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Kinds of table, each with what is read.
 KINDS: Final = {

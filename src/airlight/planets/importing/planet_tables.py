@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import ParameterError
-from airlight.planets.planet import Planet
 from airlight.planets.reading.nested_tables import Tables
 from airlight.planets.reading.planet_file import planet_file
 from airlight.planets.reading.reader import declared_planet, nested_tables, planet_text
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Keys of what a constituent is made of.
 _MATTER: Final = (

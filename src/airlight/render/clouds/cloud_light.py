@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as field_of_class
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,14 +24,16 @@ from airlight.render.clouds.incident_light import Incident, OtherClouds, inciden
 from airlight.render.clouds.inner_box import inner_field
 from airlight.render.clouds.local_sun import LocalSun, local_suns, same_everywhere
 from airlight.render.clouds.mean_layer import MeanLayer
-from airlight.scene import Scene
 from airlight.solver.boxes.directions import directions
 from airlight.solver.boxes.light import BoxAir, BoxBeam, BoxLight
 from airlight.solver.boxes.nest import Nest
 from airlight.solver.boxes.settings import settings_for
 from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.boxes.solve import solve_box
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

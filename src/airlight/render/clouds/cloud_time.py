@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
 from airlight.kernel.cache import Cache
-from airlight.planets.planet import Planet
-from airlight.scene import Scene
 
 if TYPE_CHECKING:
     from airlight.clouds.cloud_field import CloudField
+    from airlight.planets.planet import Planet
     from airlight.render.clouds.cloud_deck import CloudDeck
     from airlight.render.clouds.clouds_around import CloudsAround
+    from airlight.scene import Scene
 
 #: Clouds of the last pictures, whose light the next ones may share.
 _CLOUDS: Final[Cache[tuple[Any, ...], CloudsAround | None]] = Cache(1)

@@ -7,7 +7,7 @@ import functools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import KW_ONLY, dataclass, replace
-from typing import Any, Final, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,6 @@ from airlight.clouds.planet_clouds import Box, clouds_of
 from airlight.errors import ParameterError
 from airlight.kernel.cache import Cache
 from airlight.kernel.threads import Cancel, Progress
-from airlight.planets.planet import Planet
 from airlight.render.clouds import MOST_KINDS
 from airlight.render.clouds.air_table import DIRECTIONS
 from airlight.render.clouds.cloud_deck import CloudDeck
@@ -26,8 +25,11 @@ from airlight.render.clouds.cloud_light import FIRST, STILL, CloudLight, solve_c
 from airlight.render.clouds.incident_light import OtherClouds, sun_over
 from airlight.render.clouds.layer_geometry import seen_place
 from airlight.render.clouds.mean_layer import MeanLayer, mean_layer
-from airlight.scene import Scene
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 #: Lights by what they depend on, with moments whose identity is a part of it.

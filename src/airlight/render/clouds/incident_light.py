@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,11 @@ from airlight.clouds.cloud_field import CloudField
 from airlight.geometry.vectors import Vec3
 from airlight.render.clouds.cloud_deck import CloudDeck
 from airlight.render.clouds.mean_layer import MeanLayer
-from airlight.scene import Scene
 from airlight.solver.lines_of_sight import enter_shell
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

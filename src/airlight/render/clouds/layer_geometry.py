@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -11,7 +11,9 @@ from airlight.clouds.cloud_field import CloudField
 from airlight.render.clouds.incident_light import field_axes
 from airlight.render.clouds.inner_box import WIDTH
 from airlight.render.clouds.patches import displacements, patch_edges
-from airlight.scene import Scene
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
 
 #: Step of the place of a finer box. [m]
 _STEP: Final = 0.5 * WIDTH

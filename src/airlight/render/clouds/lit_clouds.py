@@ -5,17 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from airlight.kernel.threads import Cancel, Progress
-from airlight.planets.planet import Planet
 from airlight.render.clouds.cloud_light import STILL, CloudLight
 from airlight.render.clouds.cloud_time import CloudTime
 from airlight.render.clouds.clouds_around import CloudsAround, is_wide
 from airlight.render.clouds.mean_layer import MeanLayer
 from airlight.render.pixels.scenes_by_light import scenes_by_light
-from airlight.scene import Scene
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 #: Azimuths and rows of the table of the air of coarse frames, and of their sky-view LUT, by eye.
 QUICK: Final = (15, 15)

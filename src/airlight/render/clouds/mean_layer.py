@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 from math import prod
-from typing import Any, Final, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,8 +22,10 @@ from airlight.render.pixels.render_tables import render_tables
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.moments.march_tables import MarchTables
 from airlight.solver.moments.settings import settings_for
-from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.solve import solve
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,12 +21,14 @@ from airlight.render.clouds.incident_light import sun_in_frame
 from airlight.render.clouds.layer_geometry import layer_geometry
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.render.pixels.sky_view_window import coarse_window
-from airlight.scene import Scene
 from airlight.solver.boxes.directions import degrees
 from airlight.solver.boxes.solution import BoxSolution
 from airlight.solver.moments.march_tables import MarchTables
 from airlight.solver.moments.packing import pack
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,9 +28,11 @@ from airlight.render.clouds.higher_orders import no_inner
 from airlight.render.clouds.layer_geometry import layer_geometry
 from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.sky_view_window import SkyViewWindow
-from airlight.scene import Scene
 from airlight.solver.moments.packing import pack
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

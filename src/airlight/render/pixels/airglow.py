@@ -10,7 +10,7 @@ with isotropic scattering: it is good to a fifth, as the layers are nearly as br
 from __future__ import annotations
 
 from math import exp
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -30,8 +30,10 @@ from airlight.physics.optics.airglow import (
 from airlight.render.pixels.ground import DAYLIGHT, reflectance
 from airlight.render.pixels.ground_angles import ground_angles
 from airlight.render.pixels.star_disc import leaving_air
-from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.source import transmittance_columns
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from math import sqrt
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,9 +18,11 @@ from numpy.typing import NDArray
 from airlight.geometry.vectors import Vec3, components
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, lane_view, load, maximum, splat, store
-from airlight.planets.medium import Medium
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level
 from airlight.scene.surface_map import SurfaceMap, surface_map
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 
 @lru_cache(maxsize=8)

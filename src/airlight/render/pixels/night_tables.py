@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 
 from airlight.render.pixels.airglow import AIRGLOW_VALUES, airglow_tables
 from airlight.render.pixels.skyglow import SKYGLOW_VALUES, skyglow_table
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 
 from airlight.planets.light_source import LightSource
 from airlight.render.pixels.occulted_light import occulted_light
-from airlight.scene import Scene
 from airlight.scene.light_position import LightPosition
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.scene import Scene
+    from airlight.solver.moments.solution import MomentsSolution
 
 #: Irradiance over that of the first light below which a light is invisible by day. [1]
 MIN_RELATIVE_IRRADIANCE: Final = 1e-5

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import ceil, floor, sqrt
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.mappings.sky_view import row_from_angle, row_from_impact
 from airlight.render.pixels.sky_view_lut import Observer
-from airlight.scene import Camera
 from airlight.scene.projections.projected import projected_rays
+
+if TYPE_CHECKING:
+    from airlight.scene import Camera
 
 FloatArray = NDArray[np.float64]
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import itertools
 from math import exp, log2, pi, sqrt
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +25,10 @@ from numpy.typing import NDArray
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.vectors import Vec3, components
 from airlight.kernel import inlined, kernel
-from airlight.planets.medium import Medium
 from airlight.scene.ground_place import latitude_longitude, map_channel
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -37,7 +37,9 @@ from airlight.scene.ground_overlay import LAMP_TEMPERATURE, TOWN_LUMINANCE
 from airlight.scene.map_grain import EVEN
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.surface_map import SurfaceMap, surface_map
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

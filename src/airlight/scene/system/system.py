@@ -8,19 +8,21 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
-from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import load_planet
 from airlight.scene.apparent_sun import apparent_zenith
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
 from airlight.scene.system.vectors import unit
 from airlight.scene.system.viewpoint import SceneObserver, View
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 FloatArray = npt.NDArray[np.float64]
 

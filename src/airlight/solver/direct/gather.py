@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from math import ceil, cos, floor, log, sin, sqrt
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
-from airlight.planets.medium import Medium
 from airlight.solver.direct.layout import Layout, angle_index, angle_of, radius_of, sun_of, view_of
 from airlight.solver.direct.settings import DirectSettings
 from airlight.solver.direct.trapezoid import sphere
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import acos, cos, pi
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +12,10 @@ from airlight.geometry.mappings import linear, power, scattering, transmittance,
 from airlight.geometry.mappings.texels import cell, index_coordinate
 from airlight.geometry.shell import horizon_cosine, meets_ground
 from airlight.kernel import compiled_loop, kernel
-from airlight.planets.medium import Medium
 from airlight.solver.direct.settings import MAPPINGS, DirectSettings
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

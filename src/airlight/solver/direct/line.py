@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import exp
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,6 @@ from airlight.geometry.shell import horizon_cosine, radius_along
 from airlight.geometry.sun_disc import sun_elevation, visible_fraction
 from airlight.kernel import compiled_loop
 from airlight.physics.optics.reflection import Reflection
-from airlight.planets.medium import Medium
 from airlight.solver.direct.layout import Layout, angle_cell, radius_cell, sun_cell, view_cell
 from airlight.solver.direct.settings import DirectSettings
 from airlight.solver.direct.trapezoid import graded, uniform
@@ -29,6 +28,9 @@ from airlight.solver.tables.columns import (
     split_at_profile_edges,
     trace_resolved,
 )
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ConvergenceError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.planets.medium import Medium
 from airlight.solver.direct.gather import (
     GatherDirections,
     directions_for,
@@ -28,6 +28,9 @@ from airlight.solver.direct.line import (
 )
 from airlight.solver.direct.passes import direct_light, first_pass, next_pass, sky_light
 from airlight.solver.direct.settings import DirectSettings
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

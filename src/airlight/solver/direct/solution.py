@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,6 @@ from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.optics.reflection import cos_reflected
-from airlight.planets.medium import Medium
 from airlight.solver.direct.layout import layout_for
 from airlight.solver.direct.line import (
     GatheredTable,
@@ -39,6 +38,9 @@ from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.refracted_geometry import without_refraction
 from airlight.solver.report import Report
 from airlight.solver.solution import Solution
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

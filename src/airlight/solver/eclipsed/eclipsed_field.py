@@ -12,7 +12,7 @@ from __future__ import annotations
 import hashlib
 from math import cos, pi, sin, sqrt
 from pathlib import Path
-from typing import Any, Final, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,8 +46,10 @@ from airlight.solver.moments.harmonics import harmonics
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march import field_place
 from airlight.solver.moments.march_tables import MarchTables, quadratures
-from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.source import between, field_node, read_phase
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,7 +22,9 @@ from airlight.solver.eclipsed.eclipsed_march import (
 from airlight.solver.eclipsed.shadow_tables import ShadowTables, shadow_axes
 from airlight.solver.lines_of_sight import enter_shell
 from airlight.solver.moments.packing import pack
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

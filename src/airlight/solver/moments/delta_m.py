@@ -16,14 +16,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import exp
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel
 from airlight.physics.optics.layer_edges import FAINT, ThinLayer, layer_edges
-from airlight.planets.medium import Medium
 from airlight.solver.layered_columns import FAINT_AND_WIDE, layer_ends
 from airlight.solver.moments.grid import MomentsGrid
 from airlight.solver.moments.harmonics import ELEMENTS
@@ -32,6 +31,9 @@ from airlight.solver.moments.packing import pack
 from airlight.solver.moments.ray_optics import ScaledOptics
 from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.tables.columns import density_table
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

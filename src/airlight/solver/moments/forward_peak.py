@@ -24,15 +24,17 @@ from __future__ import annotations
 
 from functools import cache
 from math import pi, sqrt
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, lane_view, maximum, splat
-from airlight.planets.medium import Medium
 from airlight.solver.moments.delta_m import MOST_PEAK, NEGLIGIBLE, Optics
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

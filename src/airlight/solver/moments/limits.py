@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.planets.medium import Medium
 from airlight.solver.moments.delta_m import Optics
 from airlight.solver.tables.columns import density_table
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

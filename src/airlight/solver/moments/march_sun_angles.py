@@ -8,7 +8,7 @@ inside that over points, and sums over the degrees of an azimuthal order precede
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,11 +35,13 @@ from airlight.solver.moments.march_panels import (
 from airlight.solver.moments.march_tables import new_workspace
 from airlight.solver.moments.packing import pack
 from airlight.solver.moments.ray_optics import sun_index
-from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.source import direct_beam, transmittance_columns
 from airlight.solver.moments.sun_angle_workspace import (
     new_sun_angle_workspace,
 )
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

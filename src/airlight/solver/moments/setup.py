@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import acos, pi
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from airlight.kernel.cache import Cache
 from airlight.kernel.lanes import HALF_LANES
 from airlight.physics.optics.density_profile import DensitySegments
-from airlight.planets.medium import Medium
 from airlight.solver.layered_columns import column_radii
 from airlight.solver.moments.adaptive_quadrature import adaptive_quadrature
 from airlight.solver.moments.convergence import lateral_threshold_of
@@ -37,6 +36,9 @@ from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.solver.tables.column_ratios import column_rows, rational_mean_density
 from airlight.solver.tables.columns import ColumnTable
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

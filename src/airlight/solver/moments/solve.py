@@ -7,7 +7,7 @@ import hashlib
 from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,6 @@ from airlight.kernel.cost import timed
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress
-from airlight.planets.medium import Medium
 from airlight.solver.moments.energy_balance import imbalance, violates_energy_balance
 from airlight.solver.moments.harmonics import moment_count
 from airlight.solver.moments.iterate import Moments, solve_moments
@@ -26,6 +25,9 @@ from airlight.solver.moments.settings import MomentsSettings, settings_for
 from airlight.solver.moments.setup import Setup
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.refracted_geometry import RefractedGeometry
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 
 def solve(

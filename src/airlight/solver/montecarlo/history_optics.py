@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,6 @@ from airlight.physics.optics.altitude_nodes import CELLS
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.optics.reflection import Reflection
 from airlight.planets.matter.phases import PhaseFunction
-from airlight.planets.medium import Medium
 from airlight.solver.montecarlo.rays import (
     Extinction,
     most_panels,
@@ -30,6 +29,9 @@ from airlight.solver.montecarlo.sun_biased_sampling import (
 )
 from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.solver.tables.columns import columns
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import acos, cos, exp, log, pi, sqrt
-from typing import Final, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Final, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +19,10 @@ from airlight.physics.optics.phase_functions import cornette_shanks, henyey_gree
 from airlight.physics.optics.phase_matrix import rayleigh_ratios, unpolarising_ratio
 from airlight.physics.optics.phase_table import SMALLEST_LOGARITHMIC
 from airlight.planets.matter.phases import FormulaPhase, PhaseFunction, PhaseRow
-from airlight.planets.medium import Medium
 from airlight.solver.montecarlo.streams import uniform
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -16,7 +16,6 @@ from airlight.geometry.shell import distance_to_top
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
-from airlight.planets.medium import Medium
 from airlight.planets.rings import warn_of_rings
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.montecarlo.estimate import Estimate, Query, estimate
@@ -34,6 +33,7 @@ if TYPE_CHECKING:
     import xarray
 
     from airlight.physics.units import Measures
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ than the width of the shadow. Where it is really blurred by these, some 100 km, 
 from __future__ import annotations
 
 from math import cos, exp, pi, sin, sqrt
-from typing import Annotated, Final, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,9 @@ from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.shader_fields import scalars, spectra
 from airlight.physics.optics.ring_layer import power_law_norm
-from airlight.planets.rings import Ring
+
+if TYPE_CHECKING:
+    from airlight.planets.rings import Ring
 
 FloatArray = npt.NDArray[np.float64]
 

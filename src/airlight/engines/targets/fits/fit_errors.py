@@ -5,7 +5,7 @@ Both are solved by the same solver, so that only the fit causes differences.
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,11 +16,13 @@ from airlight.image.color_difference import color_difference
 from airlight.image.spectral import rgb_weights
 from airlight.image.xyz import luminance
 from airlight.kernel.threads import Progress
-from airlight.planets.medium import Medium
-from airlight.planets.planet import Planet
 from airlight.solver import solve
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.solution import Solution
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
+    from airlight.planets.planet import Planet
 
 FloatArray = NDArray[np.float64]
 

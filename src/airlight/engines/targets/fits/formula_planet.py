@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import TYPE_CHECKING, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,10 +29,12 @@ from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.matter.phases import PhaseFunction, Rayleigh
 from airlight.planets.matter.profiles import Profile
-from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.spectral import PerWavelength
 from airlight.planets.star import Star
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +19,9 @@ from airlight.errors import ParameterError
 from airlight.kernel import vectorized
 from airlight.physics.optics.phase_functions import cornette_shanks, henyey_greenstein
 from airlight.planets.matter.phases import CornetteShanks, HenyeyGreenstein, PhaseFunction
-from airlight.planets.medium import Medium
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
 

@@ -38,13 +38,13 @@ from airlight.render.pixels.view_uniforms import (
     order_number,
     view_uniforms,
 )
-from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.metering import unfiltered, white_luminance
 from airlight.solver.moments.solution import MomentsSolution, moments_solution
 
 if TYPE_CHECKING:
     from airlight.render.clouds.clouds_around import CloudsAround
+    from airlight.scene import Scene
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,9 @@ from airlight.render.pixels.sky_view_lut import Observer
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.view_uniforms import observer_from
 from airlight.solver.moments.march_tables import MarchTables, quadratures
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +24,9 @@ from airlight.render.pixels.view_uniforms import overlay_uniforms, size_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
 from airlight.solver.moments.march_tables import MarchTables
-from airlight.solver.moments.solution import MomentsSolution
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 
 @dataclass(frozen=True)

@@ -8,14 +8,13 @@ dusty atmospheres converge in five to fifteen sweeps; optically thick ones are l
 from __future__ import annotations
 
 from time import perf_counter
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from airlight.errors import AirlightError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.planets.medium import Medium
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.solver.gpu_iteration import pooled_iteration
 from airlight.render.gpu.solver.planning import plan_for
@@ -28,6 +27,9 @@ from airlight.solver.moments.settings import MomentsSettings
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.stopping import Iteration, Stopping
 from airlight.solver.refracted_geometry import RefractedGeometry
+
+if TYPE_CHECKING:
+    from airlight.planets.medium import Medium
 
 #: Largest vertical transport optical depth, (1 - g) times scattering. [1]
 THICKEST: Final = 2.5
