@@ -71,7 +71,7 @@ ONE_OF: Final = {
 }
 _BLOCK: Final = re.compile(r"<!-- keys: (\w+) -->\n.*?<!-- end of keys -->", flags=re.DOTALL)
 #: Largest number of words listed in a cell; more are described as tables.
-_MOST_WORDS: Final = 6
+_MOST_WORDS: Final = 8
 
 
 def filled(name: str) -> str:

@@ -13,6 +13,8 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import FileError, ParameterError
 from airlight.planets import load_planet, planet_names
+from airlight.planets.matter.phases import PHASES
+from airlight.planets.matter.profiles import PROFILES
 from airlight.planets.medium import Medium
 from airlight.viewer.session.saved_state import from_fragment, to_fragment
 from airlight.viewer.session.session import Session
@@ -189,20 +191,8 @@ def test_the_air_moves_with_the_ground(session: Session) -> None:
 @pytest.mark.parametrize(
     ("path", "kinds"),
     [
-        (
-            "aerosol.profile.kind",
-            ("exponential", "layers", "sounding", "tent", "layered", "tabulated", "uniform"),
-        ),
-        (
-            "aerosol.phase_function.kind",
-            (
-                "rayleigh",
-                "henyey-greenstein",
-                "cornette-shanks",
-                "double-henyey-greenstein",
-                "tabulated",
-            ),
-        ),
+        ("aerosol.profile.kind", PROFILES.keywords),
+        ("aerosol.phase_function.kind", PHASES.keywords),
     ],
 )
 def test_every_form_that_can_be_chosen_makes_a_planet(

@@ -180,8 +180,9 @@ class DisplaySettings:
             found["encoding"] = None
         if "eye" in found:
             found["eye"] = found["eye"] == _EYE[True]
-        if "glare" in found:
-            found["glare"] = float(found["glare"])
+        for one in fields(cls):
+            if one.name in found and isinstance(one.default, float):
+                found[one.name] = float(found[one.name])
         return cls(**found)
 
 

@@ -385,7 +385,8 @@ class Medium:
         """
         digest = hashlib.sha256(b"airlight medium 3\n")
         scalars = (self.bottom_radius, self.top_radius, self.star_angular_radius)
-        digest.update(repr((scalars, self.names, self.reflection[:-1])).encode())
+        law = {name: one for name, one in self.reflection._asdict().items() if name != "layer"}
+        digest.update(repr((scalars, self.names, tuple(law.values()))).encode())
         for name, array in self._arrays().items():
             digest.update(f"{name} {array.shape}\n".encode())
             digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())

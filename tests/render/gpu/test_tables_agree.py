@@ -577,7 +577,7 @@ def test_every_function_of_every_shader_is_compared() -> None:
     missing = [
         name for name, one in every.items() if one not in compared and one.__name__ not in whole
     ]
-    assert missing == []
+    assert missing == [], "each needs a case in test_kernels_agree.py, or in CASES or WHOLE here"
     assert whole <= {one.__name__ for one in every.values()}  # and no removed function is named
 
 

@@ -119,8 +119,8 @@ def _choice(
     )
 
 
-#: Values of the view, in display order. A new slider takes one entry here; if it has a uniform, its
-#: value reaches the shaders under that name.
+#: Values of the view, in display order. A new slider takes one entry here, one of the display
+#: one in ``DISPLAY_FIELDS``; if it has a uniform, its value reaches the shaders under that name.
 VIEW_VALUES: Final = (
     _of("view.altitude", "camera", ALTITUDE, 2.0, least=0.0, step=1.1),
     _of("view.latitude", "camera", LATITUDE, 27.5, step=1.0),
