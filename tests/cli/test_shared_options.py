@@ -27,7 +27,7 @@ QUICK = ["--quality=preview", "--wavelengths=rgb"]
 OWN = {
     "fit": {"sun_zenith", "altitude", "projection", "fov", "look", "roll", "encoding", "tone_map"},
     "plot": {"sun_zenith", "altitude", "quality", "wavelengths"},
-    "radiance": {"sun_zenith", "altitude", "wavelengths"},
+    "radiance": {"sun_zenith", "sun_azimuth", "altitude", "wavelengths"},
     "irradiance": {"wavelengths"},
     "spectrum": {"sun_zenith", "wavelengths"},
     "sweep": {"sun_zenith", "altitude", "wavelengths"},

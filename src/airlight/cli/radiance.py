@@ -40,6 +40,7 @@ EPILOG = examples(
     "--relative-error 0.005",
     "airlight radiance earth --sun-zenith 80 --view-zenith 30 --azimuth 180 --stokes",
     "airlight radiance earth --sun-zenith 90:102:2 --view-zenith 0 --photometric",
+    "airlight radiance saturn --sun-zenith 30 --view-zenith 20 --latitude 15 --sun-azimuth S",
 )
 
 #: Rows of a file per call of the solution.
@@ -120,7 +121,9 @@ def radiance(
 
     The observer may be on the ground, within the atmosphere or outside.
     """
-    settings = solve.settings()
+    settings, place = solve.settings(), observers.place(planet)
+    if place and solve.solver == "montecarlo":
+        raise ConflictError("--sun-azimuth", "cannot be combined with --solver montecarlo")
     long = observers.from_file and solve.solver == "moments" and not observers.labelled
     long = long and not solve.photometric and not when.timed
     for given in () if long else given_options(distribution):
@@ -137,6 +140,8 @@ def radiance(
             raise ConflictError("--view-azimuth", "requires --at")
         cases = observers.cases(planet)
         world = planet.load()
+        if place and not world.rings:
+            raise ConflictError("--sun-azimuth", "requires a planet with rings")
         if observers.input_ is None:
             world = _ground_of(world, planet, observers, cases)
     nm = solve.chosen(world)
@@ -156,7 +161,7 @@ def radiance(
         if sampled:
             values, errors, histories = _estimates(solution, cases, stokes)
         else:
-            values = _answers(solution, cases, len(columns), stokes, report)
+            values = _answers(solution, cases, len(columns), report, stokes=stokes, **place)
     if solve.photometric:
         cases = _with_brightness(solution, cases, values)
     if observers.labelled:
@@ -194,6 +199,8 @@ def _ground_of(
     world, above = on_floor(world, height)
     if above != height:
         height = cases.values[:, 0] = above
+    if observers.sun_azimuth is not None and planet.longitude is None:
+        return world
     return planet.local(world, height)
 
 
@@ -282,7 +289,7 @@ def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
 
 
 def _answers(
-    solution: Any, cases: Cases, count: int, stokes: bool, report: Report
+    solution: Any, cases: Cases, count: int, report: Report, *, stokes: bool, **place: float
 ) -> NDArray[np.float64]:
     """Result columns of all rows, shape (n, count)."""
     import numpy as np
@@ -293,9 +300,8 @@ def _answers(
     out = np.empty((total, count))
     for start in range(0, total, BLOCK):
         altitude, sun, view, azimuth = cases.values[start : start + BLOCK].T
-        found = solution.radiance(
-            altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth, stokes=stokes
-        )
+        rays = {"altitude": altitude, "sun_zenith": sun, "view_zenith": view, "azimuth": azimuth}
+        found = solution.radiance(**rays, stokes=stokes, **place)
         parts = stokes_layers(found) if stokes else [found]
         out[start : start + BLOCK] = np.concatenate(parts, axis=-1)
         report(min(start + BLOCK, total), total, "radiance")

@@ -49,6 +49,10 @@ class ObserverOptions(OptionGroup):
         "ANGLE",
         read=options.angles,
     )
+    sun_azimuth: float | None = option(
+        "Compass bearing of the sun, with --latitude, for the shadow of rings.",
+        "BEARING",
+    )
     input_: str | None = option(
         "Input CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is standard "
         "input.",
@@ -78,9 +82,17 @@ class ObserverOptions(OptionGroup):
         from airlight.studies.sweep.grid import AXES
 
         where = given_options(planet, "latitude", "longitude")
-        for given in {**given_options(self, *AXES), **where}:
+        for given in {**given_options(self, *AXES, "sun_azimuth"), **where}:
             raise ConflictError(given, "cannot be combined with --input")
         check_table(self.output)
+
+    def place(self, planet: LocalGroundOptions) -> dict[str, float]:
+        """Latitude and compass bearing of the sun under rings; empty without them. [deg]"""
+        if self.sun_azimuth is None:
+            return {}
+        if planet.latitude is None:
+            raise ConflictError("--sun-azimuth", "requires --latitude")
+        return {"latitude": planet.latitude, "sun_azimuth": self.sun_azimuth}
 
     def cases(self, planet: LocalGroundOptions) -> Cases:
         """Observers of the file, or of the options."""
@@ -100,7 +112,7 @@ def timed_cases(
 
     from airlight.studies.sweep.cases import COLUMNS, Cases
 
-    fixed = given_options(observers, "sun_zenith", "input_")
+    fixed = given_options(observers, "sun_zenith", "sun_azimuth", "input_")
     for given in {**fixed, **given_options(planet, "latitude", "longitude")}:
         raise ConflictError(given, "cannot be combined with --at")
     if observers.view_azimuth is not None and observers.azimuth is not None:
