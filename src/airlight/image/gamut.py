@@ -203,7 +203,7 @@ def amount_of_share(primaries, lightness, up, by_long, by_medium, by_short, want
         Upper limit of the factor. [1]
     """
     least, amount = 0.0, start
-    for _step in range(_STEPS):
+    for _attempt in range(_STEPS):
         share, slope = share_at(primaries, lightness, up, by_long, by_medium, by_short, amount)
         if share > wanted:
             most = amount

@@ -770,7 +770,14 @@ def an_attribute_set(x):
     return x
 
 
+def two_names_that_a_shader_spells_alike(x):
+    y = 2.0 * x
+    _y = 3.0 * x  # here
+    return y + _y
+
+
 REFUSED = [
+    two_names_that_a_shader_spells_alike,
     a_list, a_text, a_lambda, a_comprehension, an_assertion, a_raise, a_try, a_with,
     a_function_within, a_deletion, an_identity, a_membership, a_loop_over_a_room,
     a_loop_with_an_else, a_while_with_an_else, a_named_argument, an_unknown_name,

@@ -126,6 +126,9 @@ class Scope:
 
     def declare(self, node: ast.AST, name: str, found: Value) -> None:
         """Set the type of a variable, promoted if it already has one."""
+        for twin in {name.lstrip("_"), f"_{name}"} - {name}:
+            if twin in self.names:
+                raise self.refuse(node, f"{name} and {twin} are one name in shaders")
         before = self.names.get(name)
         if isinstance(before, StructValue) and isinstance(found, StructValue):
             before = None  # items of a tuple, one after another
