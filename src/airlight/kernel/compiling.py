@@ -16,7 +16,7 @@ from numba.core import event
 from numba.core.dispatcher import Dispatcher
 
 #: CPU time of an amount of work as ``work_left`` counts it, on a core of 2.1 GHz. [s]
-SECONDS: Final = 8e-5
+SECONDS: Final = 1.1e-4
 #: Time by ``SECONDS`` that counts as measured: small functions first tell little. [s]
 _ASSUMED: Final = 20.0
 #: Shortest interval between checks of what other processes have compiled. [s]

@@ -22,6 +22,7 @@ from airlight.planets.picture_wavelengths import (
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render import render
 from airlight.render.background_compilation import (
+    MARCH_LOOPS,
     SKY_VIEW_LOOPS,
     cloudy_loops,
     start_cloudy_compiler,
@@ -327,6 +328,8 @@ def _compiling(
     one function at a time per process, so a second core needs a second process.
     """
     if not reads_table or thread_count() < 2:
+        if clouds is None:
+            FIRST_COMPILATION.expect(SKY_VIEW_LOOPS if reads_table else MARCH_LOOPS)
         yield
         return
     if clouds is None:
