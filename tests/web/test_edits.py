@@ -34,12 +34,15 @@ SPACE = {"view.altitude": 2e6, "view.look_zenith": 150.0, "view.sun_zenith": 80.
          "display.exposure": -2.5}  # fmt: skip
 ORBIT = {"view.altitude": 2e6, "view.look_zenith": 150.0, "view.sun_zenith": 60.0,
          "display.exposure": -2.5}  # fmt: skip
+SUNSET = {"view.altitude": 2.0, "view.look_zenith": 84.0, "view.sun_zenith": 87.0,
+          "display.exposure": 1.0}  # fmt: skip
 #: Planet, factors of its constituents and of its ground, view.
 EDITS = {
     "three times the aerosol": ("earth", {1: 3.0}, 1.0, GROUND),
     "half the air and a brighter ground": ("earth", {0: 0.5}, 2.5, SPACE),
     "half the dust": ("mars", {1: 0.5}, 0.5, GROUND),
     "twice the dust": ("mars", {1: 2.0}, 1.0, GROUND),
+    "twice the dust at sunset": ("mars", {1: 2.0}, 1.0, SUNSET),
     "twice the haze of Titan": ("titan", {1: 2.0, 2: 2.0, 3: 2.0}, 1.0, GROUND),
     "half the clouds of Venus": ("venus", {1: 0.5, 2: 0.5, 3: 0.5, 4: 0.5}, 1.0, ORBIT),
     "twice the clouds of Venus": ("venus", {1: 2.0, 2: 2.0, 3: 2.0, 4: 2.0}, 1.0, GROUND),
@@ -85,7 +88,7 @@ def plain() -> Callable[[str], MomentsSolution]:
 
     def of(name: str) -> MomentsSolution:
         if name not in kept:
-            kept[name] = solution_of(name, {}, 1.0, QUALITIES["preview"])
+            kept[name] = solution_of(name, {}, 1.0, QUALITIES["default"])  # that of a page
         return kept[name]
 
     return of

@@ -21,6 +21,7 @@ from airlight.render.gpu.solver.planning import plan_for
 from airlight.render.gpu.solver.solver import THICKEST
 from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.solver.moments.delta_m import Optics
+from airlight.solver.moments.forward_peak import inverse_peak_fraction, peak_broadening
 from airlight.solver.moments.iterate import POLARISED_OVER_RELAXATION
 from airlight.solver.moments.levels import finer_weights
 from airlight.solver.moments.packing import filled
@@ -109,7 +110,21 @@ def solver_data(
             "shared": SHARED,
             "ends": [float(x) for x in plan.setup.march_ends],
             "levels": int(plan.sizes["levels"]),
+            "peaks": _peaks(optics),
         },
+    }
+
+
+def _peaks(optics: Optics) -> dict[str, Any]:
+    """Forward peaks of the solver's degree, in which those of the picture may differ."""
+    gain = peak_broadening(optics)
+    table = np.zeros((1, 1, 1)) if gain is None else gain
+    values = _four(table).astype(np.float32)
+    return {
+        "broadened": float(gain is not None),
+        "inverse_peak_fraction": _table(_four(inverse_peak_fraction(optics))),
+        "broadening": as_text(rounded(values, DIGITS), WAVELENGTHS),
+        "shape": list(table.shape[:2]),
     }
 
 

@@ -11,9 +11,10 @@ import { numbersOf } from "../drawing/package.js";
  * @param {number} ground Factor of the ground's reflectance.
  */
 export async function editedPicture(plain, { plan, scalars, fixed }, air, light, ground) {
-  const { shared, ends, levels } = fixed.picture;
+  const { shared, ends, levels, peaks } = fixed.picture;
   const { sun_angles, terms, degree } = plan.sizes;
-  const uniforms = { ...plain.uniforms, radii: levels, sun_angles, degree };
+  const { broadened } = peaks;
+  const uniforms = { ...plain.uniforms, radii: levels, sun_angles, degree, broadened };
   const old = {
     scalars: await numbersOf(plain.tables.scalars.data),
     spectra: await numbersOf(plain.tables.spectra.data),
@@ -28,9 +29,22 @@ export async function editedPicture(plain, { plan, scalars, fixed }, air, light,
   const { scattering, moments, polarised_moments, albedo } = air;
   const [scaled_extinction, extinction] = [air.extinction, air.unscaled_extinction];
   const tables = { scaled_extinction, extinction, scattering, moments };
-  const spectra = { ...tables, polarised_moments, albedo, basis };
+  const inverse_peak_fraction = Float32Array.from(peaks.inverse_peak_fraction.values);
+  const broadening = await numbersOf(peaks.broadening);
+  const spectra = {
+    ...tables,
+    polarised_moments,
+    albedo,
+    basis,
+    inverse_peak_fraction,
+    broadening,
+  };
   const constituents = scattering.length / 4;
-  const shapes = { moments: [constituents, degree + 1], polarised_moments: [constituents, 4] };
+  const shapes = {
+    moments: [constituents, degree + 1],
+    polarised_moments: [constituents, 4],
+    broadening: peaks.shape,
+  };
   const nodes = levels * sun_angles;
   uniforms.table_field = [0, levels, sun_angles, terms + 1];
   uniforms.table_sky = [nodes * (terms + 1), levels, sun_angles, 2];
