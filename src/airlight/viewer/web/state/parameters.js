@@ -15,7 +15,8 @@ import { numberOf, quantityText } from "./number_text.js";
  */
 export function checked(parameter, value) {
   const refuse = (allowed) => {
-    throw new RangeError(`${parameter.path} is ${value}; allowed: ${allowed}`);
+    const { path, label } = parameter; // a page's amounts are no keys of a file
+    throw new RangeError(`${path.startsWith("air.") ? label : path} is ${value}; allowed: ${allowed}`);
   };
   if (parameter.kind === "switch") {
     return typeof value === "boolean" ? value : refuse("true or false");
