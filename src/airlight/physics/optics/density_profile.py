@@ -3,7 +3,7 @@
 Each profile is a row of segments; within each, the relative density is
 ``max(0, a·exp(b·x) + c·x + d)`` with x the height above the segment's lower edge. This represents
 the exponential, the tent, Bruneton's layers and (in small exponential pieces) any table without
-error, and its vertical column has a closed form. Over a segment |b·x| is at most 700.
+error, and its vertical column has a closed form. Over a segment ``abs(b·x)`` is at most 700.
 """
 
 from __future__ import annotations

@@ -174,7 +174,7 @@ class Optics:
 
     Examples
     --------
-    >>> from airlight.planets import load_planet
+    >>> from airlight.planets import Medium, load_planet
     >>> medium = Medium.from_planet(load_planet("earth-atmosphere-plus"), [550.0])
     >>> bool(Optics(medium, 2).transport_depth < medium.vertical_optical_depth.sum(axis=0))
     True
