@@ -58,6 +58,20 @@ def test_the_shadow_is_that_of_python(tmp_path: Path, capsys: pytest.CaptureFixt
             ["saturn", *SUN, *UNDER, "--solver", "montecarlo"],
             "--sun-azimuth cannot be combined with --solver montecarlo",
         ),
+        (
+            [
+                "earth",
+                "--view-zenith",
+                "20",
+                "--at",
+                "10N,5E",
+                "--time",
+                "2026-01-01T12:00Z",
+                "--sun-azimuth",
+                "S",
+            ],
+            "--sun-azimuth cannot be combined with --at",
+        ),
     ],
 )
 def test_what_cannot_have_a_shadow_is_a_line(

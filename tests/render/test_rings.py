@@ -223,6 +223,21 @@ def test_rings_light_the_night_side(bare, black, bright):
     assert 1e-4 * day < lit < 0.1 * day
 
 
+def test_ringshine_is_left_out_where_it_is_faint_but_not_in_the_shadow_of_rings():
+    # Dark, dense rings: 7e-3 of the sunlight is left in their shadow, and what they scatter down is
+    # less than 3e-3 of daylight, below which it is left out, but not of the shadow's.
+    def green(latitude, albedo):
+        rings = (ring(optical_depth=2.2, single_scattering_albedo=albedo, exponent=0.0),)
+        one = scene(latitude, 1e6, width=1, height=1, field_of_view=1.0)
+        return float(render(solved(rings), one, disc=False).rgb[0, 0, 1])
+
+    sunlit, shadow = ((green(at, 0.1), green(at, 0.0)) for at in (40.0, -25.0))
+    assert_allclose(*sunlit, rtol=3e-3)
+    assert shadow[1] < 0.02 * sunlit[1]
+    added = shadow[0] - shadow[1]
+    assert 0.01 * shadow[1] < added < 3e-3 * sunlit[1]
+
+
 def test_stars_are_dimmed_by_rings_before_them(black):
     # Beer's law
     air = AirAround(solution=black, altitude=6e7, pole=np.array([0.6, 0.0, 0.8]))

@@ -121,7 +121,7 @@ def radiance(
 
     The observer may be on the ground, within the atmosphere or outside.
     """
-    settings, place = solve.settings(), observers.place(planet)
+    settings, place = solve.settings(), {} if when.timed else observers.place(planet)
     if place and solve.solver == "montecarlo":
         raise ConflictError("--sun-azimuth", "cannot be combined with --solver montecarlo")
     long = observers.from_file and solve.solver == "moments" and not observers.labelled

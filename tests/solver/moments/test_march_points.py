@@ -11,7 +11,9 @@ from airlight.planets import Constituent, Planet, load_planet, replace
 from airlight.planets.matter.phases.formulas import Rayleigh
 from airlight.planets.matter.profiles.formulas import Tent
 from airlight.planets.spectral import PerWavelength
+from airlight.render.pixels.march_points import FEW
 from airlight.solver import solve
+from airlight.solver.moments.march_panels import MANY_EDGES
 from airlight.solver.moments.march_tables import quadratures
 from airlight.solver.moments.solution import MomentsSolution
 
@@ -70,3 +72,28 @@ def test_points_of_lines_of_sight_are_enough(
     tell(f"{planet}: 95 % within {np.quantile(error, 0.95):.1e}, largest {error.max():.1e}")
     assert np.quantile(error, 0.95) < bound
     assert error.max() < 1e-2
+
+
+def test_four_points_in_a_panel_are_enough_through_many_layers(
+    tell: Callable[[str], None],
+) -> None:
+    # Lines from space onto the day side of a planet whose haze ends panels at more than ten
+    # altitudes: those of pictures, and 28 points in each of three panels a leg.
+    solution = solve(load_planet("neptune"), NM, "preview")
+    rng, n = np.random.default_rng(7), 400
+    sun = rng.uniform(0.0, 80.0, n)
+    lines, _ = solution.lines_of_sight(
+        altitude=1.01 * solution.medium.thickness,
+        sun_zenith=sun,
+        view_zenith=rng.uniform(110.0, 180.0, n),
+        azimuth=rng.uniform(0.0, 180.0, n),
+    )
+    few, many = (
+        solution.tables._replace(rules=quadratures(points), panels=panels)
+        for points, panels in (FEW, ((28,) * 4, 3))
+    )
+    assert few.ends.size > MANY_EDGES
+    got, truth = (solution.radiance_per_irradiance(lines, 2, tables=one) for one in (few, many))
+    error = np.abs(got / truth - 1.0)
+    tell(f"95 % within {np.quantile(error, 0.95):.1e}, largest {error.max():.1e}")
+    assert np.quantile(error, 0.99) < 2e-3

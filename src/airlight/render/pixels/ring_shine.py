@@ -36,7 +36,8 @@ _RADII: Final = 96
 _AROUND: Final = 120
 #: Mean square of sin(θ/2) over an arch of rings, by which phase functions are blurred: by eye. [1]
 SPREAD: Final = 0.06
-#: Irradiance by the rings over that by the star, by day, below which it is neglected. [1]
+#: Irradiance by the rings over that of a white ground with the pixel's radiance, below which it is
+#: neglected. [1]
 FAINT: Final = 3e-3
 
 
@@ -285,20 +286,21 @@ def vertical_seen(ray, found, observer, tables):
 
 
 @inlined
-def exceeds_daylight(place, up, observer, view, lanes):
-    """Whether the rings illuminate a place by more than ``FAINT`` of what the star does.
+def exceeds_sunlight(place, view, lanes, result):
+    """Whether the light of the rings is more than ``FAINT`` of the pixel's, also in their shadow.
 
     Parameters
     ----------
-    place, up : ShinePlace, Vec3
-        Results of ``shine_place`` and ``vertical_seen``.
-    observer, view, lanes : Observer, ViewUniforms, int
-        Observer, camera, and number of lanes.
+    place : ShinePlace
+        Result of ``shine_place``.
+    view, lanes, result : ViewUniforms, int, array of shape (w,)
+        Camera, number of lanes, and radiance of air and ground under the star. [sr⁻¹]
     """
-    most = np.float32(0.0)
+    shine, most = np.float32(0.0), np.float32(0.0)
     for at in range(0, lanes, LANES):
-        most = max(most, largest(shine_between(lane_view(view.shine, at), place)))
-    return most > FAINT * (observer.sun_x * up.x + observer.sun_z * up.z)
+        shine = max(shine, largest(shine_between(lane_view(view.shine, at), place)))
+        most = max(most, largest(load(result, at)))
+    return shine > FAINT * pi * most
 
 
 @inlined
@@ -316,7 +318,7 @@ def add_ring_shine(ray, found, seen, observer, frame, work, color, result):
     up = vertical_seen(ray, found, observer, tables)
     place = shine_place(up, observer, view.shine_directions)
     lit = dot(place.light, place.light) > 0.0
-    if lit and exceeds_daylight(place, up, observer, view, tables.lanes):
+    if lit and exceeds_sunlight(place, view, tables.lanes, result):
         look_by_shine(ray, found, place.light, observer, tables, work)
         for at in range(0, tables.lanes, LANES):
             radiance = lane_view(work.radiance, at)
