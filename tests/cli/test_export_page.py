@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from airlight.cli import main
+from airlight.viewer.browser.page import LARGEST_PICTURE
 
 QUICK = ["--quality", "preview", "--wavelengths", "three"]
 
@@ -46,7 +48,10 @@ def test_page_too_large_with_four_wavelengths_has_three(
     size = place.stat().st_size
     assert "view.clock" not in page_data(place)["values"]
 
-    monkeypatch.setattr("airlight.viewer.browser.page.LARGEST", size - 1)
+    picture = re.search(r'<img class="airlight-first".*</div>', place.read_text())
+    assert picture is not None
+    reserved = size - len(picture[0]) + LARGEST_PICTURE
+    monkeypatch.setattr("airlight.viewer.browser.page.LARGEST", reserved - 100)
     assert main(words) == 0
     assert "three wavelengths" in capsys.readouterr().out
     assert place.stat().st_size < size
