@@ -1,4 +1,4 @@
-"""The line about the first compilation: after two seconds, once, in a log and from Python."""
+"""The line about the first compilation: after two seconds, once a loop, in a log and in Python."""
 
 from __future__ import annotations
 
@@ -33,13 +33,18 @@ def two(x):
     return one(x) + 1.0
 
 event.register("numba:compile", Slow())
-one(1.0), two(2.0), two(3)
+for called in {calls}:
+    called(2.0), called(3)
 """
 
 
 def run(tmp_path: Path, **values: object) -> subprocess.CompletedProcess[str]:
     file = tmp_path / "slow.py"
-    file.write_text(SLOW.format(**{"patience": 0.05, "sleep": 0.3, "listens": False, **values}))
+    file.write_text(
+        SLOW.format(
+            **{"patience": 0.05, "sleep": 0.3, "listens": False, "calls": "[two, one]", **values}
+        )
+    )
     environment = {**os.environ, "AIRLIGHT_CACHE": str(tmp_path / "cache")}
     return subprocess.run(
         [sys.executable, str(file)], env=environment, capture_output=True, text=True, check=True
@@ -60,6 +65,10 @@ def test_a_listener_gets_the_line(tmp_path: Path) -> None:
     assert done.stdout.startswith("told: compiling, about ")
     assert done.stdout.count("\n") == 1
     assert done.stderr == ""
+
+
+def test_a_loop_that_was_not_announced_has_a_line_of_its_own(tmp_path: Path) -> None:
+    assert run(tmp_path, calls="[one, two]").stderr.count("compiling, about ") == 2
 
 
 def test_a_short_compilation_is_silent(tmp_path: Path) -> None:

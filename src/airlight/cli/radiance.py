@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -121,6 +122,7 @@ def radiance(
 
     The observer may be on the ground, within the atmosphere or outside.
     """
+    started = time.perf_counter()
     settings, place = solve.settings(), {} if when.timed else observers.place(planet)
     if place and solve.solver == "montecarlo":
         raise ConflictError("--sun-azimuth", "cannot be combined with --solver montecarlo")
@@ -132,6 +134,7 @@ def radiance(
         observers.check_file(planet)
         world = planet.load()
         _long_table(world, observers, solve.chosen(world), solve, distribution)
+        _say_written(observers, started)
         return
     if when.timed:
         world, cases = timed_cases(planet, observers, when)
@@ -177,6 +180,7 @@ def radiance(
         _print_stokes(nm, values[0], None if errors is None else errors[0], histories)
     else:
         _print(nm, values, errors, histories)
+    _say_written(observers, started)
     missed = _missed(solution, cases)
     if missed:
         note(f"{missed} of {len(cases.values)} lines of sight miss the atmosphere: radiance 0")
@@ -184,6 +188,12 @@ def radiance(
         note(solution.report.ground)
     if sampled and solution.report.unreached:
         note(solution.report)
+
+
+def _say_written(observers: ObserverOptions, started: float) -> None:
+    """Print the path of the output, if it is a file."""
+    if observers.output != "-":
+        say(f"{observers.output}  {time.perf_counter() - started:.1f} s")
 
 
 def _ground_of(

@@ -42,10 +42,13 @@ class FirstCompilation(event.Listener):
     def expect(self, loops: Iterable[Any]) -> None:
         """Add loops that will be compiled in this process."""
         with self._lock:
-            fresh = {name_of(one): one for one in loops if name_of(one) not in self._loops}
-            self._loops |= fresh
-            if self._said and not self._silent and not all(map(on_disk, fresh.values())):
-                self._said, self._spent, self._cpu = False, 0.0, 0.0
+            self._add(loops)
+
+    def _add(self, loops: Iterable[Any]) -> None:
+        fresh = {name_of(one): one for one in loops if name_of(one) not in self._loops}
+        self._loops |= fresh
+        if self._said and not self._silent and not all(map(on_disk, fresh.values())):
+            self._said, self._spent, self._cpu = False, 0.0, 0.0
 
     @contextlib.contextmanager
     def elsewhere(self, loops: Iterable[Any]) -> Iterator[None]:
@@ -67,10 +70,11 @@ class FirstCompilation(event.Listener):
         """Start the clock at the outermost compilation."""
         with self._lock:
             self._depth += 1
-            if self._depth > 1 or self._said:
+            if self._depth > 1:
                 return
-            loop = started.data["dispatcher"]
-            self._loops[name_of(loop)] = loop
+            self._add([started.data["dispatcher"]])
+            if self._said:
+                return
             self._began = (time.perf_counter(), time.process_time())
             waited = max(PATIENCE - self._spent, 0.0)
             self._timer = threading.Timer(waited, self._say, (announce.get(),))
