@@ -86,12 +86,11 @@ def test_compiled_code_does_not_depend_on_late_imports(write: Write, text: str) 
 
 def test_every_function_that_a_loop_inlines_is_in_its_fingerprint() -> None:
     from airlight.render.background_compilation import MARCH_LOOPS, SKY_VIEW_LOOPS, cloudy_loops
-    from airlight.render.pixels.render_cpu import march_oblate_pixels
     from airlight.solver.eclipsed import eclipsed_march
     from airlight.solver.moments.loops import LOOPS
 
     eclipsed = [one for one in vars(eclipsed_march).values() if hasattr(one, "py_func")]
-    loops = (*SKY_VIEW_LOOPS, *MARCH_LOOPS, *cloudy_loops(), *LOOPS, march_oblate_pixels, *eclipsed)
+    loops = (*SKY_VIEW_LOOPS, *MARCH_LOOPS, *cloudy_loops(), *LOOPS, *eclipsed)
     for loop in loops:
         known = fingerprints._reached(Path(loop.py_func.__code__.co_filename), late=False)
         called = {Path(one.py_func.__code__.co_filename) for one in reached([loop]).values()}

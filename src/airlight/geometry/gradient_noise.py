@@ -9,6 +9,7 @@ from typing import Final
 
 import numpy as np
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 
 #: Period of the noise in cells of each size.
@@ -191,38 +192,8 @@ def corner_slope(column, k, x, y, z):
 
 
 @kernel
-def gradient_noise(x, y, z):
-    """Gradient noise (Perlin 2002, ACM Trans. Graph. 21, 681), 0 at lattice points. [1]
-
-    Parameters
-    ----------
-    x, y, z : float
-        Position. [cell]
-    """
-    i, j, k = np.floor(x), np.floor(y), np.floor(z)
-    x, y, z = x - i, y - j, z - k
-    u, v, w = quintic(x), quintic(y), quintic(z)
-    i, j, k = in_period(i), in_period(j), in_period(k)
-    far, high = in_period(j + 1.0), in_period(k + 1.0)
-    left, right = shuffled(i), shuffled(in_period(i + 1.0))
-    total = 0.0 * x
-    for corner in range(4):
-        column, start, height, share = left, j, y, 1.0 - v
-        if corner > 1:
-            start, height, share = far, y - 1.0, v
-        across, part = x, 1.0 - u
-        if corner - 2 * (corner // 2) == 1:
-            column, across, part = right, x - 1.0, u
-        column = shuffled(column + start)
-        low = corner_slope(column, k, across, height, z)
-        above = corner_slope(column, high, across, height, z - 1.0)
-        total += share * part * (low * (1.0 - w) + above * w)
-    return total
-
-
-@kernel
 def sloping_gradient_noise(x, y, z, way):
-    """Result of ``gradient_noise``, and its slope along a direction. [1]
+    """Gradient noise, and its slope along a direction; ``gradient_noise`` is without slope. [1]
 
     Parameters
     ----------
@@ -240,12 +211,12 @@ def sloping_gradient_noise(x, y, z, way):
     i, j, k = in_period(i), in_period(j), in_period(k)
     far, high = in_period(j + 1.0), in_period(k + 1.0)
     left, right = shuffled(i), shuffled(in_period(i + 1.0))
-    total, slope = 0.0, 0.0
+    total, slope = 0.0 * x, 0.0 * x
     for corner in range(4):
-        column, start, height, share, more = left, j, y, 1.0 - v, -rise_y
+        column, start, height, share, more = left, j, y, 1.0 - v, 0.0 - rise_y
         if corner > 1:
             start, height, share, more = far, y - 1.0, v, rise_y
-        across, part, wider = x, 1.0 - u, -rise_x
+        across, part, wider = x, 1.0 - u, 0.0 - rise_x
         if corner - 2 * (corner // 2) == 1:
             column, across, part, wider = right, x - 1.0, u, rise_x
         column = shuffled(column + start)
@@ -258,3 +229,16 @@ def sloping_gradient_noise(x, y, z, way):
         total += share * part * level
         slope += share * part * growth + (more * part + share * wider) * level
     return total, slope
+
+
+@kernel
+def gradient_noise(x, y, z):
+    """Gradient noise (Perlin 2002, ACM Trans. Graph. 21, 681), 0 at lattice points. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Position. [cell]
+    """
+    value, _ = sloping_gradient_noise(x, y, z, Vec3(0.0, 0.0, 0.0))
+    return value

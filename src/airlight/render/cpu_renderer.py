@@ -14,7 +14,7 @@ from airlight.render.pixels.march_points import march_points
 from airlight.render.pixels.night_tables import night_tables, no_night
 from airlight.render.pixels.pixel import FrameTables, ViewUniforms
 from airlight.render.pixels.polarising_filter import NONE
-from airlight.render.pixels.render_cpu import march_oblate_pixels, march_pixels, render_pixels
+from airlight.render.pixels.render_cpu import march_pixels, render_pixels
 from airlight.render.pixels.render_tables import render_tables
 from airlight.render.pixels.ring_shine import no_shine, ring_shine
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
@@ -247,8 +247,6 @@ class CpuRenderer:
             cloudy(px, py, frame, with_clouds, self._weights, rgb)
             return
         pixels = march_pixels if self.window is None else render_pixels
-        if self._observer.flattening > 0.0:
-            pixels = march_oblate_pixels
         pixels(px, py, frame, work, self._weights, rgb)
 
     def _frame(self, view: ViewUniforms) -> FrameTables:

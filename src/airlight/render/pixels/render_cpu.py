@@ -1,4 +1,4 @@
-"""Pixel loops of the CPU, with the sky-view LUT, marched, or marched to an oblate planet."""
+"""Pixel loops of the CPU, with the sky-view LUT or marched."""
 
 from __future__ import annotations
 
@@ -73,11 +73,5 @@ def render_pixels(px, py, frame, work, weights, out):
 
 @compiled_loop
 def march_pixels(px, py, frame, work, weights, out):
-    """March pixels; arguments of ``render_pixels``."""
-    each_pixel(pixel_light, True, px, py, frame, work, weights, out)
-
-
-@compiled_loop
-def march_oblate_pixels(px, py, frame, work, weights, out):
-    """March pixels of an oblate planet from outside the air; arguments of ``render_pixels``."""
+    """March pixels, also of oblate planets from outside the air; arguments of ``render_pixels``."""
     each_pixel(oblate_light, True, px, py, frame, work, weights, out)
