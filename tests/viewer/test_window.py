@@ -337,7 +337,7 @@ def test_another_planet_is_opened_undone_and_redone_while_rows_are_shown(window:
 
     def painted(name: str) -> None:
         window.until(lambda: window.ask("picture")["planet"] == name, 60.0)
-        assert window.ask("settled", 60.0), window.ask("error")
+        assert window.ask("settled", 180.0), window.ask("error")
         window.until(lambda: window.picture_pixels().max() > 60)
 
     def reached(planet: str) -> None:

@@ -5,6 +5,7 @@ Figures use matplotlib's object interface, not ``pyplot``, and thus no global st
 
 from __future__ import annotations
 
+import textwrap
 import warnings
 from typing import IO, TYPE_CHECKING, Any, Final
 
@@ -35,6 +36,9 @@ GREY: Final = "#555555"
 VISIBLE: Final = (380.0, 750.0)
 #: Luminance to which a wavelength's colour is darkened for contrast with white paper. [1]
 _INK: Final = 0.28
+
+#: Characters of a title on an inch.
+_TITLE: Final = 9.0
 
 #: File formats of a figure.
 FORMATS: Final = ("png", "svg", "pdf")
@@ -72,7 +76,8 @@ def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 
 
     figure = Figure(figsize=size, layout="constrained", facecolor="white")
     FigureCanvasAgg(figure)
-    figure.suptitle(words(title), fontsize=13, fontweight="bold")
+    lines = textwrap.fill(words(title), int(_TITLE * size[0]))
+    figure.suptitle(lines, fontsize=13, fontweight="bold")
     if caption:
         figure.supxlabel(caption, fontsize=9, color=GREY)
     return figure
