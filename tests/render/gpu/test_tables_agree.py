@@ -502,7 +502,7 @@ WHOLE = {
         "wave_light", "straight_end", "ground_spot", "resolved_waves", "disc_spread",
         "spread_glint", "mirror_waves", "sun_slices", "sea_sky_texel", "mirror_place",
         "mirror_facet", "add_mirrored", "mirrored_sky", "mirrored_texel", "wave_facet",
-        "mean_facet",
+        "mean_facet", "slick_roughness", "slick_glint", "mirror_slope",
     ),
     "test_kernels_agree.py::test_a_formula_on_the_gpu_is_the_cpu_s": ("_shift", "_bend"),
     "test_clouds.py::test_clouds_of_a_device_are_those_of_the_cpu": (

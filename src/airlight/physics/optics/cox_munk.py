@@ -69,6 +69,27 @@ def hidden_slopes(cosine, slope):
 
 
 @kernel
+def mirror_slope(mu_s, mu_r, nu):
+    """Square of the slope tan²β of the facets that mirror the star. [1]
+
+    Parameters
+    ----------
+    mu_s, mu_r, nu : float
+        Cosines as in ``reflection.direct_reflectance``. [1]
+
+    Examples
+    --------
+    >>> mirror_slope(1.0, 1.0, -1.0), round(mirror_slope(0.5, 1.0, -0.5), 6)  # tan² 30°
+    (0.0, 0.333333)
+    """
+    eye = max(mu_r, 0.0)
+    both = max(mu_s, LEVEL) + eye
+    # |s + v|² less its vertical part, for which the star is not raised
+    level = max(2.0 * max(1.0 - nu, 2e-8) - (mu_s + eye) * (mu_s + eye), 0.0)
+    return level / (both * both)
+
+
+@kernel
 def glint_factor(mu_s, mu_r, nu, wind):
     """Reflectance factor of sun glint. [1]
 
@@ -93,9 +114,7 @@ def glint_factor(mu_s, mu_r, nu, wind):
     slope = sqrt(square)
     sun, eye = max(mu_s, LEVEL), max(mu_r, 0.0)
     cosine = sqrt(min(max(0.5 * (1.0 - nu), 1e-8), 1.0))
-    # |s + v|² less its vertical part, for which the star is not raised
-    level = max(4.0 * cosine * cosine - (mu_s + eye) * (mu_s + eye), 0.0)
-    steep = level / ((sun + eye) * (sun + eye))
+    steep = mirror_slope(mu_s, mu_r, nu)
     density = exp(-steep / square) * (1.0 + steep) * (1.0 + steep) / square
     r_s, r_p = fresnel_reflectances(SEA_WATER, cosine)
     seen = sun * eye + sun * hidden_slopes(eye, slope) + eye * hidden_slopes(sun, slope)

@@ -17,6 +17,7 @@ from airlight.geometry.vectors import Vec3, components, minus, plus, scaled
 from airlight.kernel import inlined
 from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
 from airlight.physics.optics.clouds import GroundFactors, clouds_shown, plane_albedo
+from airlight.physics.optics.cox_munk import mean_square_slope, mirror_slope
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.physics.optics.rpv import land_diffuse, land_direct, unsaturated
 from airlight.physics.optics.water import water_reflectances
@@ -59,6 +60,7 @@ from airlight.scene.land_texture import (
     texture_footprint,
 )
 from airlight.scene.sea_waves import COARSEST, peak_wavenumber
+from airlight.scene.slicks import STEEPEST, slick_glint, slick_roughness
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import MIRRORED
 from airlight.solver.moments.source import transmittance_columns
@@ -277,7 +279,7 @@ def ground_reflectances(ray, sine, angle, observer, frame, work, color):
 
 @inlined
 def wave_light(ray, sine, mu_s, mu_r, nu, observer, frame, work):
-    """Result of ``spread_glint`` for a pixel of water, and its mirrored sky. [1]
+    """Glint of a pixel of water over that of all facets, and its mirrored sky. [1]
 
     Parameters
     ----------
@@ -300,6 +302,13 @@ def wave_light(ray, sine, mu_s, mu_r, nu, observer, frame, work):
         broadening = spread_glint(waves, place, tables)
         if waves.share > 0.0 and observer.orders != 1 and frame.window.columns > 0:
             mirror_waves(waves, place, view.sky_air, tables, work)
+    if view.detailed:
+        steep = mirror_slope(mu_s, mu_r, nu) / mean_square_slope(tables.ground.wind)
+        if steep < STEEPEST:
+            rougher, variance = slick_roughness(
+                spot, footprint, view.detail_cell, view.whole, view.part
+            )
+            broadening *= slick_glint(steep, rougher, variance)
     return broadening
 
 
