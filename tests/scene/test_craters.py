@@ -46,11 +46,15 @@ def test_numbers_of_craters_fall_as_the_square_of_their_diameter() -> None:
 def test_a_fresh_crater_is_as_deep_as_its_diameter_says() -> None:
     # The integral of the slope: depth and rim of Pike (1977), 0.196 and 0.036 diameters.
     inside, outside = np.linspace(0.0, 1.0, 4001)[:-1], np.linspace(1.0, EJECTA, 4001)
-    up = 0.5 * np.mean([crater_slope(one) for one in inside])
+    up = 0.5 * np.mean([crater_slope(one, 1.0) for one in inside])
     assert_allclose(up, DEPTH + RIM, rtol=1e-3)
     assert_allclose(DEPTH + RIM, 0.196, rtol=1e-9)
-    down = 0.5 * (EJECTA - 1.0) * np.mean([crater_slope(one) for one in outside])
+    down = 0.5 * (EJECTA - 1.0) * np.mean([crater_slope(one, 1.0) for one in outside])
     assert -RIM < down < -0.4 * RIM  # ejecta end before they have thinned out
+    whole = np.linspace(0.0, EJECTA, 4001)
+    old = [crater_slope(one, 0.01) for one in whole]
+    assert_allclose(0.5 * EJECTA * np.mean(old), 0.01 * DEPTH, rtol=0.03)
+    assert min(old) > -1e-3  # without a rim
 
 
 def ascents(count: int, footprint: float, way: Vec3, up: Vec3 = UP) -> np.ndarray:

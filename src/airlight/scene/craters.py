@@ -6,8 +6,9 @@ c D^-2; the c of the lunar maria is 0.079 (Trask 1966, JPL Tech. Rep. 32-800, 25
 Ivanov & Hartmann 2001, Space Sci. Rev. 96, 55). Each cell of a lattice has at most one crater, of
 the diameters between those of the next finer and its own lattice; cells are on the face of a cube,
 distances on the ground. Only the slope towards the star is shown: a bowl with the depth and rim of
-a fresh crater (Pike 1977, in Impact and Explosion Cratering, 489), times a freshness between 0 and
-1, evenly distributed. Mean sunlight remains.
+a fresh crater (Pike 1977, in Impact and Explosion Cratering, 489), which ages to a shallow one
+without rim, as by diffusion (Fassett & Thomson 2014, JGR Planets 119, 2255); old ones are the most.
+Mean sunlight remains.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ class Crater(NamedTuple):
     radius : float
         Radius; 0 without a crater. [cell]
     fresh : float
-        Depth over that of a fresh one. [1]
+        Freshness, from 0 to 1, the square of an even variable. [1]
     """
 
     x: float
@@ -79,27 +80,35 @@ def crater_of(i, j, lattice, share):
     if number < 289.0 * share:
         # the inverse of D^-2 between both diameters
         radius = 0.5 * WIDEST / sqrt(1.0 + 3.0 * shuffled(third + i) / 288.0)
-    return Crater(first / 289.0, second / 289.0, radius, third / 288.0)
+    return Crater(first / 289.0, second / 289.0, radius, (third / 288.0) * (third / 288.0))
 
 
 @kernel
-def crater_slope(distance):
-    """Slope of a fresh crater away from its centre. [1]
+def crater_slope(distance, fresh):
+    """Slope of a crater away from its centre. [1]
+
+    Of a fresh one a parabola with rim and ejecta; of an old one, with the depth z and the ratio t
+    of the distance to ``EJECTA``, that of -z (1 - t²)³.
 
     Parameters
     ----------
     distance : float
         Distance from the centre over the radius. [1]
+    fresh : float
+        Freshness; the depth of an old crater is in proportion to it. [1]
 
     Examples
     --------
-    >>> crater_slope(0.0), round(crater_slope(0.5), 3), abs(crater_slope(2.0))
+    >>> crater_slope(0.0, 1.0), round(crater_slope(0.5, 1.0), 3), abs(crater_slope(2.0, 1.0))
     (0.0, 0.392, 0.0)
     """
-    if distance < 1.0:
-        return 4.0 * (DEPTH + RIM) * distance
-    left = max((EJECTA - distance) / (EJECTA - 1.0), 0.0)
-    return -6.0 * RIM * left / (distance * distance * distance * distance)
+    left = max(1.0 - distance * distance / (EJECTA * EJECTA), 0.0)
+    old = 12.0 * DEPTH / (EJECTA * EJECTA) * distance * left * left
+    new = 4.0 * (DEPTH + RIM) * distance
+    if distance > 1.0:
+        left = max((EJECTA - distance) / (EJECTA - 1.0), 0.0)
+        new = -6.0 * RIM * left / (distance * distance * distance * distance)
+    return fresh * (fresh * new + (1.0 - fresh) * old)
 
 
 @kernel
@@ -139,7 +148,7 @@ def craters(place, whole, up, way, footprint, cell, density):
                     away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
                     distance = sqrt(dot(away, away))
                     if distance < EJECTA * one.radius and distance > 1e-6:
-                        steep = one.fresh * crater_slope(distance / one.radius)
+                        steep = crater_slope(distance / one.radius, one.fresh)
                         ascent += shown * steep * dot(away, way) / distance
         scale *= 0.5
     return ascent / sqrt(1.0 + ascent * ascent / (STEEPEST * STEEPEST))
