@@ -103,12 +103,12 @@ def crater_slope(distance, fresh):
     (0.0, 0.392, 0.0)
     """
     left = max(1.0 - distance * distance / (EJECTA * EJECTA), 0.0)
-    old = 12.0 * DEPTH / (EJECTA * EJECTA) * distance * left * left
-    new = 4.0 * (DEPTH + RIM) * distance
+    worn = 12.0 * DEPTH / (EJECTA * EJECTA) * distance * left * left
+    sharp = 4.0 * (DEPTH + RIM) * distance
     if distance > 1.0:
         left = max((EJECTA - distance) / (EJECTA - 1.0), 0.0)
-        new = -6.0 * RIM * left / (distance * distance * distance * distance)
-    return fresh * (fresh * new + (1.0 - fresh) * old)
+        sharp = -6.0 * RIM * left / (distance * distance * distance * distance)
+    return fresh * (fresh * sharp + (1.0 - fresh) * worn)
 
 
 @kernel
