@@ -16,7 +16,7 @@ import time
 from numba.core import event
 from airlight.kernel import cost, first_compilation, kernel
 first_compilation.PATIENCE = {patience}
-first_compilation.SECONDS = 1e-3
+first_compilation.SECONDS, first_compilation.NEWS = 1e-3, {news}
 
 class Slow(event.Listener):
     def on_start(self, started): time.sleep({sleep})
@@ -41,11 +41,8 @@ for called in {calls}:
 
 def run(tmp_path: Path, **values: object) -> subprocess.CompletedProcess[str]:
     file = tmp_path / "slow.py"
-    file.write_text(
-        SLOW.format(
-            **{"patience": 0.05, "sleep": 0.3, "listens": False, "calls": "[two, one]", **values}
-        )
-    )
+    usual = {"patience": 0.05, "sleep": 0.3, "listens": False, "calls": "[two, one]", "news": 0.0}
+    file.write_text(SLOW.format(**{**usual, **values}))
     environment = {**os.environ, "AIRLIGHT_CACHE": str(tmp_path / "cache")}
     return subprocess.run(
         [sys.executable, str(file)], env=environment, capture_output=True, text=True, check=True
@@ -70,6 +67,10 @@ def test_a_listener_gets_the_line(tmp_path: Path) -> None:
 
 def test_a_loop_that_was_not_announced_has_a_line_of_its_own(tmp_path: Path) -> None:
     assert run(tmp_path, calls="[one, two]").stderr.count("compiling, about ") == 2
+
+
+def test_an_end_that_is_about_as_announced_has_no_other_line(tmp_path: Path) -> None:
+    assert run(tmp_path, calls="[one, two]", news=10.0).stderr.count("compiling, about ") == 1
 
 
 def test_a_short_compilation_is_silent(tmp_path: Path) -> None:

@@ -22,6 +22,8 @@ from airlight.kernel.cost import announce, duration
 
 #: Time of compilation after which a line is reported. [s]
 PATIENCE: Final = 2.0
+#: Delay of the end over the time left from which on another line is reported. [1]
+NEWS: Final = 0.3
 
 
 class FirstCompilation(event.Listener):
@@ -35,6 +37,7 @@ class FirstCompilation(event.Listener):
         self._finished: set[str] = set()
         self._spent = self._cpu = 0.0
         self._began = (0.0, 0.0)
+        self._end = 0.0
         self._silent = multiprocessing.parent_process() is not None  # whose parent reports it
         self._said = self._silent
         self._timer: threading.Timer | None = None
@@ -109,6 +112,10 @@ class FirstCompilation(event.Listener):
             return
         self._said = True
         seconds = max(busy * SECONDS * work, 1.0)
+        end = time.monotonic() + seconds
+        if end - self._end < NEWS * seconds:  # about as reported
+            return
+        self._end = end
         kept = "; cached for later runs" if all(map(is_kept, loops)) else ""
         line = f"compiling, about {duration(seconds)}{kept}"
         (listener or logging.getLogger("airlight").warning)(line)
