@@ -50,8 +50,9 @@ class FirstCompilation(event.Listener):
     def _add(self, loops: Iterable[Any]) -> None:
         fresh = {name_of(one): one for one in loops if name_of(one) not in self._loops}
         self._loops |= fresh
-        long = SECONDS * work_left(fresh.values(), self._finished) >= PATIENCE
-        if self._said and not self._silent and long:
+        if self._silent or not self._said:
+            return
+        if SECONDS * work_left(fresh.values(), self._finished) >= PATIENCE:
             self._said, self._spent, self._cpu = False, 0.0, 0.0
 
     @contextlib.contextmanager
