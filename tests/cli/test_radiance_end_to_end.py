@@ -132,10 +132,13 @@ def test_pipes_work(cases: Path, answers: Path) -> None:
     assert done.stderr == note
 
 
-def test_the_suffix_names_the_format(cases: Path, answers: Path) -> None:
+def test_the_suffix_names_the_format(
+    cases: Path, answers: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     # the same numbers as the table in text, to its nine digits
     out = cases.with_name("out.nc")
     assert main(["radiance", PLANET, "--input", str(cases), "-o", str(out), *QUICK]) == 0
+    assert capsys.readouterr().out.startswith(f"{out}  ")
     with xarray.open_dataset(out) as data:
         data.load()
     text = np.array([[float(cell) for cell in row[5:]] for row in read(answers)[1:]])

@@ -54,3 +54,10 @@ def test_the_strip_is_dark_where_the_eye_sees_nothing() -> None:
     strip = wavelength_strip([380.0, 750.0, 550.0])
     assert_allclose(strip[:2], 0.0, atol=0.08)
     assert strip[2].argmax() == 1
+
+
+def test_a_long_title_has_several_lines() -> None:
+    from airlight.studies.plots.figure import new_figure
+
+    title = new_figure("a planet of a long name: " * 6).get_suptitle()
+    assert title.count("\n") == 2
