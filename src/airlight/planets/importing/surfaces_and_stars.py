@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -9,6 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.physics.data_tables.data_table import DataTable, Quantity
+from airlight.physics.units import quantity
 from airlight.planets.importing.phase_tables import WAVELENGTH
 from airlight.planets.importing.planet_tables import PlanetTables
 from airlight.planets.importing.thinning import thinned
@@ -31,6 +34,9 @@ IRRADIANCE: Final = Quantity(
     low=0.0,
     high=1e9,
     units="W/m^2/nm, mW/m^2/nm, W/m^2/um, erg/s/cm^2/angstrom",
+)
+SURFACE_FLUX: Final = replace(
+    IRRADIANCE, name="surface flux", names=("stellarsurfaceflux", "fluxatsurface"), high=1e14
 )
 #: Keys of the ground that show another ground than that of one albedo.
 _SHOWN_GROUND: Final = (
@@ -65,11 +71,17 @@ def import_star(planet: PlanetTables, table: DataTable, angular_radius: str | No
     planet : PlanetTables
         Tables of the planet file, changed in place.
     table : DataTable
-        Irradiance at the planet over wavelength.
+        Irradiance at the planet over wavelength; or the flux F at the star's surface, whose
+        irradiance is F sin² of the angular radius.
     angular_radius : str, optional
         Angular radius with its unit; by default that of the base planet's star.
     """
-    nm, values = _spectrum(table, IRRADIANCE)
+    radius = angular_radius or f"{planet.base.star.angular_radius_degrees:.6g} deg"
+    at_surface = table.find(SURFACE_FLUX) is not None
+    nm, values = _spectrum(_within(table, planet), SURFACE_FLUX if at_surface else IRRADIANCE)
+    if at_surface:
+        values = values * math.sin(quantity(radius, "rad")) ** 2
+        planet.notes.append(f"star: irradiances are surface fluxes seen at a radius of {radius}")
     kept, error = np.arange(nm.size), 0.0
     if (values > 0.0).all():
         kept, error = thinned(np.log(nm), np.log(values), _TOLERANCE, most=MOST_WAVELENGTHS)
@@ -78,8 +90,19 @@ def import_star(planet: PlanetTables, table: DataTable, angular_radius: str | No
     planet.tables["star"] = {
         "wavelengths": f"{', '.join(f'{one:.8g}' for one in nm[kept])} nm",
         "irradiance": f"{', '.join(f'{one:.6g}' for one in values[kept])} W/m^2/nm",
-        "angular_radius": angular_radius or f"{planet.base.star.angular_radius_degrees:.6g} deg",
+        "angular_radius": radius,
     }
+
+
+def _within(table: DataTable, planet: PlanetTables) -> DataTable:
+    """Rows of a spectrum at wavelengths that planets may have."""
+    table.check_lists(WAVELENGTH)
+    nm = table.numbers(replace(WAVELENGTH, low=0.0, high=math.inf))
+    kept = (nm >= WAVELENGTH.low) & (nm <= WAVELENGTH.high)
+    if kept.all():
+        return table
+    planet.notes.append(f"star: {(~kept).sum()} rows outside 10 nm to 1 mm left out")
+    return table.where(kept)
 
 
 def _spectrum(table: DataTable, wanted: Quantity) -> tuple[FloatArray, FloatArray]:

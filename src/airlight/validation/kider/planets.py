@@ -32,6 +32,8 @@ from airlight.validation.reference_files import read_table
 
 FloatArray = NDArray[np.float64]
 
+#: Mean temperature of AFGL's ozone in the U.S. Standard Atmosphere, 1976. [K]
+OZONE_TEMPERATURE: Final = 225.0
 #: File of the aerosol's phase function of that day, measured 500 km away; AERONET.
 FILE: Final = "aeronet-egbert-2013-05-27-phase-function.csv"
 #: Allowed relative deviation of its integral over the sphere from 4π. [1]
@@ -398,7 +400,9 @@ def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
                 profile=Tabulated(
                     altitudes=tuple(altitudes), densities=tuple(densities / densities.max())
                 ),
-                absorption=OzoneAbsorption(column=column_from_dobson(inputs.ozone)),
+                absorption=OzoneAbsorption(
+                    column=column_from_dobson(inputs.ozone), temperature=OZONE_TEMPERATURE
+                ),
             )
         )
     at = sun_distance(scans.date)
