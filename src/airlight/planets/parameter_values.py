@@ -179,8 +179,9 @@ def composition_of(
     Examples
     --------
     >>> from airlight.planets import load_planet
-    >>> composition_of(load_planet("earth").constituents[2])
-    {('absorption', ''): ('ozone-absorption',), ('column', 'm⁻²'): (9.269391385704633e+22,)}
+    >>> ozone = composition_of(load_planet("earth").constituents[2])
+    >>> ozone["absorption", ""], ozone["temperature", "K"]
+    (('ozone-absorption',), (225.0,))
     """
     found: dict[tuple[str, str], tuple[float | str, ...]] = {}
     for name in ("matter", "scattering", "absorption"):
