@@ -83,7 +83,7 @@ def test_large_arrays_of_a_window_are_returned_when_they_are_freed() -> None:
         from airlight.kernel.memory import share_memory_of_threads
         share_memory_of_threads()
         for number in (2, 100):
-            arrays = [(np.ones(1 << 18), np.ones(10)) for _ in range(number)]
+            arrays = [(np.ones(1 << 18), np.ones(1 << 13)) for _ in range(number)]
             kept = [small for _, small in arrays]
             del arrays
         status = Path("/proc/self/status").read_text()
