@@ -74,6 +74,24 @@ def test_a_container_s_cache_of_files_is_free(
     assert memory.free_memory() > 70e6
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="an option of the C library of Linux")
+def test_large_arrays_of_a_window_are_returned_when_they_are_freed() -> None:
+    # Of 200 MB between small arrays that stay; by default they would stay in the heap.
+    code = """if True:
+        import numpy as np
+        from pathlib import Path
+        from airlight.kernel.memory import share_memory_of_threads
+        share_memory_of_threads()
+        for number in (2, 100):
+            arrays = [(np.ones(1 << 18), np.ones(1 << 13)) for _ in range(number)]
+            kept = [small for _, small in arrays]
+            del arrays
+        status = Path("/proc/self/status").read_text()
+        print(status.split("RssAnon:")[1].split()[0])"""
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    assert float(done.stdout) < 1e5  # kB
+
+
 def test_a_picture_beyond_the_memory_is_refused_at_once(small_machine: None) -> None:
     solution = solve("earth-openspace", [680, 550, 440], "preview")
     begun = time.perf_counter()

@@ -6,6 +6,7 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -165,6 +166,28 @@ def test_undo_and_the_other_side_come_from_what_is_kept(fake: Fake) -> None:
             albedo = session.value("ground.albedo")
             assert solving.latest.solution == (albedo, "default")
         assert len(fake.asked) == asked
+
+
+def test_tables_of_a_solution_are_kept_only_while_it_is_shown(fake: Fake) -> None:
+    # They take up to 60 MB; whoever asks for the same planet again gets the same solution.
+    session, made = Session(PLANET), SimpleNamespace
+    with SolverThread(session, solver=lambda *_, **__: made(), draws_clouds=True) as solving:
+        assert solving.wait(LONG)
+        shown: Any = solving.latest
+        shown.solution.tables = "large"
+        session.set("clouds[0].kind", "cumulus")
+        assert solving.wait(LONG)
+        assert solving.latest is not None
+        assert solving.latest.solution is shown.solution
+        session.set("ground.albedo", 0.5)
+        assert solving.wait(LONG)
+        for _ in range(2):  # once more, after what came back has got tables
+            session.undo()
+            assert solving.wait(LONG)
+            assert vars(solving.latest.solution) == {}
+            solving.latest.solution.tables = "large"
+            session.redo()
+            assert solving.wait(LONG)
 
 
 def test_an_impossible_planet_is_one_line_and_leaves_the_picture(fake: Fake) -> None:

@@ -125,8 +125,7 @@ class GpuSystemRenderer:
             del self._renderers[name]
         for name, solution in solutions.items():
             if name not in self._renderers:
-                like = next(iter(self._renderers.values()), None)
-                self._renderers[name] = GpuRenderer(self.device, self.sky_view_size, like=like)
+                self._renderers[name] = GpuRenderer(self.device, self.sky_view_size)
             elif before.get(name) is solution and weights is given:
                 continue
             self._renderers[name].set_solution(solution, weights)

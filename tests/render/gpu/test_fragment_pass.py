@@ -136,3 +136,19 @@ def test_what_webgl2_does_not_have_is_refused_with_its_line():
     source = "// a comment\n@group(0) @binding(0) var<storage, read> many: array<f32>;"
     with pytest.raises(ShaderError, match=r"^shader it, line 2, .*uniforms, samplers and sampled"):
         declared_bindings(source, "it")
+
+
+def test_passes_are_kept_while_in_use_or_among_the_last(device):
+    # On a software GPU each takes 15 to 30 MB of the process.
+    apart = device.duplicate()
+    most = 8 if device.software else 64
+
+    def of(number):
+        source = f"@fragment fn one() -> @location(0) vec4f {{ return vec4f({number}.0); }}"
+        return FragmentPass.of(apart, source, "one", ["r32float"])
+
+    in_use = of(0)
+    for number in range(1, most + 3):
+        of(number)
+    assert len(apart.passes) == most + 1
+    assert of(0) is in_use

@@ -7,6 +7,8 @@ total is compared with a disc that is sampled many times a pixel.
 
 from __future__ import annotations
 
+import gc
+import weakref
 from collections.abc import Callable
 from typing import Any
 
@@ -33,9 +35,11 @@ from airlight.image.display_settings import DisplaySettings
 from airlight.image.exposure import automatic_exposure
 from airlight.image.four_wavelengths import four_wavelengths
 from airlight.image.white_balance import star_white
+from airlight.kernel.cache import Cache
 from airlight.planets import Constituent
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
+from airlight.render.gpu.device.fragment_pass import FragmentPass
 from airlight.render.gpu.picture import bands
 from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.render.gpu.picture.uniforms import LAYERS
@@ -520,3 +524,31 @@ def test_more_wavelengths_than_four_are_refused(device: Device) -> None:
     solution = solve(planet, (400.0, *NM), quality="preview", cache=False)
     with pytest.raises(ParameterError, match="wavelengths is 5; allowed: at most 4 on the GPU"):
         GpuRenderer(device, (64, 64)).set_solution(solution)
+
+
+def test_another_planet_leaves_nothing_of_the_first_and_an_edit_compiles_nothing(
+    device: Device, lit: Lit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Nobody else has the textures; the passes of a frame serve the next solution, although the
+    # device keeps only the last of them.
+    apart = device.duplicate()
+    monkeypatch.setitem(vars(apart), "last_passes", Cache(1))
+    pictures = GpuRenderer(apart, (64, 64))
+    pictures.set_solution(lit())
+    pictures.render(scene_of(PLANETS["earth, with a map"](), "noon"))
+    shown = {name: weakref.ref(one) for name, one in pictures.textures.textures.items()}
+    beside = GpuRenderer(apart, (64, 64))
+    beside.set_solution(lit())
+    assert all(beside.textures.textures[one] is shown[one]() for one in ("ground", "overlay"))
+    del beside
+    seen = scene_of(PLANETS["mars"](), "noon")
+    for _ in range(2):
+        pictures.set_solution(lit("mars"))
+        pictures.render(seen)
+    gc.collect()
+    assert [name for name, one in shown.items() if one() is not None] == []
+    made = []
+    monkeypatch.setattr(FragmentPass, "__init__", lambda *_: made.append(_))
+    pictures.set_solution(lit("mars"))
+    assert np.isfinite(pictures.render(seen).rgb).all()
+    assert made == []

@@ -5,6 +5,7 @@ The newest edit supersedes older ones. The host never blocks: it reads ``latest`
 
 from __future__ import annotations
 
+import copy
 import threading
 import time
 from collections.abc import Callable
@@ -162,6 +163,7 @@ class SolverThread:
         self._asked = time.perf_counter()
         self._served: SolveRequest | None = None
         self._latest: SolverResult | None = None
+        self._latest_key: tuple[Any, ...] = ()
         self._status = SolverStatus(busy=True, doing="starting", version=self._request.version)
         self._closed = False
         self._kept: Cache[tuple[Any, ...], SolverResult] = Cache(2 * CACHE_SIZE)
@@ -289,7 +291,10 @@ class SolverThread:
 
     def _publish_known(self, request: SolveRequest, level: str) -> bool:
         """Publish a solution that is kept, also of a planet with other clouds; whether it is."""
-        known = self._kept.get((*request.key, level))
+        key = (*request.key, level)
+        known = self._latest if key == self._latest_key else self._kept.get(key)
+        if known is not None and known is not self._latest:
+            known = _copied(known)
         if known is None:
             return False
         cloudy = self._planet(request, lambda: self._request is not request)
@@ -332,7 +337,9 @@ class SolverThread:
         return switched(planet, request.state.off)
 
     def _publish(self, solved: SolverResult, request: SolveRequest) -> None:
-        self._kept.put((*request.key, solved.quality), solved)
+        self._latest_key = (*request.key, solved.quality)
+        if self._latest_key not in self._kept:
+            self._kept.put(self._latest_key, _copied(solved))
         self._latest = solved
         self._status = replace(self._status, version=solved.version, error="")
         self._notify()
@@ -356,3 +363,8 @@ class SolverThread:
     def _notify(self) -> None:
         if self._on_change is not None:
             self._on_change()
+
+
+def _copied(solved: SolverResult) -> SolverResult:
+    """Copy to keep, or of one that is kept: it never gets the tables of pictures, up to 60 MB."""
+    return replace(solved, solution=copy.copy(solved.solution))

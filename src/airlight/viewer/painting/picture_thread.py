@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from airlight.kernel.memory import give_back
 from airlight.viewer.background.latest_thread import LatestThread
 from airlight.viewer.painting.picture_source import Picture, PictureSource, Request
 
@@ -28,6 +29,7 @@ class PictureThread(LatestThread[Request]):
     def __init__(self, renderer: PictureSource, wake: Callable[[], None]) -> None:
         self._renderer = renderer
         self.picture: Picture | None = None
+        self._solution: object = None
         super().__init__("airlight-pictures", wake)
 
     def want(self, request: Request) -> None:
@@ -42,6 +44,9 @@ class PictureThread(LatestThread[Request]):
             self._wake()
             if self.is_stale(request):
                 return
+        if request.solution is not self._solution:  # its tables and shaders left gaps
+            self._solution = request.solution
+            give_back()
 
     def end(self) -> None:
         """Close the renderer."""

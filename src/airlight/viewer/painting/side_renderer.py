@@ -50,6 +50,8 @@ class SideRenderer:
         """See ``PictureSource.render``."""
         picture: Picture | None = None
         more: dict[str, Any] = {}
+        if request.clouds is None:
+            self._moved = None  # hundreds of megabytes
         if request.system:
             more = {"system": request.system, "body": request.body}
         elif request.clouds is not None:

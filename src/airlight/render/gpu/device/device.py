@@ -7,12 +7,14 @@ import os
 import sys
 import tempfile
 import threading
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any, Final
+from weakref import WeakValueDictionary
 
 from airlight.errors import AirlightError
+from airlight.kernel.cache import Cache
 
 #: Environment variable with the adapter: ``off``, or a part of its name. Not set: the fastest.
 CHOICE: Final = "AIRLIGHT_GPU"
@@ -58,6 +60,10 @@ _WELCOME: Final = frozenset({"timestamp-query"})
 _NUMBERS: Final = ("char", "uint8_t", "uint32_t")
 #: Kinds of types of which it allocates some.
 _KINDS: Final = ("StructType", "EnumType", "PointerType")
+
+#: Number of passes that are kept while unused, and on a software GPU, where each takes 15 to 30 MB.
+_KEPT_PASSES: Final = 64
+_KEPT_IN_SOFTWARE: Final = 8
 
 #: Environment variable with the folder of a session's sockets.
 _RUNTIME: Final = "XDG_RUNTIME_DIR"
@@ -110,6 +116,21 @@ class Device:
     def duplicate(self) -> Device:
         """Second device on the same adapter, with an independent queue."""
         return replace(self, device=_requested(self.adapter))
+
+    @cached_property
+    def passes(self) -> WeakValueDictionary[Hashable, Any]:
+        """Compiled passes, see ``FragmentPass.of``."""
+        return WeakValueDictionary()
+
+    @cached_property
+    def last_passes(self) -> Cache[Hashable, Any]:
+        """Passes that were used last, which are kept."""
+        return Cache(_KEPT_IN_SOFTWARE if self.software else _KEPT_PASSES)
+
+    @cached_property
+    def maps(self) -> WeakValueDictionary[Hashable, Any]:
+        """Textures of ground maps in use, shared by all renderers."""
+        return WeakValueDictionary()
 
     @cached_property
     def _last(self) -> Any:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, lru_cache
-from typing import Any, Final
+from typing import Any, Final, Self
 
 from airlight.errors import AirlightError, ParameterError
 from airlight.render.gpu.device.device import Device
@@ -20,8 +19,6 @@ _DECLARATION: Final = re.compile(
 _COMMENT: Final = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _TEXTURES: Final = {"texture_2d": "2d", "texture_2d_array": "2d-array", "texture_3d": "3d"}
 _SAMPLES: Final = {"f32": "unfilterable-float", "i32": "sint", "u32": "uint"}
-#: Number of pipelines that are kept for further passes of the same text.
-_KEPT_PIPELINES: Final = 64
 #: Position in a message of naga.
 _PLACE: Final = re.compile(r"┌─ [^\n]*?:(\d+):(\d+)")
 
@@ -143,12 +140,42 @@ class FragmentPass:
     def __init__(
         self, device: Device, source: str, entry: str, targets: Sequence[str], label: str = ""
     ) -> None:
+        import wgpu
+
         self.device = device
         self.label = label or entry
         self.targets = tuple(targets)
-        self.bindings, self._layouts, self.pipeline = _pipeline(
-            device, source, entry, self.targets, self.label
-        )
+        self.bindings = declared_bindings(source, self.label)
+        gpu, module = device.device, compiled(device, source, self.label)
+        try:
+            self._layouts = [
+                gpu.create_bind_group_layout(label=self.label, entries=entries)
+                for entries in _entries(self.bindings)
+            ]
+            corners = compiled(device, WGSL.triangle, "full_screen_triangle")
+            self.pipeline = gpu.create_render_pipeline(
+                label=self.label,
+                layout=gpu.create_pipeline_layout(bind_group_layouts=self._layouts),
+                vertex={"module": corners, "entry_point": "full_screen_triangle"},
+                primitive={"topology": "triangle-list"},
+                fragment={
+                    "module": module,
+                    "entry_point": entry,
+                    "targets": [{"format": one} for one in self.targets],
+                },
+            )
+        except wgpu.GPUError as error:
+            raise _shader_error(source, self.label, _without_frame(str(error))) from error
+
+    @classmethod
+    def of(cls, device: Device, source: str, entry: str, targets: Sequence[str]) -> Self:
+        """Pass that is in use or was used recently, or a new one; see the constructor."""
+        key = source, entry, tuple(targets)
+        one = device.passes.get(key)
+        if one is None:
+            one = device.passes[key] = cls(device, source, entry, targets)
+        found: Self = device.last_passes.put(key, one)
+        return found
 
     def bind(self, resources: Mapping[str, Any]) -> list[Any]:
         """Bind groups of named resources, for ``run``; reusable.
@@ -248,37 +275,6 @@ def _without_frame(report: str) -> str:
     return ": ".join(lines[2:]) if len(lines) > 2 else report
 
 
-@lru_cache(_KEPT_PIPELINES)
-def _pipeline(
-    device: Device, source: str, entry: str, targets: tuple[str, ...], label: str
-) -> tuple[tuple[Binding, ...], list[Any], Any]:
-    """Bindings, bind group layouts and render pipeline, which all passes of one text share."""
-    import wgpu
-
-    gpu = device.device
-    bindings = declared_bindings(source, label)
-    module = compiled(device, source, label)
-    try:
-        layouts = [
-            gpu.create_bind_group_layout(label=label, entries=entries)
-            for entries in _entries(bindings)
-        ]
-        pipeline = gpu.create_render_pipeline(
-            label=label,
-            layout=gpu.create_pipeline_layout(bind_group_layouts=layouts),
-            vertex={"module": _triangle(device), "entry_point": "full_screen_triangle"},
-            primitive={"topology": "triangle-list"},
-            fragment={
-                "module": module,
-                "entry_point": entry,
-                "targets": [{"format": one} for one in targets],
-            },
-        )
-    except wgpu.GPUError as error:
-        raise _shader_error(source, label, _without_frame(str(error))) from error
-    return bindings, layouts, pipeline
-
-
 def _entries(bindings: Sequence[Binding]) -> list[list[dict[str, Any]]]:
     """Entries of the layout of each bind group."""
     import wgpu
@@ -293,8 +289,3 @@ def _entries(bindings: Sequence[Binding]) -> list[list[dict[str, Any]]]:
         ]
         for group in range(groups)
     ]
-
-
-@cache
-def _triangle(device: Device) -> Any:
-    return compiled(device, WGSL.triangle, "full_screen_triangle")

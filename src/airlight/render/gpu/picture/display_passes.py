@@ -71,7 +71,6 @@ class DisplayPasses:
         self._levels: list[Any] = []  # pyramid in texels of 2, 4, 8 … pixels
         self._spreads: list[Any] = []  # spread light of each level and all coarser ones
         self._uniforms: dict[int, Any] = {}
-        self._passes: dict[tuple[Shader, str], FragmentPass] = {}
         self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
 
     def picture(self, width: int, height: int) -> Any:
@@ -283,10 +282,5 @@ class DisplayPasses:
         return self._groups[key]
 
     def _pass(self, shader: Shader, target_format: str) -> FragmentPass:
-        key = shader, target_format
-        if key not in self._passes:
-            entry = next(iter(shader.entries))
-            self._passes[key] = FragmentPass(
-                self.device, shader.text, entry, (target_format,), entry
-            )
-        return self._passes[key]
+        entry = next(iter(shader.entries))
+        return FragmentPass.of(self.device, shader.text, entry, (target_format,))

@@ -34,22 +34,18 @@ class CloudsOfLight(Protocol):
 
 
 class FramePasses:
-    """Cached pipelines and bind groups of the rendering passes.
+    """Cached bind groups of the rendering passes.
 
     Parameters
     ----------
     device : Device
         Device from ``open_device``.
-    like : FramePasses, optional
-        Passes of the same device, whose pipelines are used too.
     """
 
-    def __init__(self, device: Device, like: FramePasses | None = None) -> None:
+    def __init__(self, device: Device) -> None:
         self.device = device
-        self._passes: dict[tuple[Shader, tuple[str, ...]], FragmentPass] = (
-            {} if like is None else like._passes
-        )
         self._groups: dict[tuple[FragmentPass, Hashable], list[Any]] = {}
+        self._before: dict[Hashable, list[FragmentPass]] = {}  # kept, for the next frame
         self._textures: dict[Hashable, Mapping[str, Any]] = {}
         self._places: dict[Hashable, Mapping[str, tuple[int, ...]]] = {}
         self._clouds: dict[Hashable, CloudsOfLight] = {}
@@ -63,13 +59,20 @@ class FramePasses:
     ) -> None:
         """Set the input textures of a light, and the positions of tables in them."""
         self._textures[light], self._places[light] = textures, places
-        self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
+        self._release(light)
 
     def read_clouds(self, clouds: CloudsOfLight, light: Hashable = 0) -> None:
         """Set the three-dimensional clouds of a light, for shaders that read them."""
         if self._clouds.get(light) is not clouds:
             self._clouds[light] = clouds
-            self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
+            self._release(light)
+
+    def _release(self, light: Hashable) -> None:
+        """Drop the bind groups of a light."""
+        passes = [one for one, of in self._groups if of == light]
+        if passes:
+            self._before[light] = passes
+        self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
 
     def picture_shader(
         self, uniforms: Mapping[str, float], exact: bool, fixed: Fixed = (), light: Hashable = 0
@@ -138,19 +141,13 @@ class FramePasses:
             Light whose textures are bound.
         """
         device = self.device.device
-        one = self._pass(shader, formats)
+        entry = next(iter(shader.entries))
+        one = FragmentPass.of(self.device, shader.text, entry, formats)
         packed = self.packed(uniforms, light, shader.struct)
         device.queue.write_buffer(self._buffer(shader.struct), 0, packed)
         encoder = device.create_command_encoder()
         one.run(encoder, self._bound(one, light, shader.struct), list(views), area, keep)
         device.queue.submit([encoder.finish()])
-
-    def _pass(self, shader: Shader, targets: tuple[str, ...]) -> FragmentPass:
-        key = shader, targets
-        if key not in self._passes:
-            entry = next(iter(shader.entries))
-            self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
-        return self._passes[key]
 
     def _bound(self, one: FragmentPass, light: Hashable, struct: UniformStruct) -> list[Any]:
         key = one, light

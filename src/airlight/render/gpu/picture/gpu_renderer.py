@@ -68,8 +68,6 @@ class GpuRenderer:
         Azimuths and rows of the sky-view LUT; their product is a multiple of ``FLAT_WIDTH``.
     sky_view_on_cpu : bool, optional
         Whether the CPU fills the sky-view LUT; by default with software GPUs.
-    like : GpuRenderer, optional
-        Renderer of the same device, whose pipelines are used too.
 
     Attributes
     ----------
@@ -89,10 +87,9 @@ class GpuRenderer:
         sky_view_size: tuple[int, int] = SKY_VIEW_SIZE,
         *,
         sky_view_on_cpu: bool | None = None,
-        like: GpuRenderer | None = None,
     ) -> None:
         self.device = device
-        self.passes: FramePasses = FramePasses(device, None if like is None else like.passes)
+        self.passes = FramePasses(device)
         on_cpu = device.software if sky_view_on_cpu is None else sky_view_on_cpu
         self._sky_views = SkyViews(device, self.passes, sky_view_size, on_cpu=on_cpu)
         self._solution: MomentsSolution | None = None
@@ -130,7 +127,7 @@ class GpuRenderer:
         points = None if self.device.software else FEW.points
         tables = render_tables(solution, points=points)
         self._textures = SolutionTextures.of(
-            self.device, solution, tables, self._textures, maps=maps, weights=weights
+            self.device, solution, tables, maps=maps, weights=weights
         )
         self._solution = solution
         self._sky_views.load(solution, tables, self._textures)

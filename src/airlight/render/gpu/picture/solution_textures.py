@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +23,7 @@ from airlight.render.pixels.night_tables import night_tables
 from airlight.render.pixels.render_tables import pack_texels, render_tables
 from airlight.render.pixels.view_uniforms import overlay_uniforms, size_uniforms
 from airlight.scene.ground_overlay import ground_overlay
-from airlight.scene.surface_map import surface_map
+from airlight.scene.surface_map import SurfaceMap, surface_map
 from airlight.solver.moments.march_tables import MarchTables
 
 if TYPE_CHECKING:
@@ -106,12 +107,11 @@ class SolutionTextures:
         device: Device,
         solution: MomentsSolution,
         tables: MarchTables | None = None,
-        before: SolutionTextures | None = None,
         *,
         maps: bool = True,
         weights: NDArray[np.float64] | None = None,
     ) -> SolutionTextures:
-        """Upload a solution; unchanged ground maps are reused.
+        """Upload a solution; renderers of the device share ground maps.
 
         Parameters
         ----------
@@ -119,8 +119,6 @@ class SolutionTextures:
             Device from ``open_device``.
         solution, tables, weights :
             Arguments of ``SolutionTables.of``.
-        before : SolutionTextures, optional
-            Previous textures, whose maps are reused.
         """
         medium, made = solution.medium, SolutionTables.of(solution, tables, weights)
         solved = fields_on(device, solution)
@@ -130,25 +128,23 @@ class SolutionTextures:
                 textures[one] = flat_texture(device, uneven(contents), one)
         name = medium.surface.picture if maps else None
         found = None if name is None else surface_map(name)
-        if before is not None and before.textures.get("map of") == name:
-            textures["ground"] = before.textures["ground"]
-        else:
-            texels = np.zeros(CHANNELS, np.uint8) if found is None else found.flat
-            textures["ground"] = packed_texture(device, texels, "ground")
-            release(texels)
-        textures["map of"] = name
+        textures["ground"] = map_texture(device, found, "ground", name)
         over = medium.surface.overlay if maps else (None, None, None)
         overlay = ground_overlay(*over)
-        if before is not None and before.textures.get("overlay of") == over:
-            textures["overlay"] = before.textures["overlay"]
-        else:
-            texels = np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat
-            textures["overlay"] = packed_texture(device, texels, "overlay")
-            release(texels)
-        textures["overlay of"] = over
+        textures["overlay"] = map_texture(device, overlay, "overlay", over)
         uniforms = made.uniforms | overlay_uniforms(solution, weights)
         uniforms |= size_uniforms(found, overlay, uniforms["decked"])
         return cls(uniforms, made.places, textures)
+
+
+def map_texture(device: Device, found: SurfaceMap | None, label: str, name: Hashable) -> Any:
+    """Texture of a ground map, which all renderers of a device share; a texel without a map."""
+    texture = device.maps.get((label, name))
+    if texture is None:
+        texels = np.zeros(CHANNELS, np.uint8) if found is None else found.flat
+        texture = device.maps[label, name] = packed_texture(device, texels, label)
+        release(texels)
+    return texture
 
 
 def uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
