@@ -14,7 +14,7 @@ import numpy as np
 
 from airlight.geometry.spheroid import beside_shadow
 from airlight.geometry.sun_disc import visible_fraction
-from airlight.geometry.vectors import Vec3, dot
+from airlight.geometry.vectors import Vec3, dot, minus, scaled
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.physics.optics.ring_layer import ring_phase, single_scattering_layer
@@ -22,8 +22,11 @@ from airlight.render.pixels.star_disc import camera_direction
 from airlight.solver.moments.source import transmittance_columns
 from airlight.solver.tables.ring_shadow import ring_depth, ring_row
 
-#: Samples per side of a pixel.
+#: Samples per side of a pixel, and most radii in a sample, over which ringlets are averaged.
 SAMPLES: Final = 3
+RADII: Final = 64.0
+#: Ratio of radii by which a place beyond the rings is moved among them for its phase function. [1]
+NEARLY: Final = 1.0 + 1e-6
 
 
 class RingCrossing(NamedTuple):
@@ -31,28 +34,32 @@ class RingCrossing(NamedTuple):
 
     Attributes
     ----------
-    row : int
-        Row of the tables of ``Rings``; -1 for none.
-    fraction : float
-        Fraction of the step to the next row. [1]
+    radius, width : float
+        Distance from the centre of the planet, negative for none, and range of distances in a
+        sample with the variance of those of its square. [m]
     before_air : bool
         Whether the line meets the rings before the air.
-    transmittance : float
-        Transmittance of the rings along the line. [1]
+    slope, sun_slope : float
+        Components of the line and of the star's direction along the normal of the rings. [1]
     light : float
-        Radiance over irradiance and single-scattering albedo. [sr⁻¹]
+        Phase function times the visible fraction of the star. [sr⁻¹]
     """
 
-    row: int
-    fraction: float
+    radius: float
+    width: float
     before_air: bool
-    transmittance: float
+    slope: float
+    sun_slope: float
     light: float
 
 
 @inlined
-def ring_crossing(ray, sine, to_ground, observer, tables):
+def ring_crossing(ray, sine, to_ground, frame):
     """``RingCrossing`` of a line of sight, which is straight.
+
+    A change d of its direction moves the crossing P by t (d - ray (d·n)/(ray·n)) at the distance t,
+    with the normal n of the rings, and so its distance from the centre by d·(P - n (P·ray)/(ray·n))
+    t/P.
 
     Parameters
     ----------
@@ -60,40 +67,38 @@ def ring_crossing(ray, sine, to_ground, observer, tables):
         Direction in the observer's frame, and sine of its zenith angle. [1]
     to_ground : bool
         Whether it ends on the ground.
-    observer, tables : Observer, MarchTables
-        Observer, and tables of the solution.
+    frame : FrameTables
+        What the pixels read.
     """
+    observer, tables = frame.observer, frame.tables
     rings, pole = tables.rings, observer.ground_z
-    row, fraction, before = -1, 0.0, False
-    transmittance, light = 1.0, 0.0
+    radius, width, before, light = -1.0, 0.0, False, 0.0
+    slope, sun = dot(ray, pole), Vec3(observer.sun_x, 0.0, observer.sun_z)
     way = way_to_rings(ray, observer.r, pole)
     if way > 0.0:
         before = observer.outside
         before = before and (way < -observer.r * ray.z or observer.r * sine > tables.top)
         if before or not to_ground:
+            radius = ring_radius(ray, observer.r, way)
+            point = Vec3(way * ray.x, way * ray.y, observer.r + way * ray.z)
+            change = minus(point, scaled(pole, dot(point, ray) / slope))
+            width = way / radius * sqrt(dot(change, change)) * frame.camera.pixel_angle / SAMPLES
             row, fraction = ring_row(
-                ring_radius(ray, observer.r, way),
+                min(max(radius, rings.ring_inner * NEARLY), rings.ring_outer / NEARLY),
                 rings.ring_inner,
                 rings.ring_outer,
                 rings.ring_rows,
                 rings.ring_layers.shape[0],
             )
-    if row >= 0:
-        slope = dot(ray, pole)
-        depth = ring_layer(row, fraction, 0, rings)
-        transmittance = exp(-depth / max(abs(slope), 1e-6))
-        sun = Vec3(observer.sun_x, 0.0, observer.sun_z)
-        light = single_scattering_layer(depth, -slope, dot(sun, pole))
-        light *= ring_phase(
-            dot(ray, sun),
-            ring_layer(row, fraction, 1, rings),
-            ring_layer(row, fraction, 2, rings),
-            ring_layer(row, fraction, 3, rings),
-            ring_layer(row, fraction, 4, rings),
-        )
-        point = Vec3(way * ray.x, way * ray.y, observer.r + way * ray.z)
-        light *= outside_shadow(point, sun, pole, observer.flattening, tables)
-    return RingCrossing(row, fraction, before, transmittance, light)
+            light = ring_phase(
+                dot(ray, sun),
+                ring_layer(row, fraction, 1, rings),
+                ring_layer(row, fraction, 2, rings),
+                ring_layer(row, fraction, 3, rings),
+                ring_layer(row, fraction, 4, rings),
+            )
+            light *= outside_shadow(point, sun, pole, observer.flattening, tables)
+    return RingCrossing(radius, width, before, slope, dot(sun, pole), light)
 
 
 @kernel
@@ -207,7 +212,8 @@ def outside_shadow(point, sun, pole, flattening, tables):
 def sum_rings(px, py, to_ground, frame, work):
     """Light of the rings in a pixel, into ``work.radiance[2]``, a mean over samples. [sr⁻¹]
 
-    Air and ground have one sample there, as rings have the finer details.
+    Air and ground have one sample there, as rings have the finer details; a sample is a mean over
+    radii, without which ringlets narrower than it would be moiré.
 
     Parameters
     ----------
@@ -223,29 +229,51 @@ def sum_rings(px, py, to_ground, frame, work):
     whole, before : float
         Transmittance of the rings, and of those before the air. [1]
     """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
-    whole, before, share = 0.0, 0.0, 1.0 / (SAMPLES * SAMPLES)
+    view, tables = frame.camera, frame.tables
+    rings, whole, before = tables.rings, 0.0, 0.0
     for at in range(0, tables.lanes, LANES):
-        lane_view(work.radiance, at)[2] = splat(0.0)
+        radiance = lane_view(work.radiance, at)
+        radiance[2], radiance[3] = splat(0.0), splat(0.0)
     for sample in range(SAMPLES * SAMPLES):
         x = px + (sample % SAMPLES + 0.5) / SAMPLES - 0.5
         y = py + (sample // SAMPLES + 0.5) / SAMPLES - 0.5
         ray = camera_direction(x, y, view)
         sine = sqrt(ray.x * ray.x + ray.y * ray.y)
-        crossing = ring_crossing(ray, sine, to_ground, observer, tables)
-        whole += share * crossing.transmittance
-        before += share * (crossing.transmittance if crossing.before_air else 1.0)
-        if crossing.row >= 0:
-            for at in range(0, tables.lanes, LANES):
-                albedo = lane_view(tables.rings.ring_albedo, at)
-                low = albedo[crossing.row]
-                light = low + (albedo[crossing.row + 1] - low) * np.float32(crossing.fraction)
-                light = light * np.float32(crossing.light * share)
-                if not crossing.before_air:
-                    light = light * transmittance_columns(
-                        work.columns_total, lane_view(tables.extinction, at), tables.constituents
-                    )
-                lane_view(work.radiance, at)[2] += light
+        crossing = ring_crossing(ray, sine, to_ground, frame)
+        steep = 1.0 / max(abs(crossing.slope), 1e-6)
+        count = int(min(crossing.width * rings.ring_rows, RADII - 1.0)) + 1
+        share = 1.0 / (SAMPLES * SAMPLES * count)
+        for k in range(count):
+            row, fraction = ring_row(
+                crossing.radius + crossing.width * ((k + 0.5) / count - 0.5),
+                rings.ring_inner,
+                rings.ring_outer,
+                rings.ring_rows,
+                rings.ring_layers.shape[0],
+            )
+            transmittance = 1.0
+            if row >= 0:
+                depth = ring_layer(row, fraction, 0, rings)
+                transmittance = exp(-depth * steep)
+                light = single_scattering_layer(depth, -crossing.slope, crossing.sun_slope)
+                light *= crossing.light * share
+                for at in range(0, tables.lanes, LANES):
+                    radiance = lane_view(work.radiance, at)
+                    albedo = lane_view(rings.ring_albedo, at)
+                    low = albedo[row]
+                    part = low + (albedo[row + 1] - low) * np.float32(fraction)
+                    part = part * np.float32(light)
+                    if crossing.before_air:
+                        radiance[2] += part
+                    else:
+                        radiance[3] += part
+            whole += share * transmittance
+            before += share * (transmittance if crossing.before_air else 1.0)
+    for at in range(0, tables.lanes, LANES):
+        radiance = lane_view(work.radiance, at)
+        radiance[2] += radiance[3] * transmittance_columns(
+            work.columns_total, lane_view(tables.extinction, at), tables.constituents
+        )
     return whole, before
 
 

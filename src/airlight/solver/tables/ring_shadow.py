@@ -26,6 +26,10 @@ FloatArray = npt.NDArray[np.float64]
 #: Radii of the table, and samples of the profile per radius, over which optical depth is averaged.
 NODES: Final = 4096
 _FINER: Final = 16
+#: Least and most points over which the shadow of the rings is averaged; between, in the middle
+#: three rows of the tables apart.
+FEWEST: Final = 5.0
+MOST: Final = 32.0
 
 
 class Rings(NamedTuple):
@@ -195,9 +199,9 @@ def ring_line(start, ray, pole, sun, blur):
 def ring_shade(square, along, height, sun, star_radius, blur, rings):
     """Transmittance of the rings between a point and the star. [1]
 
-    The star's disc is five points on the line along which the radius of the crossing varies most:
-    the Gauss-Chebyshev quadrature over the chords of a uniform disc. So is what ``blur`` adds,
-    a pixel: without it the shadows of ringlets narrower than that would be moiré.
+    The star's disc is five or more points on the line along which the radius of the crossing
+    varies most: the Gauss-Chebyshev quadrature over the chords of a uniform disc. So is what
+    ``blur`` adds, a pixel: without it the shadows of ringlets narrower than that would be moiré.
 
     Parameters
     ----------
@@ -226,10 +230,11 @@ def ring_shade(square, along, height, sun, star_radius, blur, rings):
         if radius > rings.ring_inner - wide and radius < rings.ring_outer + wide:
             steep = 1.0 / abs(sun)
             left = 0.0
-            for k in range(1, 6):
-                angle = pi * k / 6.0
+            count = int(min(max(wide * rings.ring_rows, FEWEST), MOST))
+            for k in range(1, count + 1):
+                angle = pi * k / (count + 1.0)
                 depth = ring_depth(radius + wide * cos(angle), rings)
-                left += sin(angle) * sin(angle) / 3.0 * exp(-depth * steep)
+                left += 2.0 * sin(angle) * sin(angle) / (count + 1.0) * exp(-depth * steep)
     return left
 
 
