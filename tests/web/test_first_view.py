@@ -89,32 +89,3 @@ def test_shaders_are_counted_as_they_are_compiled(modules: Callable[..., Any]) -
         }"""
     )
     assert reported == [[1, 2], [2, 2]]
-
-
-#: Light of a frame that is rendered whole, then in strips, and what a stopped frame returns.
-STRIPS = """() => airlight.alone(async () => {
-  const { picture, state } = airlight;
-  const [target] = picture.program.plan.passes.find((one) => one.name === "picture").targets;
-  const light = async (slow) => {
-    picture.rendered = "";
-    const again = await picture.display(state.values, 60, 37, "best", true, slow);
-    return [again, Array.from(await picture.program.read(target.name))];
-  };
-  const [, whole] = await light({ strips: 1 });
-  const [, parts] = await light({ strips: 5, stopped: () => false });
-  const [stopped] = await light({ strips: 5, stopped: () => true });
-  return [whole, parts, stopped];
-})"""
-
-
-def test_a_frame_in_strips_is_the_whole_frame_or_none(
-    text: str, opened: Callable[..., Any], tmp_path: Path
-) -> None:
-    file = tmp_path / "page.html"
-    file.write_text(text, encoding="utf-8")
-    page = opened(file)
-    page.evaluate("airlight.settled()")
-    whole, parts, stopped = page.evaluate(STRIPS)
-    assert max(whole) > 0.0
-    assert parts == whole
-    assert stopped is None
