@@ -20,9 +20,9 @@ the horizon becomes
 which changes the lowest altitude R θ²/2 of its rays by R (q - 1) θ²/2, and by H ln √q for their
 columns far below the horizon, less above. Scattering angles change by as much, 0.2° at 3.4°.
 
-By Monte Carlo in a spheroid of f = 0.1, light errs by 1 % at most on the disc and at its limb, where
-the sphere alone errs by -5 % (pole) and +9 % (equator, seen from the pole); with the sun 1.7° and
-3.4° below the horizon by 1 to 2 %, the sphere alone by -3 % at the equator and up to +14 % at a
+By Monte Carlo in a spheroid of f = 0.1, light errs by 1 % at most on the disc and at its limb,
+where the sphere alone errs by -5 % (pole) and +9 % (equator, seen from the pole); with the sun 1.7°
+and 3.4° below the horizon by 1 to 2 %, the sphere alone by -3 % at the equator and up to +14 % at a
 pole. Left out: curvature in the light of rings on the night side, and along refracted lines.
 """
 
