@@ -162,7 +162,7 @@ def _angle(directions: FloatArray, sun: FloatArray) -> FloatArray:
 
 def _through(directions: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
     """Transmittance to space along directions, 0 where the ground intervenes, (n, nl). [1]"""
-    lines, medium = straight_lines(directions, solution, altitude), solution.geometry.medium
+    (lines, _), medium = straight_lines(directions, solution, altitude), solution.geometry.medium
     depth = columns(
         lines.r, lines.mu, lines.length, medium.bottom_radius, medium.density, nodes=32, panels=12
     )

@@ -131,6 +131,36 @@ def spheroid_point(normal, pole, flattening, radius):
 
 
 @kernel
+def relative_curvature(normal, way, pole, flattening):
+    """Normal curvature of a spheroid along a direction, over that of its equator. [1]
+
+    Euler's theorem, with the radii of curvature along the meridian and across it.
+
+    Parameters
+    ----------
+    normal, way : Vec3
+        Outward normal of the spheroid, and a direction, of which the horizontal part counts. [1]
+    pole, flattening :
+        Arguments of ``lowest_point``.
+
+    Examples
+    --------
+    >>> pole, side = Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 0.0)
+    >>> round(relative_curvature(pole, side, pole, 0.1), 12)  # 1 - f
+    0.9
+    >>> round(relative_curvature(side, pole, pole, 0.1), 12)  # (1 - f)^-2
+    1.234567901235
+    """
+    north, rise = dot(normal, pole), dot(way, normal)
+    level = dot(way, pole) - rise * north
+    flat = max((dot(way, way) - rise * rise) * (1.0 - north * north), 1e-12)
+    share = min(level * level / flat, 1.0)
+    square = flattening * (2.0 - flattening)
+    root = sqrt(1.0 - square * north * north)
+    return share * root * root * root / (1.0 - square) + (1.0 - share) * root
+
+
+@kernel
 def beside_shadow(point, sun, pole, flattening, radius):
     """Distance of a point from the edge of a spheroid's shadow, negative outside. [m]
 

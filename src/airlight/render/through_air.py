@@ -29,7 +29,7 @@ def straight_lines(
     solution: MomentsSolution,
     altitude: float,
     pole: FloatArray | None = None,
-) -> LinesOfSight:
+) -> tuple[LinesOfSight, FloatArray]:
     """Unrefracted lines of sight from the observer.
 
     Parameters
@@ -43,25 +43,26 @@ def straight_lines(
 
     Returns
     -------
-    LinesOfSight
+    lines : LinesOfSight
         Lines of sight inside the shell, those to an oblate planet displaced.
+    longer : array, shape (n,)
+        Columns along the lines over those in the sphere. [1]
     """
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
     mu = np.clip(directions[:, 2], -1.0, 1.0)
     sine = np.hypot(directions[:, 0], directions[:, 1])
-    r = np.full(mu.shape, bottom + altitude)
+    r, longer = np.full(mu.shape, bottom + altitude), np.ones_like(mu)
     if pole is not None and medium.flattening > 0.0 and altitude >= medium.thickness:
         from airlight.render.pixels.oblate import displaced_places
 
-        places = np.empty((3, len(directions)))
+        places = np.empty((4, len(directions)))
         axis = Vec3(*pole.tolist())
         rays = np.ascontiguousarray(directions)
-        displaced_places(rays, r[0], axis, medium.flattening, bottom, places)
-        r, mu, sine = places
-    return solution.geometry.optical_lines(
-        enter_shell(r, mu, sine, mu, np.ones_like(mu), bottom, top)
-    )
+        displaced_places(rays, r[0], axis, medium.flattening, bottom, top, places)
+        r, mu, sine, longer = places
+    lines = enter_shell(r, mu, sine, mu, np.ones_like(mu), bottom, top)
+    return solution.geometry.optical_lines(lines), longer
 
 
 def leaving_direction(
@@ -86,7 +87,7 @@ def leaving_direction(
     """
     if solution.geometry.shell is None or len(directions) == 0:
         return directions
-    lines = straight_lines(directions, solution, altitude, pole)
+    lines, _ = straight_lines(directions, solution, altitude, pole)
     free = ~lines.to_ground & (lines.length > 0.0)
     angle = np.zeros(len(directions))
     angle[free] = solution.geometry.refraction_angle(lines.r[free], lines.mu[free])
@@ -200,7 +201,7 @@ class AirAround:
         """See ``SeenThrough``; the transmittance is 0 where a line ends on the ground."""
         solution, directions = self.solution, rays @ self.axes.T
         pole, drawn = None if self.pole is None else self.axes @ self.pole, solution.geometry.medium
-        lines = straight_lines(directions, solution, self.altitude, pole)
+        lines, longer = straight_lines(directions, solution, self.altitude, pole)
         transmittance = np.ones((len(directions), solution.wavelengths.size))
         crossing = np.flatnonzero((lines.length > 0.0) & ~lines.to_ground)
         if crossing.size:
@@ -211,6 +212,7 @@ class AirAround:
                 drawn.bottom_radius,
                 drawn.density,
             )
+            depth *= longer[crossing, None]
             transmittance[crossing] = np.exp(-(depth @ drawn.extinction))
         transmittance[lines.to_ground] = 0.0
         if pole is not None and solution.medium.rings:

@@ -433,6 +433,7 @@ WHOLE = {
     "test_oblate.py::test_an_oblate_planet_with_rings_is_that_of_the_cpu": (
         "oblate_light", "store_line", "add_beyond_air", "displaced_line", "displaced_axes",
         "same_observer", "lowest_point", "stretched", "unit", "height_above_limb",
+        "relative_curvature", "lowered_star", "lengthen",
         "beside_shadow", "point_below",
     ),
     "test_deck.py::test_a_deck_is_that_of_the_cpu": ("meets_deck", "shade_deck"),

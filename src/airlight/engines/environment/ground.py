@@ -96,7 +96,7 @@ def horizon_cosine(solution: MomentsSolution, altitude: float) -> float:
     for _ in range(_BISECTIONS):
         middle = 0.5 * (low + high)
         view = np.array([[np.sqrt(1.0 - middle * middle), 0.0, middle]])
-        if bool(straight_lines(view, solution, altitude).to_ground[0]):
+        if bool(straight_lines(view, solution, altitude)[0].to_ground[0]):
             low = middle
         else:
             high = middle

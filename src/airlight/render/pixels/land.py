@@ -8,8 +8,8 @@ from typing import Final
 from airlight.geometry.gradient_noise import smooth_noise
 from airlight.geometry.vectors import Vec3, components, plus, scaled
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, lane_view, maximum, splat
 from airlight.render.pixels.ground_angles import columns_to_ground
+from airlight.render.pixels.longer_columns import lengthen
 from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import height_at
 from airlight.scene.craters import craters
@@ -27,7 +27,6 @@ from airlight.scene.land_texture import (
     textured,
 )
 from airlight.scene.rocks import rocks
-from airlight.solver.moments.source import transmittance_columns
 
 #: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
 NEARLY_WATER: Final = 0.999
@@ -301,8 +300,7 @@ def seen_hill(ray, frame, color):
 def haze_beyond(ray, sine, beyond, frame, work):
     """Carry light of a line of sight on to hills beyond the ground at its end.
 
-    The air is even along it: its radiance is (1 - T^b)/(1 - T) as large, what is behind it T^(b-1),
-    for the transmittance T of the line and the ratio b of the distances.
+    The air is even along it: the columns grow with the distance, by ``lengthen``.
 
     Parameters
     ----------
@@ -313,18 +311,7 @@ def haze_beyond(ray, sine, beyond, frame, work):
     """
     tables = frame.tables
     columns_to_ground(ray.z, sine, frame.observer, tables, work.columns_total, work.columns_so_far)
-    for at in range(0, tables.lanes, LANES):
-        radiance = lane_view(work.radiance, at)
-        extinction = lane_view(tables.extinction, at)
-        once = transmittance_columns(work.columns_total, extinction, tables.constituents)
-        for c in range(tables.constituents):
-            work.columns_total[c] *= beyond
-        more = transmittance_columns(work.columns_total, extinction, tables.constituents)
-        for c in range(tables.constituents):
-            work.columns_total[c] /= beyond
-        growth = (1.0 - more) / maximum(1.0 - once, splat(1e-6))
-        radiance[0] = radiance[0] * growth
-        radiance[1] = radiance[1] * (more / maximum(once, splat(1e-30)))
+    lengthen(beyond, tables.extinction, frame, work)
 
 
 @inlined

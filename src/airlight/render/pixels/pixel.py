@@ -18,6 +18,7 @@ from airlight.render.pixels.ground import ground_factor, ground_reflectances, la
 from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.haze_removal import kept_haze, removed_haze
 from airlight.render.pixels.land import haze_beyond
+from airlight.render.pixels.longer_columns import lengthen
 from airlight.render.pixels.oblate import displaced_line
 from airlight.render.pixels.polarising_filter import filter_shares
 from airlight.render.pixels.ring_light import ring_light
@@ -428,6 +429,10 @@ def oblate_light(px, py, ray, beyond, exact, frame, work, color, result):
     moved = displaced_line(ray, frame.observer, frame.tables)
     found = classify_ray(moved.ray, moved.observer, frame.tables)
     seen = seen_line(moved.ray, found, exact, moved.observer, frame, work, color)
+    if seen.through_air and moved.longer != 1.0:
+        lengthen(moved.longer, frame.tables.scaled_extinction, frame, work)
+        for c in range(frame.tables.constituents):
+            work.columns_total[c] *= moved.longer
     if beyond > 1.0:
         haze_beyond(moved.ray, found.sine, beyond, frame, work)
     store_line(seen, frame, work, color, result)

@@ -69,13 +69,14 @@ def leaving_air(ray, observer, tables, columns):
         Whether the line misses the ground.
     """
     level = sqrt(ray.x * ray.x + ray.y * ray.y)
-    r, z, up = observer.r, ray.z, Vec3(0.0, 0.0, 1.0)
+    r, z, up, longer = observer.r, ray.z, Vec3(0.0, 0.0, 1.0), 1.0
     if observer.outside and observer.flattening > 0.0:
-        _, up, lateral, ahead = displaced_axes(
-            ray, r, observer.ground_z, observer.flattening, tables.bottom
+        axes = displaced_axes(
+            ray, r, observer.ground_z, observer.flattening, tables.bottom, tables.top
         )
-        r = sqrt(lateral * lateral + ahead * ahead)
-        level, z = lateral / r, ahead / r
+        up, longer = axes.up, axes.longer
+        r = sqrt(axes.lateral * axes.lateral + axes.ahead * axes.ahead)
+        level, z = axes.lateral / r, axes.ahead / r
     impact = r * level
     start_r, start_mu = r, z
     inside, free = True, True
@@ -99,6 +100,8 @@ def leaving_air(ray, observer, tables, columns):
             tables.columns,
             columns,
         )
+        for c in range(tables.constituents):
+            columns[c] *= longer
         if tables.refraction_strength > 0.0:
             angle = refraction_angle(
                 start_r, start_mu, tables.refraction_strength, columns[tables.constituents - 1]
