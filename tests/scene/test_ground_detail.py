@@ -10,13 +10,17 @@ from numpy.testing import assert_allclose
 from airlight.geometry.vectors import Vec3
 from airlight.image.encoding import srgb_encode
 from airlight.scene.ground_detail import (
+    DISPLACED_FALL,
     OCTAVES,
+    SHOAL,
     STEP,
     GroundNoise,
+    edged,
     finest_cell,
     ground_detail,
     lattice_origin,
     sharper_share,
+    shoal,
 )
 from airlight.scene.map_grain import grain_of
 from airlight.scene.observer import planet_frame
@@ -64,13 +68,13 @@ def test_nothing_is_finer_than_two_pixels() -> None:
 
 
 def test_octaves_fall_from_a_deviation_of_one() -> None:
-    # Independent octaves of deviations 1, 1/4, 1/16 …: the sum of their squares is 16/15. Places
+    # Independent octaves whose deviations fall by f: the sum of their squares is 1/(1 - f²). Places
     # lie 40 km and more apart, in other cells of all sizes.
     random = np.random.default_rng(4)
     here = BOTTOM * planet_frame(-10.0, 100.0, 0.0)[:, 2]
     values = [detail(here + 4e5 * step, here, 0.01) for step in random.normal(size=(4000, 3))]
     assert_allclose(np.mean(values), 0.0, atol=0.08)
-    assert_allclose(np.std(values), math.sqrt(16.0 / 15.0), rtol=0.08)
+    assert_allclose(np.std(values), math.sqrt(1.0 / (1.0 - DISPLACED_FALL**2)), rtol=0.08)
 
 
 def test_a_sharper_coast_keeps_the_share_of_water() -> None:
@@ -81,6 +85,27 @@ def test_a_sharper_coast_keeps_the_share_of_water() -> None:
         assert_allclose(np.mean([sharper_share(x, width) for x in shares]), 0.5, atol=1e-9)
     assert sharper_share(0.49, 1 / 64) == 0.0
     assert [sharper_share(x, 1 / 64) for x in (0.0, 1.0)] == [0.0, 1.0]
+
+
+def test_edges_between_texels_keep_the_mean_over_a_texel() -> None:
+    # Odd about the edge between two centres: the mean of the coordinate is that of the texel, whose
+    # centres and edges remain, and order as well.
+    rows, texel = 10.0, math.pi / 10.0
+    angles = texel * (np.arange(1000) + 0.5) / 1000.0
+    for middle in (4.5, 9.5):
+        for width in (1 / 256, 0.5, 1.0):
+            read = np.array([edged(a, rows, middle, width) for a in angles])
+            assert_allclose(np.mean(read - angles), 0.0, atol=1e-9)
+            assert np.all(np.diff(read) > 0.0)
+            ends = [-0.5 * texel, 0.0, 0.5 * texel]
+            assert_allclose([edged(a, rows, middle, width) for a in ends], ends, atol=1e-12)
+            assert (np.abs(read - angles).max() > 0.03 * texel) == (width < 1.0)
+
+
+def test_shallow_water_has_a_third_of_its_width() -> None:
+    # The integral of (1 - x)² from 0 to 1, along a coast at which the share rises by 1 in a texel.
+    shares = 0.5 + (np.arange(1000) + 0.5) / 2000.0
+    assert_allclose(np.sum([shoal(x) for x in shares]) / 2000.0, SHOAL / 3.0, rtol=1e-4)
 
 
 def test_the_grain_continues_the_contrast_of_a_map() -> None:

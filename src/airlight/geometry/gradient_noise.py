@@ -106,15 +106,13 @@ def smooth_noise(x, y, z):
 
 
 @kernel
-def sloping_noise(x, y, z, way):
-    """Result of ``smooth_noise``, and its slope along a direction. [1]
+def noise_gradient(x, y, z):
+    """Result of ``smooth_noise``, and its slopes along the axes. [1]
 
     Parameters
     ----------
     x, y, z : float
         Position. [cell]
-    way : Vec3
-        Direction. [1]
     """
     i, j, k = np.floor(x), np.floor(y), np.floor(z)
     x, y, z = x - i, y - j, z - k
@@ -139,8 +137,23 @@ def sloping_noise(x, y, z, way):
     steepness_x = 30.0 * x * x * (1.0 - x) * (1.0 - x)
     steepness_y = 30.0 * y * y * (1.0 - y) * (1.0 - y)
     steepness_z = 30.0 * z * z * (1.0 - z) * (1.0 - z)
-    slope = way.x * steepness_x * across + way.y * steepness_y * value
-    return low + (above - low) * w, slope + way.z * steepness_z * (above - low)
+    found = low + (above - low) * w
+    return found, steepness_x * across, steepness_y * value, steepness_z * (above - low)
+
+
+@kernel
+def sloping_noise(x, y, z, way):
+    """Result of ``smooth_noise``, and its slope along a direction. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Position. [cell]
+    way : Vec3
+        Direction. [1]
+    """
+    value, slope_x, slope_y, slope_z = noise_gradient(x, y, z)
+    return value, way.x * slope_x + way.y * slope_y + way.z * slope_z
 
 
 @kernel

@@ -1,12 +1,13 @@
 """Procedural noise on the ground below the resolution of its map; it is not data.
 
-Nine octaves of gradient noise, each a quarter of the previous scale, from a map texel to about
-10 cm, of mean 0. Scales below two pixels are omitted, with a fade between two and four. Coordinates
-are relative to the point below the observer, for single precision.
+Octaves of gradient noise, each half of the previous scale, from a map texel to about 10 cm, of mean
+0. Scales below two pixels are omitted, with a fade between two and four. Coordinates are relative
+to the point below the observer, for single precision.
 
-The noise also displaces the places at which maps are read between texels, which breaks the straight
-lines of their interpolation: by an eighth of the cells of each octave, so that the map is bent, not
-folded, and coasts keep their shape. Water is where its interpolated share exceeds a half.
+The noise displaces the places at which maps are read between texels. Displacements of an octave
+have 0.55 of those of the next coarser one, a Hausdorff dimension of 1.14: coasts have 1.02 (South
+Africa) to 1.25 (Britain; Mandelbrot 1967, Science 156, 636). Water is where its interpolated
+share exceeds a half; the colours of texels meet at edges, which the noise breaks.
 """
 
 from __future__ import annotations
@@ -14,10 +15,10 @@ from __future__ import annotations
 from math import exp, floor, log, pi, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, PERIOD, gradient_noise
+from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, PERIOD, gradient_noise, quintic
 from airlight.kernel import kernel
 
-#: Number of octaves of noise, and ratio between their sizes.
+#: Number of sizes of cells, and ratio between them; noise has one more octave between each two.
 OCTAVES: Final = 9
 STEP: Final = 4
 #: Period of the finest cells, a multiple of all others' periods.
@@ -26,9 +27,13 @@ WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
 PLAIN_CONTRAST: Final = 0.04
 PLAIN_FALL: Final = 1.0
 #: Standard deviation of the displacement by the coarsest octave. [texel]
-DISPLACED: Final = 0.12
+DISPLACED: Final = 0.17
 #: Ratio of the displacements of an octave and the next coarser one. [1]
-DISPLACED_FALL: Final = 1.0 / STEP
+DISPLACED_FALL: Final = 0.55
+#: Width of shallow water along a coast. [texel]
+SHOAL: Final = 0.25
+#: Share of the interpolation between texels that has the edges of ``edged``. [1]
+EDGED: Final = 0.8
 #: Ratio of the normal quantile to the logit, within 1 % of probability. [1]
 _LOGISTIC: Final = 1.702
 #: Width of the coast where it is seen from near, 29 m on Earth. [texel]
@@ -123,7 +128,7 @@ def ground_detail(place, footprint, cell, whole, part):
         Results of ``lattice_origin`` along each axis.
     """
     north, east, scale = 0.0, 0.0, 1
-    for _octave in range(OCTAVES):
+    for _octave in range(2 * OCTAVES - 1):
         north *= DISPLACED_FALL
         east *= -DISPLACED_FALL
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
@@ -141,7 +146,7 @@ def ground_detail(place, footprint, cell, whole, part):
             )
             north += noise
             east += noise
-        scale *= STEP
+        scale *= 2
     inverse = 1.0 / GRADIENT_DEVIATION
     return GroundNoise(north * inverse, east * inverse)
 
@@ -180,6 +185,34 @@ def displacement(width, noise, rows):
 
 
 @kernel
+def edged(angle, rows, middle, width):
+    """Coordinate at which a map is read, so that the colours of texels meet at edges. [rad]
+
+    The fade of ``quintic`` between the centres of texels: it is odd about their edges, so that the
+    mean over a texel remains.
+
+    Parameters
+    ----------
+    angle : float
+        Latitude or longitude. [rad]
+    rows : float
+        Number of rows of the map.
+    middle : float
+        Index of a texel at the angle 0, between two of them ending in a half. [1]
+    width : float
+        Result of ``pixel_width``. [texel]
+
+    Examples
+    --------
+    >>> edged(0.0, 10.0, 4.5, 0.1), edged(0.1, 10.0, 4.5, 1.0)  # an edge; wide pixels
+    (0.0, 0.1)
+    """
+    place = angle * rows / pi + middle
+    part = place - floor(place)
+    return angle + EDGED * (1.0 - width) * (quintic(part) - part) * pi / rows
+
+
+@kernel
 def moved_coast(share, moved):
     """Share of water between texels of land and of water, of a coast that is displaced. [1]
 
@@ -213,6 +246,26 @@ def sharper_share(share, width):
     (0.4, 0.0, 0.5)
     """
     return min(max(0.5 + (share - 0.5) / width, 0.0), 1.0) if width < 1.0 else share
+
+
+@kernel
+def shoal(share):
+    """Share of the light of the land's colour that comes from the bottom of water at a coast. [1]
+
+    Decoration; its mean over the texel of a straight coast is a third of ``SHOAL``.
+
+    Parameters
+    ----------
+    share : float
+        Interpolated share of water, a half at the coast. [1]
+
+    Examples
+    --------
+    >>> shoal(0.5), shoal(0.9)
+    (1.0, 0.0)
+    """
+    part = min(max(1.0 - (share - 0.5) / SHOAL, 0.0), 1.0)
+    return part * part
 
 
 @kernel

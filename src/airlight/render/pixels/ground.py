@@ -21,6 +21,7 @@ from airlight.physics.optics.cox_munk import mean_square_slope, mirror_slope
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.physics.optics.rpv import land_diffuse, land_direct, unsaturated
 from airlight.physics.optics.water import water_reflectances
+from airlight.render.pixels.coast import MapSpot
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
 from airlight.render.pixels.ground_clouds import (
     CLOUD_VALUES,
@@ -44,6 +45,7 @@ from airlight.scene.ground_detail import (
     STEP,
     GroundNoise,
     displacement,
+    edged,
     ground_detail,
     pixel_width,
 )
@@ -169,19 +171,25 @@ def ground_color(ray, sine, angle, observer, frame, color):
     latitude, longitude = latitude_longitude(
         components(end, observer.ground_x, observer.ground_y, observer.ground_z)
     )
+    seen = MapSpot(latitude, longitude, 1.0)
     if view.mapped:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
         if view.detailed:
             width = pixel_width(level)
+        seen = MapSpot(
+            latitude + displacement(width, noise.north, view.map_rows),
+            longitude + displacement(width, noise.east, view.map_rows),
+            width,
+        )
         map_color(
             view.texels, view.map_rows, view.map_columns, view.map_levels,
-            latitude + displacement(width, noise.north, view.map_rows),
-            longitude + displacement(width, noise.east, view.map_rows), level, color, 0,
+            edged(seen.latitude, view.map_rows, 0.5 * view.map_rows - 0.5, width),
+            edged(seen.longitude, view.map_rows, view.map_rows - 0.5, width), level, color, 0,
         )  # fmt: skip
     mu_s = 0.0
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
-        detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame, color)
+        detailed_land(place, footprint, cosine, mu_s, seen, reach, observer, frame, color)
     if view.overlaid:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
         shown, north, east = 0.0, 0.0, 0.0

@@ -8,12 +8,14 @@ from typing import Final
 from airlight.geometry.gradient_noise import smooth_noise
 from airlight.geometry.vectors import Vec3, components, plus, scaled
 from airlight.kernel import inlined, kernel
+from airlight.render.pixels.coast import land_and_water
 from airlight.render.pixels.ground_angles import columns_to_ground
+from airlight.render.pixels.land_from_above import land_from_above
 from airlight.render.pixels.longer_columns import lengthen
 from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import height_at
 from airlight.scene.craters import craters
-from airlight.scene.ground_detail import moved_coast, sharper_share, unmixed
+from airlight.scene.ground_detail import unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
 from airlight.scene.hills import COARSEST, CROWNS, canopy, hills, woods
 from airlight.scene.land_texture import (
@@ -315,7 +317,7 @@ def haze_beyond(ray, sine, beyond, frame, work):
 
 
 @inlined
-def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame, color):
+def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, color):
     """Decorate land: coast and noise between texels, texture of reflectance and small slopes.
 
     Parameters
@@ -326,8 +328,8 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
         Longer axis of the pixel [m]; cosine of the zenith angle towards the observer. [1]
     mu_s : float
         Cosine of the star's zenith angle. [1]
-    width : float
-        Width of the pixel. [texel]
+    spot : MapSpot
+        Place in the map.
     reach : float
         Distance. [m]
     observer, frame : Observer, FrameTables
@@ -352,8 +354,14 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
         middle = plus(point_below(observer), scaled(place, 1.0 / frame.tables.bottom))
         near = near_hills(observer.optical_altitude, cell, view.pixel_angle)
         high = risen(reach, observer.optical_altitude, near)
-        ascent, tone, wood, height, leaves = 0.0, 0.0, 0.0, 0.0, 1.0
-        if high > 0.0:
+        ascent, tone, hue, wood, height, leaves = 0.0, 0.0, 0.0, 0.0, 0.0, 1.0
+        woody = leaf
+        if view.relieved and observer.optical_altitude > LOW:
+            ascent, tone, hue = land_from_above(
+                middle, finest, blur, way, uneven, leaf, snow, frame, color
+            )
+            woody = 0.0
+        elif high > 0.0:
             size = hill_size(middle, frame.tables.bottom, uneven, view)
             size *= 1.0 + (SNOWED - 1.0) * snow
             from_there = reach if observer.optical_altitude < LOW else 1e9
@@ -405,21 +413,18 @@ def detailed_land(place, footprint, cosine, mu_s, width, reach, observer, frame,
             middle = faced(middle, face)
             ascent += craters(finest, whole, middle, way, wide, cell, view.craters)
         color[11] = stony.light + stony.open * texture_light(mu_s, ascent)
-        change, hue = texture.tone, texture.hue
+        change = texture.tone
+        hue += texture.hue
         tone *= LOUD
-        dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - leaf * ((1.0 - SHADY) * COVER + COMMON))
+        dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - woody * ((1.0 - SHADY) * COVER + COMMON))
         dark *= stony.tone * leaves
         if view.mapped:
-            sharp = sharper_share(moved_coast(share, texture.shore), width)
             red = dark * unmixed(color[0], view.water.x, share)
             green = dark * unmixed(color[1], view.water.y, share)
             blue = dark * unmixed(color[2], view.water.z, share)
             red = textured(red * max(1.0 + view.grain.x * tone, 0.0), change + hue)
             green = textured(green * max(1.0 + view.grain.y * tone, 0.0), change)
             blue = textured(blue * max(1.0 + view.grain.z * tone, 0.0), change - hue)
-            color[0] = red + sharp * (view.water.x - red)
-            color[1] = green + sharp * (view.water.y - green)
-            color[2] = blue + sharp * (view.water.z - blue)
-            color[3] = sharp
+            land_and_water(red, green, blue, share, texture.shore, spot, view, color)
         else:
             color[8] = stony.tone * (1.0 + view.grain.x * tone + change)

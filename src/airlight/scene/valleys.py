@@ -1,0 +1,244 @@
+"""Valleys and fields between the resolution of maps and that of the texture of land, from above.
+
+Decoration: smooth relief of cells of a texel of the map (7 km on Earth) and, at each half of that
+size, gullies: waves across the slope of all coarser relief, whose crests run down it and meet as
+spurs and valleys do. Waves of a cell have a phase of their own and are blended with those of its
+neighbours at the same amplitude (phasor noise, Tricard et al. 2019, ACM Trans. Graph. 38(4), 57).
+Valleys are brighter than what is between them: sediment in deserts, fields among woods. Plains have
+fields, patches of one tone with edges.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from airlight.geometry.gradient_noise import (
+    in_period,
+    lattice_value,
+    noise_gradient,
+    quintic,
+    shuffled,
+)
+from airlight.geometry.vectors import Vec3, cross, dot, plus, scaled
+from airlight.kernel import kernel
+from airlight.scene.hills import COARSEST, lattice_place
+
+#: Number of octaves of gullies, from cells of half a texel on.
+OCTAVES: Final = 6
+#: Waves in a cell, their slope over that of the smooth relief, and its ratio from an octave to the
+#: next finer one, by eye. [1]
+WAVES: Final = 0.9
+STEEP: Final = 0.6
+FALL: Final = 0.72
+#: Slope of coarser relief over that of the smooth one from which on gullies are fully cut. [1]
+CUT: Final = 0.7
+#: Square of the amplitude below which waves of opposite phases cancel. [1]
+CANCELLED: Final = 0.02
+#: Mean of the cube of how low a place is between crests, of 40 000 places. [1]
+NARROW: Final = 0.291
+#: Number of sizes of fields, the largest of a quarter of a texel, ratio of their contrasts, and
+#: least width of their edges, by eye. [1], [cell]
+SIZES: Final = 3
+SMALLER: Final = 0.85
+EDGE: Final = 0.15
+
+
+class Phasor(NamedTuple):
+    """Complex number. [1]"""
+
+    real: float
+    imaginary: float
+
+
+class Valleys(NamedTuple):
+    """Valleys at a place.
+
+    Attributes
+    ----------
+    height : float
+        Noise of the smooth relief, -1 to 1. [1]
+    ascent : float
+        Tangent of the ascent along a horizontal direction. [1]
+    tone : float
+        Sum over octaves of how much of the place is the bottom of a valley, of mean 0. [1]
+    """
+
+    height: float
+    ascent: float
+    tone: float
+
+
+@kernel
+def rotated(a, b):
+    """Product of two complex numbers. [1]
+
+    Examples
+    --------
+    >>> rotated(Phasor(0.0, 1.0), Phasor(0.0, 1.0))
+    Phasor(real=-1.0, imaginary=0.0)
+    """
+    return Phasor(
+        a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real
+    )
+
+
+@kernel
+def lattice_phasor(column, k):
+    """Pseudorandom point of a square whose corners are 1, i, -1 and -i: phases of all quarters. [1]
+
+    Parameters
+    ----------
+    column, k : float
+        Arguments of ``lattice_value``.
+    """
+    value = lattice_value(column, k)
+    real = 1.0 - 2.0 * abs(value)
+    imaginary = 1.0 - abs(real)
+    return Phasor(real, imaginary if value > 0.0 else -imaginary)
+
+
+@kernel
+def gullies(x, y, z, across):
+    """Wave along a direction, -1 to 1, and its slope, which leaves the blend of cells out. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Position. [cell]
+    across : Vec3
+        Direction. [1]
+    """
+    i, j, k = np.floor(x), np.floor(y), np.floor(z)
+    x, y, z = x - i, y - j, z - k
+    u, v, w = quintic(x), quintic(y), quintic(z)
+    i, j, k = in_period(i), in_period(j), in_period(k)
+    far, high = in_period(j + 1.0), in_period(k + 1.0)
+    left, right = shuffled(i), shuffled(in_period(i + 1.0))
+    turn = 2.0 * pi * WAVES
+    angle = turn * (x * across.x + y * across.y + z * across.z)
+    first = Phasor(cos(angle), sin(angle))
+    beside = Phasor(cos(turn * across.x), -sin(turn * across.x))
+    behind = Phasor(cos(turn * across.y), -sin(turn * across.y))
+    above = Phasor(cos(turn * across.z), -sin(turn * across.z))
+    real, imaginary = 0.0, 0.0
+    for row in range(2):
+        column, part = j, 1.0 - v
+        wave = first
+        if row == 1:
+            column, part = far, v
+            wave = rotated(first, behind)
+        near, beyond = shuffled(left + column), shuffled(right + column)
+        for layer in range(2):
+            level, share = k, part * (1.0 - w)
+            here = wave
+            if layer == 1:
+                level, share = high, part * w
+                here = rotated(wave, above)
+            a = rotated(lattice_phasor(near, level), here)
+            b = rotated(lattice_phasor(beyond, level), rotated(here, beside))
+            real += share * (a.real + (b.real - a.real) * u)
+            imaginary += share * (a.imaginary + (b.imaginary - a.imaginary) * u)
+    size = 1.0 / sqrt(real * real + imaginary * imaginary + CANCELLED)
+    return size * real, -turn * size * imaginary
+
+
+@kernel
+def valleys(finest, footprint, whole, up, way, slope, steep):
+    """``Valleys`` at a place.
+
+    Parameters
+    ----------
+    finest, footprint, whole :
+        Arguments of ``hills``.
+    up, way : Vec3
+        Vertical, and horizontal direction of the ascent. [1]
+    slope : Vec3
+        Horizontal gradient of the map's heights, whose light is not of the valleys. [1]
+    steep : float
+        Height of the smooth relief over its cells. [1]
+    """
+    height, ascent, tone, scale = 0.0, 0.0, 0.0, 0.5 * COARSEST
+    shown = min(0.6 * COARSEST / footprint - 1.0, 1.0)
+    if shown > 0.0:
+        at = lattice_place(finest, whole, COARSEST)
+        height, x, y, z = noise_gradient(at.x, at.y, at.z)
+        rise = Vec3(x, y, z)
+        rise = scaled(plus(rise, scaled(up, -dot(rise, up))), shown * steep)
+        slope = plus(slope, rise)
+        ascent = dot(rise, way)
+    cut, wave = max(CUT * steep, 1e-6), STEEP * steep
+    for _octave in range(OCTAVES):
+        shown = min(0.6 * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            length = max(sqrt(dot(slope, slope)), 1e-6)
+            across = scaled(cross(up, slope), 1.0 / length)
+            at = lattice_place(finest, whole, scale)
+            crest, growth = gullies(at.x, at.y, at.z, across)
+            shown *= min(length / cut, 1.0)
+            growth *= shown * wave
+            slope = plus(slope, scaled(across, growth))
+            ascent += growth * dot(across, way)
+            low = 0.5 - 0.5 * crest
+            tone += shown * (low * low * low - NARROW)
+        wave *= FALL
+        scale *= 0.5
+    return Valleys(height, ascent, tone)
+
+
+@kernel
+def patch_noise(x, y, z, edge):
+    """Value noise of patches of one tone, with edges between them. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Position. [cell]
+    edge : float
+        Width of edges, at most 1. [cell]
+    """
+    i, j, k = np.floor(x), np.floor(y), np.floor(z)
+    u = min(max((x - i - 0.5) / edge + 0.5, 0.0), 1.0)
+    v = min(max((y - j - 0.5) / edge + 0.5, 0.0), 1.0)
+    w = min(max((z - k - 0.5) / edge + 0.5, 0.0), 1.0)
+    i, j, k = in_period(i), in_period(j), in_period(k)
+    far, high = in_period(j + 1.0), in_period(k + 1.0)
+    left, right = shuffled(i), shuffled(in_period(i + 1.0))
+    total = 0.0
+    for row in range(2):
+        column, part = j, 1.0 - v
+        if row == 1:
+            column, part = far, v
+        near, beyond = shuffled(left + column), shuffled(right + column)
+        a, b = lattice_value(near, k), lattice_value(beyond, k)
+        c, d = lattice_value(near, high), lattice_value(beyond, high)
+        low, above = a + (b - a) * u, c + (d - c) * u
+        total += part * (low + (above - low) * w)
+    return total
+
+
+@kernel
+def farmland(finest, footprint, whole, bend):
+    """Tone of fields of several sizes, and their hue: sums of mean 0. [1]
+
+    Parameters
+    ----------
+    finest, footprint, whole :
+        Arguments of ``hills``.
+    bend : float
+        Displacement, which turns the lines of the lattice. [cell]
+    """
+    tone, hue, scale, loud = 0.0, 0.0, 0.25 * COARSEST, 1.0
+    for _size in range(SIZES):
+        shown = loud * min(0.6 * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            at = lattice_place(finest, whole, scale)
+            edge = min(max(2.0 * footprint / scale, EDGE), 1.0)
+            here = shown * patch_noise(at.x + bend, at.y - bend, at.z + 0.5 * bend, edge)
+            tone += here
+            hue = here - hue
+        loud *= SMALLER
+        scale *= 0.5
+    return tone, hue
