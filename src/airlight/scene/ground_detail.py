@@ -18,6 +18,8 @@ from typing import Final, NamedTuple
 from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, PERIOD, gradient_noise, quintic
 from airlight.kernel import kernel
 
+#: Least height of an observer over detailed ground, whose horizon is not at the eye. [m]
+LEAST_HEIGHT: Final = 0.01
 #: Number of sizes of cells, and ratio between them; noise has one more octave between each two.
 OCTAVES: Final = 9
 STEP: Final = 4

@@ -32,7 +32,7 @@ from airlight.render.pixels.ring_shine import RingShine
 from airlight.render.pixels.sky_view_cpu import SkyViewLayers
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.scene import Camera, Scene
-from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell, lattice_origin
+from airlight.scene.ground_detail import LEAST_HEIGHT, NOMINAL_ROWS, finest_cell, lattice_origin
 from airlight.scene.ground_overlay import LAMP_TEMPERATURE, TOWN_LUMINANCE
 from airlight.scene.map_grain import EVEN
 from airlight.scene.projections import PROJECTIONS
@@ -62,7 +62,9 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     if scene.altitude < 0.0:
         allowed = "0 m or more above the ground of the solution: see airlight.lowered_ground"
         raise ParameterError("scene.altitude", scene.altitude, allowed)
-    true_r = solution.medium.bottom_radius + scene.altitude
+    detailed = scene.ground == "detailed"
+    altitude = max(scene.altitude, LEAST_HEIGHT) if detailed else scene.altitude
+    true_r = solution.medium.bottom_radius + altitude
     r = float(solution.geometry.optical_radius(np.array(true_r)))
     outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
@@ -112,7 +114,7 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     ground = solution.medium.surface.map
     rows = NOMINAL_ROWS if ground is None else surface_map(ground).rows
     cell = finest_cell(bottom, rows)
-    uniforms |= {"detailed": float(scene.ground == "detailed"), "detail_cell": cell}
+    uniforms |= {"detailed": float(detailed), "detail_cell": cell}
     for name, row in zip("xyz", scene.ground_frame, strict=True):
         uniforms |= _vector(f"ground_{name}", row)
         whole, part = lattice_origin(float(row[2]), bottom, cell)

@@ -32,7 +32,7 @@ import {
   sky_magnitude,
   white_gains,
 } from "../generated/formulas.js";
-import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
+import { ALONG, ASLANT, DISC_FORMAT, LEAST_HEIGHT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
 /** Time limits of the sky-view LUT during and after motion. [ms] */
 const SMOOTH = 60;
@@ -168,7 +168,9 @@ export class Picture {
     const orders = fixed.orders[values["light.orders"]];
     return lightsOf(values, planet, fixed.projections).map((light) => {
       const seen = { ...planet, star: light.star };
-      const numbers = observerUniforms(seen, values["view.altitude"], light.camera.sun);
+      const least = light.camera.detailed ? LEAST_HEIGHT : 0;
+      const altitude = Math.max(values["view.altitude"], least);
+      const numbers = observerUniforms(seen, altitude, light.camera.sun);
       numbers.disc *= disc_factor(light.left);
       numbers.draws_disc = Number(numbers.disc > 0);
       return { ...light, numbers: { ...light.numbers, ...numbers, orders } };
