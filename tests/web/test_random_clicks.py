@@ -73,7 +73,7 @@ def png(page: Any) -> np.ndarray:
 
 def clicked(page: Any, act: Callable[[], None], press: Callable[[Any], None]) -> None:
     """Do something at random; then all is closed, undone by reset, and follows a slider again."""
-    page.evaluate("airlight.ready")
+    page.evaluate("airlight.ready.then(() => airlight.do('reset'))")
     first = png(page)
     assert first.max() > 60.0
     act()

@@ -35,6 +35,7 @@ export class KernelPicture {
    */
   constructor(model, device, on) {
     this.model = model;
+    this.device = device;
     this.context = device.canvas.getContext("2d");
     this.number = 0;
     this.exposure = 0;
@@ -64,6 +65,7 @@ export class KernelPicture {
     if (rendered.error) throw new Error(rendered.error);
     this.exposure = rendered.exposure;
     const bitmap = await createImageBitmap(new Blob([rendered.png], { type: "image/png" }));
+    this.device.resize(width, height);
     this.context.drawImage(bitmap, 0, 0, width, height);
     bitmap.close();
     return false;

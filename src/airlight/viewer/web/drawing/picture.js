@@ -130,10 +130,12 @@ export class Picture {
    * @param {number} height Height of the canvas. [pixel]
    * @param {string} effort `moving`: at once; `resting`: within a time limit; `best`: unlimited.
    * @param {boolean} held Whether the automatic exposure is locked.
-   * @returns {Promise<boolean>} Whether a finer frame is possible at rest, or the exposure still
-   *     adapts.
+   * @param {{strips: number, stopped: () => boolean}} [slow] Number of strips, after each of which
+   *     the frame may be stopped.
+   * @returns {Promise<boolean | null>} Whether a finer frame is possible at rest, or the exposure
+   *     still adapts; null if it was stopped.
    */
-  async display(values, width, height, effort, held = false) {
+  async display(values, width, height, effort, held = false, slow = { strips: 1 }) {
     const { program, fixed } = this;
     const lights = this.lightsOf(values);
     await this.fillSkyView(lights, effort);
@@ -149,7 +151,7 @@ export class Picture {
       eases = !held && adapted !== measured;
     }
     this.exposure = exposure;
-    this.renderLight(lights, width, height);
+    if (!(await this.renderLight(lights, width, height, slow))) return null;
     this.renderGlare(lights[0].camera, width, height, values["display.glare"]);
     program.setAll({
       ...fixed.display,
@@ -158,6 +160,7 @@ export class Picture {
       exposure: 2 ** exposure,
       primaries: fixed.primaries.indexOf(this.device.space),
     });
+    this.device.resize(width, height);
     program.run("display");
     return eases || this.texels(this.shapeFor("resting")) > this.texels(this.shape);
   }
@@ -177,15 +180,23 @@ export class Picture {
     });
   }
 
-  /** Render linear radiance, unless only the display has changed. */
-  renderLight(lights, width, height) {
+  /** Render linear radiance, unless only the display has changed; false if it was stopped. */
+  async renderLight(lights, width, height, { strips, stopped }) {
     const numbers = lights.map((light) => this.uniformsOf(light, width, height));
     const rendered = JSON.stringify([this.skyViews, this.shape, this.laws, numbers]);
-    if (rendered === this.rendered) return;
+    if (rendered === this.rendered) return true;
+    this.rendered = "";
     this.program.set("first_row", 0);
     this.program.set("first_column", 0);
-    this.sum("picture", numbers, width, height);
+    for (let k = 0; k < strips; k++) {
+      const [top, end] = [k, k + 1].map((n) => Math.round((n * height) / strips));
+      this.sum("picture", numbers, width, height, strips > 1 ? [0, top, width, end - top] : null);
+      if (k + 1 === strips) break;
+      await this.device.finished();
+      if (stopped()) return false;
+    }
     this.rendered = rendered;
+    return true;
   }
 
   /** Uniforms of a frame of one light. */

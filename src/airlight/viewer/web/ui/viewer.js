@@ -46,8 +46,13 @@ const REST = 150;
 const FLASH = 5000;
 /** Time after which the preview has faded. [ms] */
 const FADING = 600;
-/** Smallest scale of width and height while something moves. [1] */
+/** Smallest scale of width and height, also of the first frame. [1] */
 const COARSEST = 0.2;
+/** Time of a full-size frame above which frames at rest get finer in steps [ms], by a factor. */
+const PATIENT = 2500;
+const STEP = 2.5;
+/** Time of a strip of a frame at rest, after which a change is answered. [ms] */
+const STRIP = 500;
 
 export class Viewer {
   /**
@@ -273,24 +278,42 @@ export class Viewer {
   async draw(now) {
     const moving = this.flight.advance(now);
     const resting = performance.now() - this.lastChange > REST;
-    const share = resting && !moving ? 1 : this.share;
+    const rests = resting && !moving;
+    const share = rests ? this.finer() : this.share;
     const [width, height] = this.size(share);
-    this.device.resize(width, height);
+    const strips = rests && this.drawn ? Math.floor((this.whole() * share ** 2) / STRIP) + 1 : 1;
     const began = performance.now();
-    const effort = resting && !moving ? "resting" : "moving";
+    const effort = rests ? "resting" : "moving";
     const { values, holdsExposure: held } = this.state;
-    const again = await this.picture.display(values, width, height, effort, held);
+    const again = await this.picture.display(values, width, height, effort, held, {
+      strips: Math.min(strips, height),
+      stopped: () => rests && this.loop.wanted,
+    });
+    if (again === null) return true;
     this.film?.frame();
     await this.device.finished();
     this.milliseconds = performance.now() - began;
+    this.scale = share;
+    // The time of a frame is proportional to its pixels; half a step damps oscillations.
+    const wanted = Math.sqrt(SMOOTH / Math.max(this.whole(), 1));
+    const next = this.drawn ? 0.5 * (this.share + wanted) : wanted;
+    this.share = Math.min(Math.max(next, COARSEST), 1);
     if (!this.drawn) this.reveal();
     this.drawn = [width, height];
-    // The time of a frame is proportional to its pixels; half a step damps oscillations.
-    const wanted = share * Math.sqrt(SMOOTH / Math.max(this.milliseconds, 1));
-    this.share = Math.min(Math.max(0.5 * (this.share + wanted), COARSEST), 1);
     this.showStatus();
     if (share < 1 && !moving) await pause(REST - (performance.now() - this.lastChange));
     return moving || share < 1 || (effort === "resting" && again);
+  }
+
+  /** Time of a full-size frame, by that of the last frame. [ms] */
+  whole() {
+    return this.milliseconds / this.scale ** 2;
+  }
+
+  /** Scale of the next frame at rest. */
+  finer() {
+    if (!this.drawn) return COARSEST;
+    return this.whole() < PATIENT ? 1 : Math.min(STEP * this.scale, 1);
   }
 
   size(share) {
@@ -310,7 +333,6 @@ export class Viewer {
   async png(width, height) {
     await this.ready;
     const blob = await this.alone(async () => {
-      this.device.resize(width, height);
       const { values, holdsExposure: held } = this.state;
       await this.picture.display(values, width, height, "best", held);
       return new Promise((resolve) => this.parts.canvas.toBlob(resolve, "image/png"));
