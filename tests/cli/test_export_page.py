@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from airlight.cli import main
-from airlight.viewer.browser.page import LARGEST_PICTURE
+from airlight.viewer.browser.page import LEAST_PICTURE
 
 QUICK = ["--quality", "preview", "--wavelengths", "three"]
 
@@ -50,7 +50,7 @@ def test_page_too_large_with_four_wavelengths_has_three(
 
     picture = re.search(r'<img class="airlight-first".*</div>', place.read_text())
     assert picture is not None
-    reserved = size - len(picture[0]) + LARGEST_PICTURE
+    reserved = size - len(picture[0]) + LEAST_PICTURE
     monkeypatch.setattr("airlight.viewer.browser.page.LARGEST", reserved - 100)
     assert main(words) == 0
     assert "three wavelengths" in capsys.readouterr().out

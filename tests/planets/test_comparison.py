@@ -112,7 +112,7 @@ def test_planets_known_at_different_wavelengths_meet_where_both_are_known():
 
 def test_planets_known_nowhere_together_are_compared_without_light():
     star = {
-        "wavelengths": "1500, 1600 nm", "irradiance": ["1 W/m^2/nm", "1 W/m^2/nm"],
+        "wavelengths": "2600, 2700 nm", "irradiance": ["1 W/m^2/nm", "1 W/m^2/nm"],
         "angular_radius": "0.25 deg",
     }  # fmt: skip
     changes = {"star": star, "ground.albedo": 0.2}
@@ -126,7 +126,7 @@ def test_planets_known_nowhere_together_are_compared_without_light():
                 {
                     "name": "air",
                     "profile": {"kind": "exponential", "scale_height": "8 km"},
-                    "wavelengths": "1500, 1600 nm",
+                    "wavelengths": "2600, 2700 nm",
                     "absorption": "1e-6, 2e-6 /m",
                 }
             ],

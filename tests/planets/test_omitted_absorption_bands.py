@@ -14,7 +14,7 @@ def test_known_bands_are_named_with_their_size() -> None:
     (line,) = omitted_absorption_bands(load_planet("earth"), [550.0, 764.0])
     assert line == (
         "absorption bands of O2 are omitted: up to 41 % of direct light at airmass 1.5, at 764 nm; "
-        "docs/planets.md has absorbers for them"
+        "a bandwidth counts them"
     )
 
 

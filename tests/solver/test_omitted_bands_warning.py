@@ -85,7 +85,7 @@ def test_the_command_line_says_it_once(capsys: pytest.CaptureFixture[str]) -> No
     assert line == (
         "airlight: Earth: absorption bands of O2 are omitted: up to 37 % of direct light at "
         "airmass 1.5, "
-        "at 761 nm; docs/planets.md has absorbers for them"
+        "at 761 nm; a bandwidth counts them"
     )
 
 

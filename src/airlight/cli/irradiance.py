@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from airlight.cli import options
 from airlight.cli.console import examples, note, say, shown_progress
@@ -13,10 +13,11 @@ from airlight.cli.dataset_table import say_table
 from airlight.cli.option_groups import OptionGroup, named_errors, option
 from airlight.cli.planet_options import GroundOptions
 from airlight.cli.series_options import SeriesOptions, at_place
-from airlight.cli.solve_options import BandOptions, wavelengths_option
+from airlight.cli.solve_options import BandOptions, Quality, wavelengths_option
 from airlight.errors import ConflictError, FileError
 
 if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
     from airlight.studies.observables.plane_irradiance import Plane
 
 EPILOG = examples(
@@ -61,9 +62,25 @@ class IrradianceSolveOptions(BandOptions):
     """Options of a solution whose spectra are integrated."""
 
     wavelengths: str | None = wavelengths_option(
-        "as many as integrals need, or adjacent bands, from 280 nm as far as the planet's data "
-        "reach"
+        "as many as integrals need, with bands where the planet's gases have lines, or adjacent "
+        "bands, from 280 nm as far as the planet's data reach"
     )
+    quality: Quality = "preview"
+
+    def bands(self, planet: Planet) -> tuple[Any, dict[str, Any]]:
+        """Wavelengths, or the default ones with the keyword of their bands. [nm]"""
+        from airlight.studies.observables.spectral_integrals import (
+            band_wavelengths,
+            irradiance_bands,
+        )
+
+        nm = self.nm(planet)
+        if nm is not None:
+            return nm, {}
+        if self.bandwidth is not None:
+            return band_wavelengths(planet, self.bandwidth), {}
+        chosen, widths = irradiance_bands(planet)
+        return chosen, {} if widths is None else {"bandwidth": widths}
 
 
 def irradiance(
@@ -86,25 +103,18 @@ def irradiance(
     """
     started = time.perf_counter()
     from airlight.studies.observables.irradiance import irradiance as computed
-    from airlight.studies.observables.spectral_integrals import (
-        band_wavelengths,
-        irradiance_wavelengths,
-    )
     from airlight.studies.observables.spectrum_files import table_of, write_spectrum
 
     files = _checked(output or [])
     plane = product.plane()
     world, scenes = at_place(planet, place)
-    if solve.bandwidth is None:
-        nm = solve.nm(world) or irradiance_wavelengths(world)
-    else:
-        nm = solve.nm(world) or band_wavelengths(world, solve.bandwidth)
+    nm, bands = solve.bands(world)
 
     from airlight.solver import solve as solved
 
     with shown_progress() as report, named_errors("wavelengths", "bandwidth", "altitude"):
         data = computed(
-            solved(world, wavelengths=nm, progress=report, **solve.keywords()),
+            solved(world, wavelengths=nm, progress=report, **solve.keywords() | bands),
             scenes,
             plane=plane,
             spectral=product.spectral,

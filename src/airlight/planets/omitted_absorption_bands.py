@@ -76,13 +76,13 @@ def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list
     """
     nm = values_in(wavelengths, "nm", "wavelengths")
     lines = []
+    remedy = "a bandwidth counts them" if planet.gases else "docs/planets.md has absorbers for them"
     for one in omitted_bands(planet, nm):
         loss = np.nan_to_num(one.loss)
         if loss.size and loss.max() >= WEAKEST:
             lines.append(
                 f"absorption bands of {one.name} are omitted: up to {100.0 * loss.max():.0f} % of "
-                f"direct light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm; "
-                "docs/planets.md has absorbers for them"
+                f"direct light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm; {remedy}"
             )
     columns = gas_columns(planet)
     met: dict[str, list[str]] = {}

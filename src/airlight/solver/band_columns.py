@@ -51,12 +51,15 @@ class BandColumns:
         Band of each column, ascending.
     weights : array, shape (ncol,)
         Weights of the columns, whose sum over a band is 1. [1]
+    widths : array, shape (nl,)
+        Widths of the bands. [nm]
     """
 
     medium: Medium
     columns: Medium
     band: NDArray[np.intp]
     weights: FloatArray
+    widths: FloatArray
 
     @classmethod
     def of(
@@ -121,7 +124,7 @@ class BandColumns:
             solar_irradiance=medium.solar_irradiance[band],
         )
         weights = np.concatenate([one.weights for one, _ in terms])
-        return cls(medium, columns, band, weights)
+        return cls(medium, columns, band, weights, widths)
 
     def mean(self, values: FloatArray) -> FloatArray:
         """Means over bands of values of columns, shape (..., ncol) to (..., nl)."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.planets.light_source import LightSource
 from airlight.solver.band_columns import BandColumns
+from airlight.solver.independent_columns import IndependentColumns
 from airlight.solver.lines_of_sight import LinesOfSight
 from airlight.solver.refracted_geometry import RefractedGeometry
 from airlight.solver.solution import Solution
@@ -94,3 +95,10 @@ class BandSolution(Solution):
 
     def _over_bands(self, values: FloatArray) -> FloatArray:
         return self.bands.mean(values)
+
+
+def band_widths(solution: Solution) -> FloatArray | None:
+    """Widths of the bands of a solution, shape (nl,); None if it has none. [nm]"""
+    while isinstance(solution, IndependentColumns):
+        solution = solution.columns[0].solution
+    return solution.bands.widths if isinstance(solution, BandSolution) else None

@@ -176,7 +176,7 @@ class GasScattering(_Molecules):
         label="gas",
         help="Gas with tabulated refractivity and depolarisation.",
         note="`air`: refractivity of Peck & Reeder (1972), King factor of Bates (1984), 230 to"
-        " 1690 nm; `co2`: Bideau-Mehu et al. (1973), Alms et al. (1975), 180.7 to 1694.5 nm.",
+        " 1690 nm; `co2`: Bideau-Mehu et al. (1973), Alms et al. (1975), 180.7 to 2500 nm.",
         choices=lambda: tuple(GASES),
     )
     number_density: float | None = key(DENSITY, default=None)

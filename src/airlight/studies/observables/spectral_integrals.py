@@ -23,14 +23,20 @@ from airlight.physics.spectra.action_spectra import (
 from airlight.physics.spectra.v_band import V_RANGE, v_passband
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
+from airlight.solver.band_solution import band_widths
 from airlight.solver.solution import Solution
 
 FloatArray = NDArray[np.float64]
 
 #: Range of default wavelengths, as far as the planet's data reach. [nm]
 SHORTEST, LONGEST = 280.0, 4000.0
-#: Largest step of default wavelengths. [nm]
+#: Largest step of default wavelengths, from the second on five times that. [nm]
 WIDEST: Final = 20.0
+INFRARED: Final = 1000.0
+#: Width of default bands of gases from the first wavelength on, and from ``INFRARED`` on. [nm]
+LINES: Final = 580.0
+BAND: Final = 10.0
+BROAD: Final = 50.0
 #: Air mass at which wavelengths are chosen and errors are estimated. [1]
 AIR_MASS: Final = 1.5
 #: Largest error of the interpolated direct beam over the star's, and of its erythemal part over
@@ -38,6 +44,8 @@ AIR_MASS: Final = 1.5
 TOLERANCE: Final = 0.01
 #: Smallest ratio that is interpolated. [1]
 _DARK: Final = 1e-30
+#: Width of bands from which their means are kept. [nm]
+_WIDE: Final = 2.0
 #: Largest part of a weighted spectrum, over its maximum, at an end of the wavelengths where the
 #: weight goes on. [1]
 _END: Final = 0.01
@@ -95,6 +103,8 @@ class SpectralIntegrals:
     def __init__(self, solution: Solution) -> None:
         self._order = np.argsort(solution.wavelengths)
         self.wavelengths = solution.wavelengths[self._order]
+        widths = band_widths(solution)
+        self._widths = None if widths is None else widths[self._order]
         self.dense = steps_between(*self.range, 0.5)
         source = solution.lights[0]
         known = source.irradiance if source.spectrum is None else source.spectrum(self.dense)
@@ -103,8 +113,12 @@ class SpectralIntegrals:
 
     @property
     def range(self) -> tuple[float, float]:
-        """First and last wavelength. [nm]"""
-        return float(self.wavelengths[0]), float(self.wavelengths[-1])
+        """First and last wavelength, of bands their edges. [nm]"""
+        half = np.zeros(2)
+        if self._widths is not None:
+            ends = self._widths[[0, -1]]
+            half = np.where(ends >= _WIDE, 0.5 * ends, 0.0)
+        return float(self.wavelengths[0] - half[0]), float(self.wavelengths[-1] + half[1])
 
     @property
     def words(self) -> str:
@@ -112,11 +126,20 @@ class SpectralIntegrals:
         return "{:g} to {:g} nm".format(*self.range)
 
     def spectra(self, ratio: FloatArray) -> FloatArray:
-        """Irradiance at half nanometres from that over the star's, (n, nl) to (n, nd)."""
+        """Irradiance at half nanometres from that over the star's, (n, nl) to (n, nd).
+
+        That of a band of 2 nm or more has the mean of the band.
+        """
         logs = np.log(np.maximum(ratio[:, self._order], _DARK))
         found = [np.interp(self.dense, self.wavelengths, one) for one in logs]
         between = np.exp(found)
         lit: FloatArray = np.where(between > 10.0 * _DARK, between, 0.0) * self.star
+        widths = np.zeros(self.wavelengths.shape) if self._widths is None else self._widths
+        for k in np.flatnonzero(widths >= _WIDE):
+            low = self.wavelengths[k] - 0.5 * widths[k]
+            of = (self.dense >= low) & (self.dense < low + widths[k])
+            known = ratio[:, self._order[k]] * self.star[of].sum()
+            lit[:, of] *= (known / np.maximum(lit[:, of].sum(axis=1), _DARK))[:, None]
         return lit
 
     def broadband(self, ratio: FloatArray) -> FloatArray:
@@ -146,7 +169,7 @@ class SpectralIntegrals:
         planet = self._solution.planet
         if planet is None:
             return {}
-        whole = steps_between(*self.range, 1.0)
+        whole = sampled(*self.range)
         depth = vertical_depth(planet, whole)
         true = np.exp(-AIR_MASS * np.interp(self.dense, whole, depth))
         at = np.interp(self.wavelengths, whole, depth)
@@ -180,6 +203,22 @@ def steps_between(low: float, high: float, step: float) -> FloatArray:
     return np.unique(np.concatenate(([low], between, [high])))
 
 
+def sampled(low: float, high: float) -> FloatArray:
+    """Both ends, and wavelengths every nanometre, from 1000 nm on every five. [nm]
+
+    Examples
+    --------
+    >>> sampled(998.5, 1007.0)
+    array([ 998.5,  999. , 1000. , 1005. , 1007. ])
+    """
+    parts = [np.array([low, high])]
+    if low < INFRARED:
+        parts.append(steps_between(low, min(high, INFRARED), 1.0))
+    if high > INFRARED:
+        parts.append(steps_between(max(low, INFRARED), high, 5.0))
+    return np.unique(np.concatenate(parts))
+
+
 def vertical_depth(planet: Planet, wavelengths: ArrayLike) -> FloatArray:
     """Optical depth of the clear air, shape (nl,). [1]"""
     medium = Medium.from_planet(planet.without_clouds, wavelengths)
@@ -202,14 +241,17 @@ def irradiance_wavelengths(planet: Planet) -> tuple[float, ...]:
     low, high = max(low, SHORTEST), min(high, LONGEST)
     if high - low < 1.0:
         return tuple(planet.wavelengths)
-    dense = steps_between(np.ceil(low), np.floor(high), 1.0)
+    dense = sampled(np.ceil(low), np.floor(high))
     depth = vertical_depth(planet, dense)
     beam = np.exp(-AIR_MASS * depth)
     burning = erythema(dense) * planet.star.irradiances(dense)
     largest = float((burning * beam).max()) or 1.0
     weight = np.maximum(1.0, burning / largest)
-    count = max(int(np.ceil((dense[-1] - dense[0]) / WIDEST)), 1)
-    places = set(np.linspace(0, dense.size - 1, count + 1).round().astype(int).tolist())
+    ends = np.unique([dense[0], *np.clip([INFRARED], dense[0], dense[-1]), dense[-1]])
+    places: set[int] = set()
+    for first, last, step in zip(ends, ends[1:], (WIDEST, 5.0 * WIDEST), strict=False):
+        even = np.linspace(first, last, int(np.ceil((last - first) / step)) + 1)
+        places |= set(np.searchsorted(dense, even.round()).tolist())
     while len(places) < dense.size:
         chosen = sorted(places)
         near = np.exp(-AIR_MASS * np.interp(dense, dense[chosen], depth[chosen]))
@@ -219,6 +261,35 @@ def irradiance_wavelengths(planet: Planet) -> tuple[float, ...]:
             break
         places.add(worst)
     return tuple(dense[sorted(places)].tolist())
+
+
+def irradiance_bands(planet: Planet) -> tuple[FloatArray, FloatArray | None]:
+    """Wavelengths of ``irradiance_wavelengths``, and bands where a planet's gases absorb in lines.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet with its gases.
+
+    Returns
+    -------
+    wavelengths : array, shape (nl,)
+        Wavelengths and middles of bands. [nm]
+    widths : array, shape (nl,), or None
+        Widths of bands, of 1 nm for wavelengths; None for a planet without gases. [nm]
+    """
+    alone = np.array(irradiance_wavelengths(planet))
+    high = min(planet.with_gases.wavelength_limits[1], LONGEST)
+    if not planet.gases or high <= LINES or alone[0] >= LINES:
+        return alone, None
+    below = alone[alone < LINES - 0.5]
+    edges = [np.arange(LINES, min(high, INFRARED), BAND), np.arange(INFRARED, high + 1.0, BROAD)]
+    starts = np.concatenate([*edges, [high]])
+    starts = starts[starts <= high]
+    widths = np.diff(starts)
+    wide = widths > 0.0
+    middles = (starts[:-1] + 0.5 * widths)[wide]
+    return np.concatenate([below, middles]), np.concatenate([np.ones(below.size), widths[wide]])
 
 
 def band_wavelengths(planet: Planet, bandwidth: float) -> tuple[float, ...]:
@@ -236,7 +307,7 @@ def band_wavelengths(planet: Planet, bandwidth: float) -> tuple[float, ...]:
     >>> from airlight.planets import load_planet
     >>> middles = band_wavelengths(load_planet("earth"), 10.0)
     >>> middles[0], middles[-1], len(middles)
-    (285.0, 1005.0, 73)
+    (285.0, 2495.0, 222)
     """
     low, high = planet.with_gases.wavelength_limits
     low, high = max(low, SHORTEST), min(high, LONGEST)

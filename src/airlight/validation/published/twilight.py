@@ -31,8 +31,9 @@ from airlight.physics.spectra import v_band
 from airlight.physics.spectra.color_matching import cie_1931
 from airlight.physics.spectra.sun import solar_irradiance
 from airlight.physics.spectra.v_band import V_RANGE, v_passband
-from airlight.planets import Planet, replace
+from airlight.planets import Planet, load_planet, replace
 from airlight.planets.matter.profiles import Exponential
+from airlight.planets.spectral import PerWavelength
 from airlight.solver import Solution
 
 FloatArray = NDArray[np.float64]
@@ -138,7 +139,9 @@ def average_aerosol() -> dict[str, object]:
     Optical depth 0.151 at 550 nm with Ångström exponents of 1.11 and 1.42 below and above 500 nm,
     0.075 /km at the ground, single-scattering albedo 0.925, mean cosine 0.703.
     """
-    nm = np.array([280, 320, 360, 400, 440, 500, 550, 600, 680, 750, 850, 1000], dtype=float)
+    aerosol = next(one for one in load_planet("earth").constituents if one.name == "aerosol")
+    assert isinstance(aerosol.scattering, PerWavelength)
+    nm = np.array(aerosol.scattering.wavelengths)
     above = 0.151 * (nm / 550.0) ** -1.42
     below = 0.151 * (500.0 / 550.0) ** -1.42 * (nm / 500.0) ** -1.11
     return {

@@ -41,8 +41,9 @@ LARGEST: Final = 5_000_000
 #: Size of the picture, of which a browser shows the part that its window has: a square holds what a
 #: window of any shape, wider than high, sees. [pixel]
 SIDE: Final = 840
-#: Largest size of the file. [byte]
+#: Largest size of the file, and size that a page must leave for it. [byte]
 LARGEST_PICTURE: Final = 60_000
+LEAST_PICTURE: Final = 25_000
 #: Content security policy: nothing may be loaded, only inline script and style are allowed.
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:"
@@ -228,7 +229,7 @@ def export_page(
             cancel=cancel,
         )
         data = page_data(solution, str(planet), title, session.values, count)
-        length = len(page_text(title, data).encode()) + LARGEST_PICTURE
+        length = len(page_text(title, data).encode()) + LEAST_PICTURE
         if length <= LARGEST:
             break
     if length > LARGEST:
@@ -237,7 +238,8 @@ def export_page(
         least = "at the quality preview with three wavelengths"
         reason = f"the page would have {size}, more than {most}, even {least}"
         raise FileError(output, reason)
-    first = first_picture(solution, session.values, progress=progress, cancel=cancel)
+    left = min(LARGEST_PICTURE, LARGEST - length + LEAST_PICTURE)
+    first = first_picture(solution, session.values, left, progress=progress, cancel=cancel)
     content = page_text(title, data, first).encode()
     with atomic_file(output) as place:
         place.write_bytes(content)
@@ -247,6 +249,7 @@ def export_page(
 def first_picture(
     solution: Any,
     values: Mapping[str, Value],
+    largest: int = LARGEST_PICTURE,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -257,6 +260,10 @@ def first_picture(
     ----------
     solution : MomentsSolution
         Solution embedded in the page.
+    values : mapping
+        View values by path.
+    largest : int
+        Largest size. [byte]
 
     Returns
     -------
@@ -274,12 +281,12 @@ def first_picture(
     pixels = to_display(frame.rgb, exposure, settings=settings_of(values), **frame.lens)
     perspective = values["view.projection"] == "perspective"
     return {
-        "address": "data:image/webp;base64," + base64.b64encode(_webp(pixels)).decode(),
+        "address": "data:image/webp;base64," + base64.b64encode(_webp(pixels, largest)).decode(),
         "fit": "cover" if perspective else "contain",
     }
 
 
-def _webp(pixels: Any) -> bytes:
+def _webp(pixels: Any, largest: int) -> bytes:
     """WebP in the best quality within the size limit."""
     from PIL import Image
 
@@ -288,7 +295,7 @@ def _webp(pixels: Any) -> bytes:
         file = io.BytesIO()
         picture.save(file, "WEBP", quality=quality, method=4)
         content = file.getvalue()
-        if 4 * len(content) // 3 <= LARGEST_PICTURE:
+        if 4 * len(content) // 3 <= largest:
             break
     return content
 
