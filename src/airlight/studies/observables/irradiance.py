@@ -13,6 +13,7 @@ from airlight.errors import ParameterError, warn
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
 from airlight.scene.scene import Scene
+from airlight.solver.band_solution import band_widths
 from airlight.solver.named_axes import COORDINATES, WAVELENGTH
 from airlight.solver.solution import Solution
 from airlight.solver.solve import solve
@@ -249,6 +250,10 @@ def _dataset(
     found = xarray.Dataset(data, coordinates)
     if "wavelength" in found.dims:
         found = found.assign_coords(wavelength=("wavelength", solution.wavelengths, WAVELENGTH))
+        widths = band_widths(solution)
+        if widths is not None:
+            words = {"units": "nm", "long_name": "width of the band"}
+            found = found.assign_coords(bandwidth=("wavelength", widths, words))
     name = "planet" if solution.planet is None else solution.planet.name
     found.attrs.update(title=f"{name}: irradiance", notes="; ".join(notes), **solution.provenance)
     times = [one.time for one in scenes]

@@ -30,13 +30,13 @@ FloatArray = NDArray[np.float64]
 
 #: Range of default wavelengths, as far as the planet's data reach. [nm]
 SHORTEST, LONGEST = 280.0, 4000.0
-#: Largest step of default wavelengths, from the second on five times that. [nm]
+#: Largest step of default wavelengths, and from where on five times that. [nm]
 WIDEST: Final = 20.0
 INFRARED: Final = 1000.0
 #: Width of default bands of gases from the first wavelength on, and from ``INFRARED`` on. [nm]
 LINES: Final = 580.0
-BAND: Final = 10.0
-BROAD: Final = 50.0
+BAND: Final = 20.0
+BROAD: Final = 100.0
 #: Air mass at which wavelengths are chosen and errors are estimated. [1]
 AIR_MASS: Final = 1.5
 #: Largest error of the interpolated direct beam over the star's, and of its erythemal part over
