@@ -28,7 +28,7 @@ OWN = {
     "fit": {"sun_zenith", "altitude", "projection", "fov", "look", "roll", "encoding", "tone_map"},
     "plot": {"sun_zenith", "altitude", "quality", "wavelengths"},
     "radiance": {"sun_zenith", "sun_azimuth", "altitude", "wavelengths"},
-    "irradiance": {"wavelengths"},
+    "irradiance": {"wavelengths", "quality"},
     "spectrum": {"sun_zenith", "wavelengths"},
     "sweep": {"sun_zenith", "altitude", "wavelengths"},
     "bake": {"size", "wavelengths"},
