@@ -31,6 +31,7 @@ import { element } from "./element.js";
 import { Film } from "./film.js";
 import { Flight } from "./flight.js";
 import { FrameLoop, painted } from "./frame_loop.js";
+import { FrameScale } from "./frame_scale.js";
 import { helpPanel } from "./help_panel.js";
 import { Keyboard } from "./keyboard.js";
 import { Pointer } from "./pointer.js";
@@ -38,21 +39,12 @@ import { Probe } from "./probe.js";
 import { searchField } from "./search.js";
 import { toolbar } from "./toolbar.js";
 
-/** Time of a frame above which frames are drawn smaller while something moves. [ms] */
-const SMOOTH = 40;
 /** Delay from the last change to a full-size frame after a smaller one. [ms] */
 const REST = 150;
 /** Time for which is said what was done. [ms] */
 const FLASH = 5000;
 /** Time after which the preview has faded. [ms] */
 const FADING = 600;
-/** Smallest scale of width and height, also of the first frame. [1] */
-const COARSEST = 0.2;
-/** Time of a full-size frame above which frames at rest get finer in steps [ms], by a factor. */
-const PATIENT = 2500;
-const STEP = 2.5;
-/** Time of a strip of a frame at rest, after which a change is answered. [ms] */
-const STRIP = 500;
 
 export class Viewer {
   /**
@@ -82,7 +74,7 @@ export class Viewer {
     this.picture = null;
     this.edits = null;
     this.film = null;
-    this.share = 1;
+    this.scale = new FrameScale();
     this.lastChange = -Infinity;
     this.milliseconds = 0;
     this.closed = false;
@@ -279,41 +271,25 @@ export class Viewer {
     const moving = this.flight.advance(now);
     const resting = performance.now() - this.lastChange > REST;
     const rests = resting && !moving;
-    const share = rests ? this.finer() : this.share;
+    const share = this.scale.next(rests);
     const [width, height] = this.size(share);
-    const strips = rests && this.drawn ? Math.floor((this.whole() * share ** 2) / STRIP) + 1 : 1;
     const began = performance.now();
     const effort = rests ? "resting" : "moving";
     const { values, holdsExposure: held } = this.state;
     const again = await this.picture.display(values, width, height, effort, held, {
-      strips: Math.min(strips, height),
+      strips: rests ? this.scale.strips(share, height) : 1,
       stopped: () => rests && this.loop.wanted,
     });
     if (again === null) return true;
     this.film?.frame();
     await this.device.finished();
     this.milliseconds = performance.now() - began;
-    this.scale = share;
-    // The time of a frame is proportional to its pixels; half a step damps oscillations.
-    const wanted = Math.sqrt(SMOOTH / Math.max(this.whole(), 1));
-    const next = this.drawn ? 0.5 * (this.share + wanted) : wanted;
-    this.share = Math.min(Math.max(next, COARSEST), 1);
+    this.scale.measured(share, this.milliseconds);
     if (!this.drawn) this.reveal();
     this.drawn = [width, height];
     this.showStatus();
     if (share < 1 && !moving) await pause(REST - (performance.now() - this.lastChange));
     return moving || share < 1 || (effort === "resting" && again);
-  }
-
-  /** Time of a full-size frame, by that of the last frame. [ms] */
-  whole() {
-    return this.milliseconds / this.scale ** 2;
-  }
-
-  /** Scale of the next frame at rest. */
-  finer() {
-    if (!this.drawn) return COARSEST;
-    return this.whole() < PATIENT ? 1 : Math.min(STEP * this.scale, 1);
   }
 
   size(share) {
