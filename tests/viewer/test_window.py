@@ -438,12 +438,18 @@ def test_every_control_is_clicked_and_changes_its_value(window: Driven, whole: b
     for path in [*wanted, *(others if whole else OF_FILE)]:
         kind, options = declared[path]
         words = path if path != "name" else "planet name"
-        (left, top, right, bottom), before = window.ask("located", words, path)
-        middle = int(0.5 * (top + bottom))
-        x = left + (0.5 * (bottom - top) if kind == "switch" else 0.3 * (right - left))
+        before = window.ask("located", words, path)[1]
 
-        def pressed(x: float = x, middle: int = middle) -> None:
-            window.mouse("mousemove", int(x), middle, "sleep", 0.06, *PRESS)
+        def place(share: float = 0.3, path: str = path, kind: str = kind) -> tuple[int, int, float]:
+            # Of now: a message above the rows moves them. With the lower edge.
+            left, top, right, bottom = window.ask("place_of", path)
+            along = 0.5 * (bottom - top) if kind == "switch" else share * (right - left)
+            return int(left + along), int(0.5 * (top + bottom)), bottom
+
+        def pressed(
+            share: float = 0.3, place: Callable[[float], tuple[int, int, float]] = place
+        ) -> None:
+            window.mouse("mousemove", *place(share)[:2], "sleep", 0.06, *PRESS)
             window.ask("draws", 2)
 
         def lists(pressed: Callable[[], None] = pressed) -> bool:
@@ -457,8 +463,9 @@ def test_every_control_is_clicked_and_changes_its_value(window: Driven, whole: b
         if kind == "choice":
             window.until(lists, of=path)
             other = next(index for index, one in enumerate(options) if one != before)
+            x, _, bottom = place()
             y = int(bottom + 10.0 + 20.0 * (other + 0.4))  # padding and lines of the list
-            window.mouse("mousemove", int(x), y, "sleep", 0.1, "mousemove", int(x) + 1, y,
+            window.mouse("mousemove", x, y, "sleep", 0.1, "mousemove", x + 1, y,
                          "sleep", 0.06, *PRESS)  # fmt: skip
         elif kind == "text":
             window.until(typing, of=path)
@@ -466,13 +473,12 @@ def test_every_control_is_clicked_and_changes_its_value(window: Driven, whole: b
             window.mouse("key", "Return")
             window.until(lambda: not window.ask("typing"), of=path)
         else:
-            along = (x, left + 0.75 * (right - left)) if kind == "number" else (x,)
-            places = itertools.cycle(along)
+            shares = itertools.cycle((0.3, 0.75) if kind == "number" else (0.3,))
 
             def changes(
-                places: Iterator[float] = places, path: str = path, before: Any = before
+                shares: Iterator[float] = shares, path: str = path, before: Any = before
             ) -> bool:
-                pressed(next(places))  # elsewhere, if the value stood there; again, if too early
+                pressed(next(shares))  # elsewhere, if the value stood there; again, if too early
                 return bool(window.ask("value", path) != before)
 
             window.until(changes, of=path)
