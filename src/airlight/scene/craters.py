@@ -1,4 +1,4 @@
-"""Small craters of airless bodies between the resolution of maps and a metre; they are not data.
+"""Craters of airless bodies between some texels of maps and a metre; they are not data.
 
 In equilibrium, where new craters erase old ones, the number per area of those wider than D is
 c D^-2; the c of the lunar maria is 0.079 (Trask 1966, JPL Tech. Rep. 32-800, 252: 10^10.9 D^-2 per
@@ -22,14 +22,16 @@ from airlight.kernel import kernel
 from airlight.scene.ground_detail import along_lattice
 
 #: Number of lattices, and cells of the coarsest over the finest of ``ground_detail``: with the
-#: packaged map of the Moon 5.3 km, so that craters are at most 3.2 km wide.
-LATTICES: Final = 14
-COARSEST: Final = 65536.0
+#: packaged map of the Moon 43 km, so that craters are at most 25 km wide; those above some 15 km
+#: have no flat floors here.
+LATTICES: Final = 17
+COARSEST: Final = 524288.0
 #: Diameter of the widest crater of a lattice, twice that of the narrowest. [cell]
 WIDEST: Final = 0.6
-#: Diameter above which craters are fewer than in equilibrium: some 300 m on the maria, some
-#: kilometres in the highlands. [m]
-TURN: Final = 1000.0
+#: Diameter above which craters are fewer than in equilibrium, between the maria's, some 300 m, and
+#: that of the highlands, which have it up to tens of kilometres (Hartmann 1984, Icarus 60, 56). By
+#: eye. [m]
+TURN: Final = 4000.0
 #: Depth below the rim's foot and height of the rim of a fresh crater over its diameter. [1]
 DEPTH: Final = 0.16
 RIM: Final = 0.036
