@@ -40,9 +40,9 @@ FOLDED_DEVIATION: Final = 0.0772
 #: of their squares is 1, as both are uncorrelated. By eye. [1]
 PUFFED: Final = 0.7
 OPEN: Final = 0.714
-#: A sixth of the skewness that folded noise leaves, of 4000 places at half cover, by which the sum is
-#: corrected (Cornish & Fisher 1938, Rev. Int. Stat. Inst. 5, 307), and standard deviations beyond
-#: which the correction stays. [1]
+#: A sixth of the skewness that folded noise leaves, of 4000 places at half cover, by which the sum
+#: is corrected (Cornish & Fisher 1938, Rev. Int. Stat. Inst. 5, 307), and standard deviations
+#: beyond which the correction stays. [1]
 SKEWED: Final = 0.125
 FARTHEST: Final = 3.0
 #: Share of the variance that the correction leaves. [1]

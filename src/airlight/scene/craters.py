@@ -39,6 +39,10 @@ RIM: Final = 0.036
 EJECTA: Final = 1.6
 #: Steepest slope, towards which steep ones are compressed. [1]
 STEEPEST: Final = 0.45
+#: Largest share of the radius by which a rim is out of round, and growth of freshness with an even
+#: variable from 0, by eye. [1]
+UNROUND: Final = 0.12
+YOUNG: Final = 0.3
 
 
 class Crater(NamedTuple):
@@ -51,13 +55,17 @@ class Crater(NamedTuple):
     radius : float
         Radius; 0 without a crater. [cell]
     fresh : float
-        Freshness, from 0 to 1, the square of an even variable. [1]
+        Freshness, from 0 to 1, of which small values are the most. [1]
+    along, across : float
+        Second harmonic of the radius, over ``UNROUND``. [1]
     """
 
     x: float
     y: float
     radius: float
     fresh: float
+    along: float
+    across: float
 
 
 @kernel
@@ -82,7 +90,10 @@ def crater_of(i, j, lattice, share):
     if number < 289.0 * share:
         # the inverse of D^-2 between both diameters
         radius = 0.5 * WIDEST / sqrt(1.0 + 3.0 * shuffled(third + i) / 288.0)
-    return Crater(first / 289.0, second / 289.0, radius, (third / 288.0) * (third / 288.0))
+    even = third / 288.0
+    fresh = even * (YOUNG + (1.0 - YOUNG) * even)
+    along, across = shuffled(third + column) / 144.0 - 1.0, shuffled(third + second) / 144.0 - 1.0
+    return Crater(first / 289.0, second / 289.0, radius, fresh, along, across)
 
 
 @kernel
@@ -148,9 +159,13 @@ def craters(place, whole, up, way, footprint, cell, density):
                 if one.radius > 0.0:
                     at_x, at_y = x - i - one.x, y - j - one.y
                     away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
-                    distance = sqrt(dot(away, away))
-                    if distance < EJECTA * one.radius and distance > 1e-6:
-                        steep = crater_slope(distance / one.radius, one.fresh)
+                    square = dot(away, away)
+                    distance = sqrt(square)
+                    bulge = one.along * (at_x * at_x - at_y * at_y) + 2.0 * one.across * at_x * at_y
+                    wider = 1.0 + UNROUND * bulge / max(square, 1e-12)
+                    within = distance / (wider * one.radius)
+                    if within < EJECTA and distance > 1e-6:
+                        steep = crater_slope(within, one.fresh)
                         ascent += shown * steep * dot(away, way) / distance
         scale *= 0.5
     return ascent / sqrt(1.0 + ascent * ascent / (STEEPEST * STEEPEST))

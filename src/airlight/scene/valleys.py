@@ -31,8 +31,8 @@ OCTAVES: Final = 6
 #: Waves in a cell, their slope over that of the smooth relief, and its ratio from an octave to the
 #: next finer one, by eye. [1]
 WAVES: Final = 0.9
-STEEP: Final = 0.6
-FALL: Final = 0.72
+STEEP: Final = 0.52
+FALL: Final = 0.8
 #: Slope of coarser relief over that of the smooth one from which on gullies are fully cut. [1]
 CUT: Final = 0.7
 #: Square of the amplitude below which waves of opposite phases cancel. [1]

@@ -82,6 +82,11 @@ COMMON: Final = 0.031
 #: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
 #: as ellipses. [1]
 FLATTENED: Final = 0.3
+#: Cosine of the zenith angle of a low observer's line of sight at which rims hide half of the
+#: slopes of craters, by eye. [1]
+HOLLOW: Final = 0.08
+#: Finest texture of hills beyond the horizon, all of whose rows lie at one place, by eye. [pixel]
+BEYOND: Final = 8.0
 
 
 @kernel
@@ -391,6 +396,8 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             row = seen_row(place, low, ROW * view.pixel_angle, cell, leaf, whole, part)
             row = plus(row, higher)
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
+            if low < LOW and reach > 0.9 * sqrt(2.0 * low * frame.tables.bottom):
+                shorter = max(shorter, BEYOND * view.pixel_angle * reach / cell)
         pitted = view.craters > 0.0  # where craters last there is no wind
         texture = land_texture(
             finest, row, shorter, footprint / cell, whole, way, leaf, snow, not pitted
@@ -411,7 +418,8 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         if pitted:
             wide = max(blur, FLATTENED * footprint / cell)
             middle = faced(middle, face)
-            ascent += craters(finest, whole, middle, way, wide, cell, view.craters)
+            seen = cosine / (cosine + HOLLOW) if observer.optical_altitude < LOW else 1.0
+            ascent += seen * craters(finest, whole, middle, way, wide, cell, view.craters)
         color[11] = stony.light + stony.open * texture_light(mu_s, ascent)
         change = texture.tone
         hue += texture.hue

@@ -14,13 +14,13 @@ from airlight.scene.valleys import farmland, valleys
 #: Slope of the map's heights from which on land is rugged; height over cells of the smooth relief
 #: in plains, and its ratio to the slope of rugged land, by eye. [1]
 RUGGED: Final = 0.018
-PLAIN: Final = 0.004
+PLAIN: Final = 0.0025
 MOUNTAIN: Final = 5.3
 #: Contrast of valleys and of fields over that of the grain of the map, by eye. [1]
 VALLEYS: Final = 1.8
 FIELDS: Final = 2.0
 #: Contrast of valleys in plains over that in rugged land. [1]
-SMOOTH: Final = 0.3
+SMOOTH: Final = 0.12
 #: Change of the ratio of red to green by fields. [1]
 HUE: Final = 0.2
 #: Green reflectances of closed woods, which have few fields, and of fields. [1]
