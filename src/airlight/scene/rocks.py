@@ -46,8 +46,9 @@ SHADOW: Final = 2.5
 DARK: Final = 0.75
 #: Logarithm of the ratio of diameters on a lattice. [1]
 FOURFOLD: Final = log(4.0)
-#: Roughness of their faces, and of their outlines. [1]
-ROUGH: Final = 0.4
+#: Faces across a radius, their roughness, and that of their outlines. [1]
+FACETS: Final = 1.6
+ROUGH: Final = 0.2
 RAGGED: Final = 0.2
 #: Direct light that the ground and rocks lose per share of rocks, seen from above, under a star in
 #: the zenith, and its increase with the tangent of the zenith angle; of 20 000 places each. [1]
@@ -146,8 +147,13 @@ def rocks_met(x, y, ray, span, blur, density, sun):
                     if met > 0.0 and part > 0.0:
                         at_x += met * way_x
                         at_y += met * way_y
-                        face_x = at_x + ROUGH * sin(5.0 * at_y + 40.0 * first)
-                        face_y = at_y + ROUGH * sin(5.0 * at_x + 40.0 * second)
+                        along, aside = first, sqrt(1.0 - first * first)
+                        u = along * at_x + aside * at_y
+                        v = along * at_y - aside * at_x
+                        u = (floor(FACETS * u + second) + 0.5 - second) / FACETS
+                        v = (floor(FACETS * v + first) + 0.5 - first) / FACETS
+                        face_x = along * u - aside * v + ROUGH * sin(5.0 * at_y + 40.0 * first)
+                        face_y = aside * u + along * v + ROUGH * sin(5.0 * at_x + 40.0 * second)
                         face_z = met * climb * radius / max(height, 1e-6)
                         facing = face_x * sun.x + face_y * sun.y + face_z * sun.z
                         facing /= sqrt(face_x * face_x + face_y * face_y + face_z * face_z)
