@@ -32,7 +32,7 @@ _SHADE: Final = 0.25
 _GLINT: Final = 0.8
 #: Largest reduction of the exposure for the bright quarter and the highlights, and of a picture
 #: without black space. [EV]
-_PROTECTION: Final = 1.5
+_PROTECTION: Final = 2.5
 #: Least displayed level of a white surface that faces the star, for highlights. [1]
 _WHITE: Final = 0.75
 #: Pixels darker than this fraction of the bright end are ignored, such as black space.
@@ -338,7 +338,7 @@ def automatic_exposure(
               \quad a = \left(1 + \frac{34\ \mathrm{cd\,m^{-2}}}
               {\max(\bar L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
 
-    but at least :math:`0.75/L_w`, and at most :math:`1.5 - \log_2 b` EV below the larger of the
+    but at least :math:`0.75/L_w`, and at most :math:`2.5 - \log_2 b` EV below the larger of the
     key's :math:`0.42\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least
     1e-4 cd m⁻², and :math:`b = d` is the square root of the lit fraction of the picture, at least
     0.5: bright parts of a crescent keep their detail. By day a is 1, independent of the light
