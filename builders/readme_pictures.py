@@ -31,7 +31,7 @@ PICTURES = {
     "--latitude 43.5 --longitude 8 --sun-azimuth 240 --size 960x540",
     "limb-35km": "earth --altitude 35km --look 93,-110 --fov 80 --sun-zenith 65 "
     "--latitude 33 --longitude -104 --sun-azimuth 120 --size 960x540",
-    "mars": "mars --altitude 2m --look 88,100 --fov 60 --sun-zenith 65 --size 960x540",
+    "mars": "mars --altitude 2m --look 88,84 --fov 60 --sun-zenith 65 --size 960x540",
     "stockholm": "earth --at 59.33N,18.07E --time 2026-06-21T22:10+02:00 --look-at sun "
     "--size 960x540",
     "gale": "mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun --fov 50 --size 960x540",

@@ -45,7 +45,7 @@ def seen(
         sine = math.sin(zenith)
         sun = Vec3(sine * math.cos(turn), sine * math.sin(turn), math.cos(zenith))
         ray = Vec3(math.cos(turn + azimuth), math.sin(turn + azimuth), ascent)
-        found.append(rocks(place, whole, ray, sun, pixel, pixel, CELL, bare, SHARE))
+        found.append(rocks(place, whole, ray, sun, pixel, pixel, CELL, bare, SHARE)[:3])
     return np.array(found)
 
 

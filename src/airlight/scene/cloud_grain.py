@@ -38,21 +38,21 @@ FOLDED: Final = 0.1100
 FOLDED_DEVIATION: Final = 0.0772
 #: Shares of folded noise, which has narrow gaps, and of plain noise, which has large ones: the sum
 #: of their squares is 1, as both are uncorrelated. By eye. [1]
-PUFFED: Final = 0.7
-OPEN: Final = 0.714
+PUFFED: Final = 0.85
+OPEN: Final = 0.527
 #: A sixth of the skewness that folded noise leaves, of 4000 places at half cover, by which the sum
 #: is corrected (Cornish & Fisher 1938, Rev. Int. Stat. Inst. 5, 307), and standard deviations
 #: beyond which the correction stays. [1]
-SKEWED: Final = 0.125
+SKEWED: Final = 0.106
 FARTHEST: Final = 3.0
 #: Share of the variance that the correction leaves. [1]
-KEPT: Final = 0.863
+KEPT: Final = 0.902
 #: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
 WARPED: Final = 0.1
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
 #: and change of its logarithm with noise of its own. [1]
-EDGE: Final = 1.3
-VARIED: Final = 3.0
+EDGE: Final = 0.95
+VARIED: Final = 3.5
 #: Share of the coarsest octave without clouds, and its growth with their cover; twice that of the
 #: next one, up to 1. By eye. [1]
 SMALL: Final = 0.15

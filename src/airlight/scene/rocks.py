@@ -46,9 +46,11 @@ SHADOW: Final = 2.5
 DARK: Final = 0.75
 #: Logarithm of the ratio of diameters on a lattice. [1]
 FOURFOLD: Final = log(4.0)
-#: Faces across a radius, their roughness, and that of their outlines. [1]
+#: Faces across a radius, waves of pits in 2π radii, roughness of both, and that of outlines. [1]
 FACETS: Final = 1.6
+PITS: Final = 23.0
 ROUGH: Final = 0.2
+PITTED: Final = 0.25
 RAGGED: Final = 0.2
 #: Direct light that the ground and rocks lose per share of rocks, seen from above, under a star in
 #: the zenith, and its increase with the tangent of the zenith angle; of 20 000 places each. [1]
@@ -69,11 +71,14 @@ class Rocks(NamedTuple):
         Share of the direct light on the ground without rocks that remains. [1]
     light : float
         Direct light on rocks, over that of level ground. [1]
+    bare : float
+        Share of the pixel without rocks. [1]
     """
 
     tone: float
     open: float
     light: float
+    bare: float
 
 
 @kernel
@@ -152,8 +157,10 @@ def rocks_met(x, y, ray, span, blur, density, sun):
                         v = along * at_y - aside * at_x
                         u = (floor(FACETS * u + second) + 0.5 - second) / FACETS
                         v = (floor(FACETS * v + first) + 0.5 - first) / FACETS
-                        face_x = along * u - aside * v + ROUGH * sin(5.0 * at_y + 40.0 * first)
-                        face_y = aside * u + along * v + ROUGH * sin(5.0 * at_x + 40.0 * second)
+                        u += ROUGH * sin(5.0 * at_y + 40.0 * first)
+                        v += ROUGH * sin(5.0 * at_x + 40.0 * second)
+                        u += PITTED * sin(PITS * (at_x + met * climb)) * sin(PITS * at_y)
+                        face_x, face_y = along * u - aside * v, aside * u + along * v
                         face_z = met * climb * radius / max(height, 1e-6)
                         facing = face_x * sun.x + face_y * sun.y + face_z * sun.z
                         facing /= sqrt(face_x * face_x + face_y * face_y + face_z * face_z)
@@ -192,7 +199,7 @@ def rocks(place, whole, ray, sun, pixel, blur, cell, bare, share):
     share : float
         Share of bare ground below rocks. [1]
     """
-    tone, open_ground, light, below = 1.0, 1.0, 0.0, 0.0
+    tone, open_ground, light, below, left = 1.0, 1.0, 0.0, 0.0, 1.0
     scale = 4.0 ** floor(0.5 * log2(FINEST / cell) + 0.5)
     if bare * share > 0.0 and 0.4 * WIDEST * scale * STEP ** (LATTICES - 1) > pixel:
         inverse = 1.0 / (PATCH * scale)
@@ -217,9 +224,12 @@ def rocks(place, whole, ray, sun, pixel, blur, cell, bare, share):
             if cover < 0.98:
                 span = min(HIGHEST / up.z, SHADOW)
                 dark, _lit = rocks_met(x, y, up, span, blur / scale, density, sun)
-            tone *= 1.0 - shown * cover * (1.0 - DARK)
-            light = light * (1.0 - shown * cover) + shown * face
-            open_ground *= (1.0 - shown * cover) * (1.0 - shown * dark)
+            # the widest rocks hide what the narrow ones are
+            between = 1.0 - shown * cover
+            tone = tone * between + shown * cover * DARK
+            light = light * between + shown * face
+            open_ground *= between * (1.0 - shown * dark)
+            left *= between
         scale *= STEP
     kept = 1.0 - below * (LOST + SHADED * sine / max(sun.z, 2.0 * LOWEST))
-    return Rocks(tone / (1.0 - below * (1.0 - DARK)), open_ground / kept, light / kept)
+    return Rocks(tone / (1.0 - below * (1.0 - DARK)), open_ground / kept, light / kept, left)

@@ -421,8 +421,8 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             seen = cosine / (cosine + HOLLOW) if observer.optical_altitude < LOW else 1.0
             ascent += seen * craters(finest, whole, middle, way, wide, cell, view.craters)
         color[11] = stony.light + stony.open * texture_light(mu_s, ascent)
-        change = texture.tone
-        hue += texture.hue
+        change = stony.bare * texture.tone
+        hue += stony.bare * texture.hue
         tone *= LOUD
         dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - woody * ((1.0 - SHADY) * COVER + COMMON))
         dark *= stony.tone * leaves
