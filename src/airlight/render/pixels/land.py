@@ -398,6 +398,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
             if low < LOW and reach > 0.9 * sqrt(2.0 * low * frame.tables.bottom):
                 shorter = max(shorter, BEYOND * view.pixel_angle * reach / cell)
+        dark = 1.0
         pitted = view.craters > 0.0  # where craters last there is no wind
         texture = land_texture(
             finest, row, shorter, footprint / cell, whole, way, leaf, snow, not pitted
@@ -419,12 +420,14 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             wide = max(blur, FLATTENED * footprint / cell)
             middle = faced(middle, face)
             seen = cosine / (cosine + HOLLOW) if observer.optical_altitude < LOW else 1.0
-            ascent += seen * craters(finest, whole, middle, way, wide, cell, view.craters)
+            pits = craters(finest, whole, middle, way, wide, cell, view.craters)
+            ascent += seen * pits.ascent
+            dark = max(1.0 + pits.tone, 0.1)
         color[11] = stony.light + stony.open * texture_light(mu_s, ascent)
         change = stony.bare * texture.tone
         hue += stony.bare * texture.hue
         tone *= LOUD
-        dark = (1.0 - (1.0 - SHADY) * wood) / (1.0 - woody * ((1.0 - SHADY) * COVER + COMMON))
+        dark *= (1.0 - (1.0 - SHADY) * wood) / (1.0 - woody * ((1.0 - SHADY) * COVER + COMMON))
         dark *= stony.tone * leaves
         if view.mapped:
             red = dark * unmixed(color[0], view.water.x, share)
