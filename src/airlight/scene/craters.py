@@ -43,7 +43,7 @@ STEEPEST: Final = 0.45
 #: variable from 0, by eye. [1]
 UNROUND: Final = 0.12
 YOUNG: Final = 0.3
-#: Change of the reflectance in the middle of a fresh crater, whose soil is immature, by eye, and its
+#: Change of the reflectance in the middle of a fresh crater, whose soil is immature, by eye; its
 #: mean over cells with a crater: π/2 ``BRIGHT`` and the means of the squares of ``EJECTA`` radii,
 #: W² ln 4 / 12, and of the freshness. [1]
 BRIGHT: Final = 0.35
