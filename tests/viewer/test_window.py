@@ -411,6 +411,16 @@ def test_an_idle_window_costs_no_cpu_time(window: Driven, tell: Callable[[str], 
     assert share < 0.03
 
 
+def test_a_change_by_another_thread_wakes_the_window(window: Driven) -> None:
+    assert window.ask("settled", 180.0)
+    time.sleep(2.0)  # it sleeps
+    frames, sun = window.ask("frames"), window.ask("value", "view.sun_zenith")
+    window.ask("put", "view.sun_zenith", sun + 1.0 if sun < 90.0 else sun - 1.0)
+    window.until(lambda: window.ask("frames") > frames, 20.0)
+    assert window.ask("settled", 180.0)
+    window.ask("put", "view.sun_zenith", sun)
+
+
 #: A click that lasts for a frame.
 PRESS = ("mousedown", 1, "sleep", 0.06, "mouseup", 1)
 #: Parameters of the planet's file that are clicked, one of each kind of control.

@@ -1,7 +1,7 @@
 """Main window: picture and parameters of a planet, in a loop that never blocks.
 
 ``SolverThread``, ``PictureThread``, ``Probing`` and ``Saving`` wake the window when they have a
-result.
+result, the session when it is changed.
 """
 
 from __future__ import annotations
@@ -82,6 +82,7 @@ class Window:
         self.area = PictureArea(self.surface.backend)
         self.thumbnails = Thumbnails(device, self.surface.backend)
         self.gallery = Gallery(self.thumbnails.of)
+        self._unsubscribe = session.subscribe(lambda _versions: canvas.wake())
         self._sides = Sides(session, renderer, solver, canvas.wake)
         self._flight = Flight(session)
         self.recorder = FlightRecorder(session)
@@ -127,6 +128,7 @@ class Window:
 
     def close(self) -> None:
         """End all threads."""
+        self._unsubscribe()
         if self._preparing is not None:
             self._preparing.close()
         self._saving.close()
