@@ -5,10 +5,10 @@ c D^-2; the c of the lunar maria is 0.079 (Trask 1966, JPL Tech. Rep. 32-800, 25
 10^6 km², D in metres). Beyond ``TURN`` it falls as D^-3, near the production of new ones (Neukum,
 Ivanov & Hartmann 2001, Space Sci. Rev. 96, 55). Each cell of a lattice has at most one crater, of
 the diameters between those of the next finer and its own lattice; cells are on the face of a cube,
-distances on the ground. Only the slope towards the star is shown: a bowl with the depth and rim of
-a fresh crater (Pike 1977, in Impact and Explosion Cratering, 489), which ages to a shallow one
+distances on the ground. The slope towards the star is that of a bowl with the depth and rim of a
+fresh crater (Pike 1977, in Impact and Explosion Cratering, 489), which ages to a shallow one
 without rim, as by diffusion (Fassett & Thomson 2014, JGR Planets 119, 2255); old ones are the most.
-Mean sunlight remains.
+Soil of fresh ones is brighter. Mean sunlight and mean reflectance remain.
 """
 
 from __future__ import annotations
