@@ -173,6 +173,17 @@ def test_bands_keep_their_means() -> None:
     assert_allclose(whole.dni, 20.0 * parts.dni.sum(), rtol=2e-3)
 
 
+def test_overlapping_bands_are_interpolated() -> None:
+    # exponential light has exponential light between bands of 20 nm every 5 nm; the mean of any one
+    # of them would be a step
+    nm = np.arange(450.0, 651.0, 5.0)
+    planet = load_planet("earth-bruneton")
+    integrals = SpectralIntegrals(solve(planet, nm, "preview", bandwidth=20.0, cache=False))
+    found = integrals.spectra(np.exp(-nm / 100.0)[None])[0] / integrals.star
+    inside = (integrals.dense >= 450.0) & (integrals.dense <= 650.0)
+    assert_allclose(found[inside], np.exp(-integrals.dense[inside] / 100.0), rtol=1e-9)
+
+
 @pytest.mark.slow
 def test_uv_index_is_that_of_madronich(solved: Callable[..., MomentsSolution]) -> None:
     # Madronich (2007), Photochem. Photobiol. 83, 1537: 12.5 μ^2.42 (Ω/300)^-1.23 of clean air over

@@ -104,7 +104,10 @@ class SpectralIntegrals:
         self._order = np.argsort(solution.wavelengths)
         self.wavelengths = solution.wavelengths[self._order]
         widths = band_widths(solution)
-        self._widths = None if widths is None else widths[self._order]
+        self._widths = np.zeros(self._order.size) if widths is None else widths[self._order]
+        half = 0.5 * self._widths
+        apart = np.diff(self.wavelengths) > half[:-1] + half[1:] - 0.5
+        self._alone = np.concatenate([[True], apart]) & np.concatenate([apart, [True]])
         self.dense = steps_between(*self.range, 0.5)
         source = solution.lights[0]
         known = source.irradiance if source.spectrum is None else source.spectrum(self.dense)
@@ -114,10 +117,8 @@ class SpectralIntegrals:
     @property
     def range(self) -> tuple[float, float]:
         """First and last wavelength, of bands their edges. [nm]"""
-        half = np.zeros(2)
-        if self._widths is not None:
-            ends = self._widths[[0, -1]]
-            half = np.where(ends >= _WIDE, 0.5 * ends, 0.0)
+        ends = self._widths[[0, -1]]
+        half = np.where(ends >= _WIDE, 0.5 * ends, 0.0)
         return float(self.wavelengths[0] - half[0]), float(self.wavelengths[-1] + half[1])
 
     @property
@@ -128,16 +129,15 @@ class SpectralIntegrals:
     def spectra(self, ratio: FloatArray) -> FloatArray:
         """Irradiance at half nanometres from that over the star's, (n, nl) to (n, nd).
 
-        That of a band of 2 nm or more has the mean of the band.
+        That of a band of 2 nm or more has the mean of the band, unless it overlaps another one.
         """
         logs = np.log(np.maximum(ratio[:, self._order], _DARK))
         found = [np.interp(self.dense, self.wavelengths, one) for one in logs]
         between = np.exp(found)
         lit: FloatArray = np.where(between > 10.0 * _DARK, between, 0.0) * self.star
-        widths = np.zeros(self.wavelengths.shape) if self._widths is None else self._widths
-        for k in np.flatnonzero(widths >= _WIDE):
-            low = self.wavelengths[k] - 0.5 * widths[k]
-            of = (self.dense >= low) & (self.dense < low + widths[k])
+        for k in np.flatnonzero((self._widths >= _WIDE) & self._alone):
+            low = self.wavelengths[k] - 0.5 * self._widths[k]
+            of = (self.dense >= low) & (self.dense < low + self._widths[k])
             known = ratio[:, self._order[k]] * self.star[of].sum()
             lit[:, of] *= (known / np.maximum(lit[:, of].sum(axis=1), _DARK))[:, None]
         return lit
