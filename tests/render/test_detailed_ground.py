@@ -115,3 +115,19 @@ def test_clouds_seen_from_space_are_in_detailed_pictures_from_above_60_km(
     ]
     assert levels == sorted(levels)
     assert levels[-1] > levels[0] > 1.0
+
+
+@pytest.mark.parametrize("edits", [{}, {"ground.map": None}])
+def test_ejecta_are_seen_under_an_overhead_sun(
+    edits: dict[str, None], solved: Callable[..., MomentsSolution]
+) -> None:
+    # Slopes have no shade there: what craters change, with a map or without, is the reflectance.
+    camera = Camera(width=48, height=36, look_zenith=180.0, field_of_view=60.0)
+    scene = Scene(camera=camera, altitude=3e4, sun_zenith=0.0, ground="detailed")
+    seen = []
+    for of in ({}, {"ground.craters": 0.0}):
+        planet = load_planet("moon", {**edits, **of})
+        seen.append(render(solved(planet, (680.0, 550.0, 440.0), "preview"), scene).rgb)
+    ratio = seen[0] / seen[1]
+    assert ratio.std() > 0.01
+    assert_allclose(ratio.mean(), 1.0, atol=0.03)

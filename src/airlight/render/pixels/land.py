@@ -82,8 +82,8 @@ COMMON: Final = 0.031
 #: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
 #: as ellipses. [1]
 FLATTENED: Final = 0.3
-#: Cosine of the zenith angle of a low observer's line of sight at which rims hide half of the
-#: slopes of craters, by eye. [1]
+#: Cosine of the zenith angle of a line of sight from the ground at which rims hide half of the
+#: slopes of craters, by eye; from ``LOW`` on they hide nothing. [1]
 HOLLOW: Final = 0.08
 #: Finest texture of hills beyond the horizon, all of whose rows lie at one place, by eye. [pixel]
 BEYOND: Final = 8.0
@@ -419,7 +419,8 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         if pitted:
             wide = max(blur, FLATTENED * footprint / cell)
             middle = faced(middle, face)
-            seen = cosine / (cosine + HOLLOW) if observer.optical_altitude < LOW else 1.0
+            hidden = HOLLOW * max(1.0 - observer.optical_altitude / LOW, 0.0)
+            seen = cosine / max(cosine + hidden, 1e-6)
             pits = craters(finest, whole, middle, way, wide, cell, view.craters)
             ascent += seen * pits.ascent
             dark = max(1.0 + pits.tone, 0.1)
@@ -438,4 +439,4 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             blue = textured(blue * max(1.0 + view.grain.z * tone, 0.0), change - hue)
             land_and_water(red, green, blue, share, texture.shore, spot, view, color)
         else:
-            color[8] = stony.tone * (1.0 + view.grain.x * tone + change)
+            color[8] = dark * (1.0 + view.grain.x * tone + change)
