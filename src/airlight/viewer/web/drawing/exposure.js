@@ -1,13 +1,15 @@
 /**
- * Automatic exposure of a view: the formulas of image/exposure.py, star_exposure.py and
- * scene/metering.py.
+ * Automatic exposure and white of a view: the formulas of image/exposure.py, star_exposure.py,
+ * white_balance.py and scene/metering.py.
  */
 import {
   PIXEL_ANGLES,
   exposure_with_stars,
   left_out,
+  luminance_of,
   metered_light,
   metering_weight,
+  scene_weight,
   unlit_exposure,
 } from "../generated/formulas.js";
 
@@ -50,4 +52,31 @@ export function automaticExposure(rgba, [width, height], camera, projection, sta
   const table = (numbers) => ({ values: Float64Array.from(numbers), shape: [numbers.length] });
   const columns = [0, 1, 2, 3].map((part) => table(pixels.map((one) => one[part])));
   return exposure_with_stars(...columns, suns.length, black, whole, white);
+}
+
+/** Luminance of a white surface that faces a light: white_luminance in scene/metering.py. */
+export function whiteOf(numbers) {
+  const sums = ["red", "green", "blue"].map((channel) =>
+    [0, 1, 2, 3].reduce((sum, i) => sum + numbers[`${channel}_${i}`], 0),
+  );
+  return Math.max(luminance_of(...sums), 0) / Math.PI;
+}
+
+/**
+ * Chromaticity of a scene's mean light: `scene_white` in Python.
+ *
+ * @param {Float32Array} rgba Linear sRGB, four values per pixel. [W m⁻² sr⁻¹]
+ * @param {number} factor Factor of the exposure. [1]
+ * @param {number[][]} toXyz XYZ of each channel.
+ * @returns {[number, number]} x and y; 0 if there is no light.
+ */
+export function sceneWhite(rgba, factor, toXyz) {
+  const total = [0, 0, 0];
+  for (let i = 0; i < rgba.length; i += 4) {
+    const color = rgba.subarray(i, i + 3);
+    const weight = scene_weight(...color, factor);
+    if (weight > 0) color.forEach((one, c) => (total[c] += weight * one));
+  }
+  const [x, y, z] = [0, 1, 2].map((k) => total.reduce((s, one, c) => s + one * toXyz[c][k], 0));
+  return y > 0 ? [x / (x + y + z), y / (x + y + z)] : [0, 0];
 }

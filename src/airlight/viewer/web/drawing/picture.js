@@ -11,14 +11,14 @@
  * transferred), `ground` (see ground.js), `radius`, `thickness`, `star`, `star_white` and
  * `geometry` (see view_uniforms.js).
  */
-import { automaticExposure } from "./exposure.js";
+import { automaticExposure, sceneWhite, whiteOf } from "./exposure.js";
 import { groundTexels } from "./ground.js";
 import { numbersOf } from "./package.js";
+import { probeText } from "./probe_text.js";
 import { Program } from "./program.js";
 import { cameraUniforms, detailUniforms, observerUniforms } from "./view_uniforms.js";
 import { EVEN, lightsOf } from "./lights.js";
 import { Adaptation } from "../state/adaptation.js";
-import { luminanceText } from "../state/number_text.js";
 import {
   CIRCULAR,
   CONNECTED,
@@ -27,9 +27,6 @@ import {
   disc_factor,
   glare_levels,
   glare_share,
-  luminance_of,
-  scene_weight,
-  sky_magnitude,
   white_gains,
 } from "../generated/formulas.js";
 import { ALONG, ASLANT, DISC_FORMAT, LEAST_HEIGHT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
@@ -362,7 +359,7 @@ export class Picture {
       this.sum("metering", numbers, ...size, area);
       found.push(await program.read("metering", area));
     }
-    return described(found, fixed);
+    return probeText(found, fixed);
   }
 
   /** Size of a metered frame. [pixel] */
@@ -395,53 +392,4 @@ export class Picture {
     const exposure = dehazed_exposure(found, white, sun, camera.dehaze, altitude);
     return exposure + (camera.filter ? fixed.filter_exposure : 0);
   }
-}
-
-/** Luminance of a white surface that faces a light: white_luminance in scene/metering.py. */
-function whiteOf(numbers) {
-  const sums = ["red", "green", "blue"].map((channel) =>
-    [0, 1, 2, 3].reduce((sum, i) => sum + numbers[`${channel}_${i}`], 0),
-  );
-  return Math.max(luminance_of(...sums), 0) / Math.PI;
-}
-
-/**
- * Chromaticity of a scene's mean light: `scene_white` in Python.
- *
- * @param {Float32Array} rgba Linear sRGB, four values per pixel. [W m⁻² sr⁻¹]
- * @param {number} factor Factor of the exposure. [1]
- * @param {number[][]} toXyz XYZ of each channel.
- * @returns {[number, number]} x and y; 0 if there is no light.
- */
-function sceneWhite(rgba, factor, toXyz) {
-  const total = [0, 0, 0];
-  for (let i = 0; i < rgba.length; i += 4) {
-    const color = rgba.subarray(i, i + 3);
-    const weight = scene_weight(...color, factor);
-    if (weight > 0) color.forEach((one, c) => (total[c] += weight * one));
-  }
-  const [x, y, z] = [0, 1, 2].map((k) => total.reduce((s, one, c) => s + one * toXyz[c][k], 0));
-  return y > 0 ? [x / (x + y + z), y / (x + y + z)] : [0, 0];
-}
-
-/**
- * Text of luminance, chromaticity and polarisation.
- *
- * @param {Float32Array[]} found Linear sRGB of I and, if available, of Q and U. [W m⁻² sr⁻¹]
- */
-function described([rgb, ...polarised], { xyz, efficacy, dark }) {
-  const part = (light, i) => xyz.reduce((sum, row, c) => sum + row[i] * light[c], 0);
-  const [x, y, z] = [0, 1, 2].map((i) => part(rgb, i));
-  if (!(y > 0)) return "no light";
-  const sum = x + y + z;
-  const lines = [`luminance ${luminanceText(efficacy * y)}`];
-  if (efficacy * y < dark) lines.push(`${sky_magnitude(efficacy * y).toFixed(2)} mag/arcsec²`);
-  lines.push(`x ${(x / sum).toFixed(3)}, y ${(y / sum).toFixed(3)}`);
-  if (polarised.length) {
-    const [q, u] = polarised.map((light) => part(light, 1));
-    const degree = Math.min(Math.hypot(q, u) / y, 1);
-    const angle = (Math.atan2(u, q) / 2) * (180 / Math.PI);
-    lines.push(`polarised ${(100 * degree).toFixed(1)} % at ${angle.toFixed(1)}°`);
-  }
-  return lines.join("\n");
 }

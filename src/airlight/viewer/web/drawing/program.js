@@ -53,10 +53,22 @@ export class Program {
       this.compiled.set(pass.name, { ...(await promises.get(key)) });
     });
     await Promise.all(work);
+    return this.withTargets();
+  }
+
+  withTargets() {
     for (const { name, format, width, height } of this.plan.passes.flatMap((p) => p.targets)) {
-      if (!this.textures.has(name)) this.textures.set(name, device.target(format, width, height));
+      if (this.textures.has(name)) continue;
+      this.textures.set(name, this.device.target(format, width, height));
     }
     return this;
+  }
+
+  /** The same compiled passes with uniforms, tables and targets of their own. */
+  twin() {
+    const other = new Program(this.device, this.plan, this.shaders);
+    for (const [name, compiled] of this.compiled) other.compiled.set(name, { ...compiled });
+    return other.withTargets();
   }
 
   /** Set a field of the uniform struct: a number, or the leading numbers of an array. */
@@ -99,11 +111,17 @@ export class Program {
     for (const name of names) this.runIn(name, null);
   }
 
-  /** Run a pass in an area of its targets: left, top, width, height. [texel] */
-  runIn(name, area) {
+  /**
+   * Run a pass in an area of its targets: left, top, width, height. [texel]
+   *
+   * @param {Object<string, object>} given Textures by the names of tables, instead of its own.
+   * @param {object[] | null} into Targets instead of its own.
+   */
+  runIn(name, area, given = {}, into = null) {
     const pass = this.plan.passes.find((one) => one.name === name);
-    const reads = Object.entries(pass.reads).map(([slot, one]) => [slot, this.textures.get(one)]);
-    const targets = pass.targets.map((one) => this.textures.get(one.name));
+    const texture = (one) => given[one] ?? this.textures.get(one);
+    const reads = Object.entries(pass.reads).map(([slot, one]) => [slot, texture(one)]);
+    const targets = into ?? pass.targets.map((one) => this.textures.get(one.name));
     this.device.run(
       this.compiled.get(name),
       this.uniforms,
