@@ -222,14 +222,14 @@ def in_page(browser: Any, clock: Callable[[], float], folder: Path) -> tuple[flo
     """CPU time and time of the page's solver in the browser. [s]"""
     from airlight.planets.medium import Medium
     from airlight.solver.moments.solve import solve
-    from airlight.viewer.browser import page as pages
     from airlight.viewer.browser.page import page_text
+    from airlight.viewer.browser.page_data import page_data
     from airlight.viewer.session.session import Session
 
     planet = world()
     solution = solve(Medium.from_planet(planet, WAVELENGTHS), scalar("preview"))
     solution = solution.of(planet)
-    data = pages.page_data(solution, PLANET, PLANET, Session(PLANET).values, "three")
+    data = page_data(solution, PLANET, PLANET, Session(PLANET).values, "three")
     file = folder / "page.html"
     file.write_text(page_text(PLANET, json.loads(json.dumps(data))), encoding="utf-8")
     page = browser.new_page()

@@ -62,6 +62,29 @@ def test_page_too_large_with_four_wavelengths_has_three(
     assert place.stat().st_size < size  # the page before is kept
 
 
+def test_page_of_a_scene_has_its_time_and_no_sun_of_its_own(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    place = tmp_path / "moon.html"
+    view = ["--view", "hours=-1.5", "--set", "moon.albedo=0.2"]
+    assert main(["export-page", "lunar-eclipse", "-o", str(place), *view, *QUICK]) == 0
+    data = page_data(place)
+    declared = {one["path"]: one for one in data["parameters"]}
+    assert data["values"]["scene.hours"] == -1.5
+    assert declared["view.sun_zenith"]["mode"] == "derived"
+    assert not {"view.clock", "view.second_light"} & declared.keys()
+    scene = data["picture"]["scene"]
+    assert [one["name"] for one in scene["bodies"]] == ["earth", "moon"]
+    assert [one["hours"] for one in scene["moments"]][::24] == [-12.0, 0.0, 12.0]
+    assert scene["bodies"][1]["lights"][0]["shade"] is not None
+
+    assert main(["export-page", "solar-eclipse-2017", "-o", str(place), *QUICK]) == 2
+    assert "corona, which only the CPU draws" in capsys.readouterr().err
+    words = ["--view", "sun_zenith=80"]
+    assert main(["export-page", "lunar-eclipse", "-o", str(place), *words, *QUICK]) == 2
+    assert "view is 'view.sun_zenith'; allowed: view.altitude" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

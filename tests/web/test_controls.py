@@ -15,7 +15,8 @@ from numpy.testing import assert_allclose
 from waiting import PATIENCE, until
 
 from airlight.planets import load_planet
-from airlight.viewer.browser.page import page_parameters, page_text
+from airlight.viewer.browser.page import page_text
+from airlight.viewer.browser.page_data import page_parameters
 from airlight.viewer.browser.page_solver import MOST
 from airlight.viewer.navigation.viewpoints import as_json as viewpoints
 from airlight.viewer.parameters.amounts import amounts_of

@@ -24,7 +24,8 @@ from airlight.render.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.solver.moments.settings import QUALITIES
 from airlight.solver.moments.solution import MomentsSolution
 from airlight.solver.moments.solve import solve
-from airlight.viewer.browser.page import page_data, page_text
+from airlight.viewer.browser.page import page_text
+from airlight.viewer.browser.page_data import page_data
 from airlight.viewer.browser.page_solver import page_settings
 from airlight.viewer.parameters.amounts import amounts_of
 from airlight.viewer.parameters.view_parameters import DEFAULTS

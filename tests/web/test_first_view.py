@@ -12,8 +12,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from airlight import load_planet, solve
-from airlight.viewer.browser.page import LARGEST_PICTURE, first_picture, page_data, page_text
+from airlight import load_planet, render, solve
+from airlight.viewer.browser.page import LARGEST_PICTURE, first_picture, page_text
+from airlight.viewer.browser.page_data import page_data
+from airlight.viewer.browser.page_subject import SIDE
+from airlight.viewer.parameters.view_parameters import scene_of
 from airlight.viewer.session.session import Session
 
 #: Script before all others: whether the first picture has stood in the viewer, however short.
@@ -31,7 +34,8 @@ def text() -> str:
     session = Session("mars-rayleigh")
     session.move({"view.altitude": 4e5, "view.look_zenith": 105.0, "view.sun_zenith": 60.0})
     data = page_data(solution, "mars-rayleigh", "Mars", session.values, "three")
-    return page_text("Mars", data, first_picture(solution, session.values))
+    frame = render(solution, scene_of(session.values, SIDE, SIDE))
+    return page_text("Mars", data, first_picture(frame, session.values))
 
 
 def test_the_picture_is_small_and_of_the_view(text: str) -> None:

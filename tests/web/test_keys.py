@@ -11,7 +11,8 @@ import pytest
 from numpy.testing import assert_allclose
 from waiting import until
 
-from airlight.viewer.browser.page import page_parameters, page_text
+from airlight.viewer.browser.page import page_text
+from airlight.viewer.browser.page_data import page_parameters
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.keys import as_json
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of

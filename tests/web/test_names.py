@@ -9,7 +9,8 @@ from typing import Any
 import airlight.viewer
 from airlight import load_planet, solve
 from airlight.planets import replace
-from airlight.viewer.browser.page import page_data, page_text
+from airlight.viewer.browser.page import page_text
+from airlight.viewer.browser.page_data import page_data
 from airlight.viewer.session.session import Session
 
 #: Names that would each set ``hit`` where they were read as HTML.

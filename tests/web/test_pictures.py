@@ -26,7 +26,8 @@ from airlight.render.pixels import view_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import SurfaceMap, from_pixels, surface_map
 from airlight.viewer.browser.package import ground_map
-from airlight.viewer.browser.page import page_data, page_text
+from airlight.viewer.browser.page import page_text
+from airlight.viewer.browser.page_data import page_data
 from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, settings_of
 
 WIDTH, HEIGHT = 128, 72

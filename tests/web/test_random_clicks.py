@@ -17,7 +17,8 @@ from PIL import Image
 from waiting import PATIENCE, until
 
 from airlight import load_planet, solve
-from airlight.viewer.browser.page import page_data, page_text
+from airlight.viewer.browser.page import page_text
+from airlight.viewer.browser.page_data import page_data
 from airlight.viewer.session.session import Session
 
 WIDTH, HEIGHT = 160, 90

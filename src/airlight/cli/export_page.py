@@ -1,4 +1,4 @@
-"""``airlight export-page``: interactive page of a planet in one HTML file."""
+"""``airlight export-page``: interactive page of a planet or a scene in one HTML file."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ EPILOG = examples(
     "airlight export-page earth -o earth.html",
     "airlight export-page mars --view altitude=2 --view sun_zenith=88 -o mars.html",
     "airlight export-page my-planet.toml --set ground.albedo=0.5 -o page.html",
+    "airlight export-page lunar-eclipse -o eclipse.html",
 )
 
 
@@ -40,7 +41,7 @@ def export_page(
     quality: Quality = "default",
     no_cache: NoCache = False,
 ) -> None:
-    """Write an interactive page of a planet: a single HTML file, below 5 MB.
+    """Write an interactive page of a planet or a scene: a single HTML file, below 5 MB.
 
     The page renders with WebGPU or WebGL2, and loads nothing from a network.
     """
@@ -70,10 +71,11 @@ def export_page(
 
 def _view_value(text: str) -> tuple[str, float | str | bool]:
     """Path and value of a ``--view``."""
-    from airlight.viewer.browser.page import page_parameters
+    from airlight.viewer.browser.page_data import page_parameters
+    from airlight.viewer.browser.scene_package import HOURS
 
     name, equals, word = text.partition("=")
-    found = {one.path: one for one in page_parameters()}
+    found = {one.path: one for one in (*page_parameters(), HOURS)}
     short = {path.split(".", 1)[1]: path for path in found}
     path = short.get(name.strip(), name.strip())
     if not equals or path not in found:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.image.xyz import luminance
 from airlight.physics.optics.bare_surface import albedo_unit, law_number
-from airlight.render.scene_lights import SceneLights
+from airlight.render.scene_lights import SceneLights, Shade
 from airlight.scene.moon_face import MOON_MAP, near_side_mean
 from airlight.scene.surface_map import SurfaceMap, surface_map
 from airlight.scene.system import System
@@ -67,6 +67,7 @@ def light_uniforms(
     light: Light,
     local: FloatArray,
     weights: FloatArray | None,
+    shade: Shade | None = None,
 ) -> tuple[dict[str, float], FloatArray | None]:
     """Uniforms of a body under a light, of those of ``BareBody``, and its ``shade_table``.
 
@@ -76,6 +77,8 @@ def light_uniforms(
         Argument of ``place_uniforms``.
     weights : array, shape (nl, 3), optional
         Linear sRGB per radiance; by default ``picture_weights``.
+    shade : Shade, optional
+        Shadow on the body; by default that of ``lights``.
 
     Raises
     ------
@@ -98,10 +101,11 @@ def light_uniforms(
         else radius / float(np.linalg.norm(place - body.centre)),
         "light_radius": source.angular_radius,
     }
-    shade = None if light.star is None else lights.shade(light, body)
+    if shade is None and light.star is not None:
+        shade = lights.shade(light, body)
     if shade is None:
         return uniforms | {"shaded": 0.0}, None
-    offset = shade.body.centre - body.centre
+    offset = system.body(shade.body.name).centre - body.centre
     distance = float(np.linalg.norm(offset))
     angles = shade.separations
     left = np.divide(

@@ -180,13 +180,15 @@ class SceneLights:
             left *= _beside(star.towards(own.centre), alpha, bare, darkening)
         return left
 
-    def shade(self, star: Light, own: Body) -> Shade | None:
+    def shade(self, star: Light, own: Body, *, whole: bool = False) -> Shade | None:
         """Body whose shadow falls on another body; None without one.
 
         Parameters
         ----------
         star, own : Light, Body
             Star, and body that it lights.
+        whole : bool
+            Whether the table has all separations, for bodies that move on.
 
         Raises
         ------
@@ -210,7 +212,9 @@ class SceneLights:
             if found is not None:
                 raise ConflictError(own.name, f"is behind both {found.body.name} and {body.name}")
             if body.name in self.solutions:
-                ends = np.array([max(apart - reach, 0.0), apart + reach])
+                ends = np.array(
+                    [0.0, math.pi] if whole else [max(apart - reach, 0.0), apart + reach]
+                )
                 self._behind(body, own, source, ends)
                 fine, left = self._shadows[body.name, own.name, source.name]
                 found = Shade(body, fine, left, 0.0)

@@ -38,6 +38,7 @@ from airlight.scene.metering import dehazed_exposure, left_out, metering_weight
 from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
+from airlight.scene.projections.projected import projected_ray
 from airlight.solver.moments import (
     convergence,
     elimination,
@@ -83,6 +84,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     left_out: (),
     dehazed_exposure: (),
     metering_weight: (I32, *(F32 for _ in range(5)), VEC3, F32),
+    projected_ray: (I32, *(F32 for _ in range(5))),
     glare_levels: (),
     sky_magnitude: (),
     glare_share: (),

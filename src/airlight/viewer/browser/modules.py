@@ -18,6 +18,8 @@ from airlight.render.gpu.device.flat import FORMATS, PACKED_FORMAT
 from airlight.render.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
 from airlight.render.pixels.polarising_filter import ALONG, ASLANT, NONE
 from airlight.render.pixels.render_tables import WAVELENGTHS
+from airlight.render.pixels.star_disc import SMALL
+from airlight.render.render_system import SAMPLES
 from airlight.scene.ground_detail import LEAST_HEIGHT, NOMINAL_ROWS
 from airlight.viewer.browser.formulas import formulas_text
 from airlight.viewer.navigation import keys
@@ -48,6 +50,7 @@ def _sizes_module() -> str:
         f"export const ASLANT = {ASLANT};\n"
         f"export const LANES = {WAVELENGTHS};\nexport const NOMINAL_ROWS = {NOMINAL_ROWS};\n"
         f"export const LEAST_HEIGHT = {LEAST_HEIGHT};\n"
+        f"export const SAMPLES = {SAMPLES};\nexport const SMALL_DISC = {SMALL};\n"
         f"export const CHANNELS = {json.dumps(channels)};\n"
     )
 

@@ -24,6 +24,7 @@ from airlight.image.xyz import rgb_to_xyz
 from airlight.physics.constants import LUMINOUS_EFFICACY
 from airlight.render.gpu.device.flat import FORMATS
 from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.display_shaders import (
     added_shader,
     coarser_shader,
@@ -55,7 +56,7 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.scene.star_light import StarLight
 from airlight.scene.surface_map import SurfaceMap, surface_map
 from airlight.solver.moments.solution import MomentsSolution
-from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
+from airlight.viewer.browser.web_shaders import CORNERS, scene_shaders, web_shaders
 from airlight.viewer.navigation.viewpoints import as_json as viewpoints
 from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 
@@ -81,13 +82,13 @@ _DIGITS: Final = 6
 _RADII: Final = 1024
 
 
-def plan(marched: bool = False) -> dict[str, Any]:
+def plan(marched: bool = False, scene: bool = False) -> dict[str, Any]:
     """Rendering and display passes, and offset of each uniform; see ``web/drawing/program.js``.
 
     Parameters
     ----------
-    marched : bool
-        Argument of ``web_shaders``.
+    marched, scene : bool
+        Arguments of ``web_shaders``.
     """
     columns, rows = SKY_VIEW_SIZE
     where = FRAME.layout()
@@ -104,11 +105,16 @@ def plan(marched: bool = False) -> dict[str, Any]:
         return resized(f"{name}_2")[0]
 
     def one(
-        name: str, shader: Shader, entry: str, targets: list[dict[str, Any]], **reads: str
+        name: str,
+        shader: Shader,
+        entry: str,
+        targets: list[dict[str, Any]],
+        of: str = "",
+        **reads: str,
     ) -> dict[str, Any]:
         return {
             "name": name,
-            "shader": shader.name,
+            "shader": of or shader.name,
             "vertex": CORNERS,
             "entry": entry,
             "uniforms": "0/0",
@@ -136,6 +142,13 @@ def plan(marched: bool = False) -> dict[str, Any]:
                 picture=parts[0],
                 level=parts[1],
             ),
+        ]
+
+    def bodies() -> list[dict[str, Any]]:
+        """Passes of layers, whose textures are given when they run."""
+        return [
+            one(name, shader, next(iter(shader.entries)), resized(f"layer_{name}"), name)
+            for name, shader in scene_shaders(WGSL).items()
         ]
 
     return {
@@ -202,21 +215,23 @@ def plan(marched: bool = False) -> dict[str, Any]:
                 for k in range(1, LEVELS + 1)
             ),
             one("display", display_shader(), "shown_picture", [], coarser="spread_1"),
+            *(bodies() if scene else ()),
         ],
     }
 
 
-def program(marched: bool = False) -> dict[str, Any]:
+def program(marched: bool = False, scene: bool = False) -> dict[str, Any]:
     """Data for all solutions, as JSON values.
 
     Parameters
     ----------
-    marched : bool
-        Argument of ``web_shaders``; without it rings have no shadow, and planets are spheres.
+    marched, scene : bool
+        Arguments of ``web_shaders``; if not ``marched``, rings have no shadow, and planets are
+        spheres.
     """
     return {
-        "plan": plan(marched),
-        "shaders": web_shaders(marched),
+        "plan": plan(marched, scene),
+        "shaders": web_shaders(marched, scene),
         "marched": marched,
         "sky": {
             "full": list(SKY_VIEW_SIZE),

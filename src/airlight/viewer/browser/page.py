@@ -1,4 +1,4 @@
-"""Export of a planet as one HTML file with flight, sun and exposure, without a server."""
+"""Export of a planet, or of a scene of several bodies, as one HTML file without a server."""
 
 from __future__ import annotations
 
@@ -10,37 +10,22 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from string import Template
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
-import numpy as np
-from numpy.typing import NDArray
-
-from airlight.errors import FileError, ParameterError
+from airlight.errors import FileError
 from airlight.files.atomic_file import atomic_file, check_target
-from airlight.geometry.ephemeris.sun_formula import NUMBERED
 from airlight.image.display import to_display
 from airlight.kernel.threads import Cancel, Progress
-from airlight.planets import load_planet
-from airlight.planets.picture_wavelengths import texel_wavelengths
-from airlight.render import render
-from airlight.render.solve_planet import solve_planet
-from airlight.solver.moments.harmonics import moment_count
 from airlight.viewer.browser.modules import join_modules, web_file
-from airlight.viewer.browser.package import program, solution_package
-from airlight.viewer.browser.page_solver import MOST, solver_data
-from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
-from airlight.viewer.navigation.viewpoints import view_in
-from airlight.viewer.parameters.amounts import amounts_of
-from airlight.viewer.parameters.parameter import Parameter, Value
-from airlight.viewer.parameters.sun_clock import OF_DATE
-from airlight.viewer.parameters.view_parameters import VIEW_VALUES, scene_of, settings_of
-from airlight.viewer.session.session import Session
+from airlight.viewer.browser.page_subject import page_subject
+from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.parameters.view_parameters import settings_of
+
+if TYPE_CHECKING:
+    from airlight.scene.frame import Frame
 
 #: Largest size of a page. [byte]
 LARGEST: Final = 5_000_000
-#: Size of the picture, of which a browser shows the part that its window has: a square holds what a
-#: window of any shape, wider than high, sees. [pixel]
-SIDE: Final = 840
 #: Largest size of the file, and size that a page must leave for it. [byte]
 LARGEST_PICTURE: Final = 60_000
 LEAST_PICTURE: Final = 25_000
@@ -53,13 +38,6 @@ _POLICY: Final = (
 _FIRST: Final = Template(
     '<img class="airlight-first" src="$address" alt="" style="object-fit: $fit">'
     '<div class="airlight-over airlight-progress">preview — loading</div>'
-)
-#: Note of a page about the planet's parameters.
-NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
-
-#: Note of a page that solves edits of amounts and ground.
-EDITED: Final = (
-    "Amounts and the ground are edited here; the desktop viewer edits all: airlight view {name}"
 )
 
 
@@ -85,90 +63,6 @@ class Page:
     wavelengths: str
 
 
-def page_parameters(*, dated: bool = True) -> tuple[Parameter, ...]:
-    """View parameters that a page can change: those that need no new solution.
-
-    Parameters
-    ----------
-    dated : bool
-        Whether a date determines the sun of the planet's ``body`` in the page.
-    """
-    return tuple(
-        one for one in VIEW_VALUES if one.part != "planet" and (dated or one.path not in OF_DATE)
-    )
-
-
-def page_data(
-    solution: Any, name: str, title: str, values: Mapping[str, Value], count: str
-) -> dict[str, Any]:
-    """Data of a page, as read by ``web/main.js``.
-
-    Parameters
-    ----------
-    solution : MomentsSolution
-        Solution at three or four wavelengths.
-    name, title : str
-        Name of the preset or file; title of the page.
-    values : mapping
-        View values by path.
-    count : str
-        Number of wavelengths, ``three`` or ``four``.
-
-    Returns
-    -------
-    dict
-        JSON values.
-    """
-    numbers, tables = solution_package(solution)
-    solver = solver_data(solution)
-    if solver["plan"]["tables"]["ratios"]["shape"][:3] == numbers["uniforms"]["table_columns"][1:]:
-        solver["scalars"]["ratios"] = None  # the table is already in the picture
-    planet = solution.planet
-    edited = () if planet is None else amounts_of(planet, MOST)
-    body = None if solution.planet is None else solution.planet.body
-    parameters = page_parameters(dated=body in NUMBERED)
-    medium = solution.medium
-    fixed = program(bool(medium.rings) or medium.flattening > 0.0)
-    return {
-        "title": title,
-        "planet": name,
-        "body": body,
-        "note": (EDITED if edited else NOTE).format(name=name),
-        "parameters": [one.as_json() for one in (*edited, *parameters)],
-        "values": {
-            **{one.path: values[one.path] for one in parameters},
-            **{one.path: one.present for one in edited},
-        },
-        "solution": f"{count} wavelengths, solved at the quality {solution.settings.as_text()}",
-        "solver": solver,
-        "picture": {
-            **fixed,
-            "shaders": deflated(json.dumps(fixed["shaders"])),
-            **numbers,
-            "tables": {
-                key: {"format": kind, "data": _table_text(key, table, numbers["uniforms"])}
-                for key, (kind, table) in tables.items()
-            },
-        },
-    }
-
-
-def _table_text(key: str, table: NDArray[np.float32], uniforms: Mapping[str, Any]) -> str:
-    """Encode a table as text, with display precision, as differences along the radius."""
-    constituents = int(uniforms["constituents"])
-    if key == "scalars":  # only the columns may be rounded
-        start, *shape = (int(n) for n in uniforms["table_columns"])
-        columns = slice(start, start + int(np.prod(shape)) * 2)
-        table = table.copy()
-        table[columns] = rounded(table[columns], DIGITS)
-        return as_text(table, 2 * constituents)
-    if key == "fields":
-        degree, suns = int(uniforms["degree"]), int(uniforms["sun_angles"])
-        texels = suns * (1 + moment_count(degree))
-        return as_text(rounded(table, DIGITS), 4 * texels)
-    return as_text(rounded(table, DIGITS), 4 if key == "disc" else 4 * constituents)
-
-
 def export_page(
     planet: str | Path,
     output: str | Path,
@@ -181,18 +75,19 @@ def export_page(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Page:
-    """Solve a planet and write its page.
+    """Solve a planet, or those of a scene, and write the page.
 
     Parameters
     ----------
     planet : str or Path
-        Name of a preset, or path of a planet file.
+        Name of a preset, or path of a planet or scene file.
     output : str or Path
         Path of the page; written completely or not at all.
     changes : mapping, optional
-        Overrides of the planet's file by path, as for ``load_planet``.
+        Overrides of the file by path, as for ``load_planet`` or ``load_system``.
     view : mapping, optional
-        Initial view values by path; without any, those of the first viewpoint. [parameter.unit]
+        Initial view values by path; without any, those of the first viewpoint, or of the scene.
+        [parameter.unit]
     quality : str
         ``preview``, ``default`` or ``fine``; replaced by ``preview`` above 5 MB.
     wavelengths : str
@@ -206,29 +101,18 @@ def export_page(
     FileError
         If the page cannot be written, or would be larger than 5 MB even at ``preview`` with three
         wavelengths.
+    ConflictError
+        If only the CPU draws the scene.
     """
     check_target(output)
-    session = Session(planet)
-    if not any(path.startswith("view.") for path in view or {}):
-        session.move(view_in(session))
-    world = load_planet(planet, dict(changes or {}), progress=progress)
-    known = [one.path for one in page_parameters(dated=world.body in NUMBERED)]
-    for path, value in (view or {}).items():
-        if path not in known:
-            raise ParameterError("view", path, ", ".join(known))
-        session.set(path, value)
-    title = f"{world.name} – airlight"
+    report: dict[str, Any] = {"progress": progress, "cancel": cancel}
+    subject = page_subject(planet, changes or {}, progress)
+    values = subject.values(view or {})
+    title = f"{subject.title} – airlight"
     attempts = ((quality, wavelengths), ("preview", wavelengths), ("preview", "three"))
     for level, count in dict.fromkeys(attempts):
-        solution = solve_planet(
-            world,
-            texel_wavelengths(world, count),
-            level,
-            cache=cache,
-            progress=progress,
-            cancel=cancel,
-        )
-        data = page_data(solution, str(planet), title, session.values, count)
+        solutions = subject.solved(count, level, cache=cache, **report)
+        data = subject.data(solutions, title, values, count, **report)
         length = len(page_text(title, data).encode()) + LEAST_PICTURE
         if length <= LARGEST:
             break
@@ -239,7 +123,7 @@ def export_page(
         reason = f"the page would have {size}, more than {most}, even {least}"
         raise FileError(output, reason)
     left = min(LARGEST_PICTURE, LARGEST - length + LEAST_PICTURE)
-    first = first_picture(solution, session.values, left, progress=progress, cancel=cancel)
+    first = first_picture(subject.frame(solutions, values, **report), values, left)
     content = page_text(title, data, first).encode()
     with atomic_file(output) as place:
         place.write_bytes(content)
@@ -247,19 +131,14 @@ def export_page(
 
 
 def first_picture(
-    solution: Any,
-    values: Mapping[str, Value],
-    largest: int = LARGEST_PICTURE,
-    *,
-    progress: Progress | None = None,
-    cancel: Cancel | None = None,
+    frame: Frame, values: Mapping[str, Value], largest: int = LARGEST_PICTURE
 ) -> dict[str, str]:
     """Embedded image of a view.
 
     Parameters
     ----------
-    solution : MomentsSolution
-        Solution embedded in the page.
+    frame : Frame
+        Frame of the view, a square.
     values : mapping
         View values by path.
     largest : int
@@ -271,10 +150,6 @@ def first_picture(
         ``address``: WebP as a ``data:`` URI; ``fit``: how it fills the window, in CSS: ``cover`` in
         perspective, ``contain`` for projections with a fixed aspect ratio.
     """
-    scene = scene_of(values, SIDE, SIDE)
-    frame = render(
-        solution, scene, orders=str(values["light.orders"]), progress=progress, cancel=cancel
-    )
     exposure = float(values["display.exposure"])
     if values["display.automatic"]:
         exposure += frame.exposure

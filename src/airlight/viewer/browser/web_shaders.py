@@ -6,20 +6,28 @@ from functools import cache
 from typing import Any, Final
 
 from airlight.render.gpu.device.fragment_pass import declared_bindings
+from airlight.render.gpu.emit.dialect import ShaderDialect
 from airlight.render.gpu.emit.glsl import GLSL
 from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.picture.display_shaders import (
     added_shader,
     coarser_shader,
+    covering_shader,
     display_shader,
+    layered_shader,
     spread_shader,
 )
 from airlight.render.gpu.picture.shaders import (
+    Shader,
+    body_shader,
+    disc_shader,
     picture_shader,
     sky_air_shader,
     sky_mirrored_shader,
     sky_peaks_shader,
     sky_polarised_shader,
+    small_disc_shader,
+    transmittance_shader,
 )
 from airlight.render.gpu.solver.passes import PASSES, shader
 
@@ -29,14 +37,36 @@ CORNERS: Final = "full_screen_triangle"
 FILL: Final = "fill"
 
 
+def scene_shaders(dialect: ShaderDialect) -> dict[str, Shader]:
+    """Shaders of a scene of several bodies, by the names of their passes in a page.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        Shading language.
+    """
+    return {
+        "through": transmittance_shader(dialect),
+        "body": body_shader(False, (), dialect),
+        "coverage": body_shader(True, (), dialect),
+        "disc": disc_shader((), dialect),
+        "small_disc": small_disc_shader((), dialect),
+        "layered": layered_shader(dialect),
+        "covering": covering_shader(dialect),
+        "added": added_shader(dialect),
+    }
+
+
 @cache
-def web_shaders(marched: bool = False) -> dict[str, dict[str, Any]]:
+def web_shaders(marched: bool = False, scene: bool = False) -> dict[str, dict[str, Any]]:
     """Rendering and display shaders, for ``web/drawing/program.js``.
 
     Parameters
     ----------
     marched : bool
         Whether every pixel is marched, as with rings or an oblate planet.
+    scene : bool
+        Whether those of a scene of several bodies are among them.
 
     Returns
     -------
@@ -45,7 +75,7 @@ def web_shaders(marched: bool = False) -> dict[str, dict[str, Any]]:
     """
     found: dict[str, dict[str, Any]] = {}
     for dialect in (WGSL, GLSL):
-        for one in (
+        plain = (
             sky_air_shader(dialect),
             sky_peaks_shader(dialect),
             sky_polarised_shader(dialect),
@@ -55,8 +85,10 @@ def web_shaders(marched: bool = False) -> dict[str, dict[str, Any]]:
             spread_shader(dialect),
             added_shader(dialect),
             display_shader((), dialect),
-        ):
-            texts = found.setdefault(one.name, {})
+        )
+        named = {one.name: one for one in plain} | (scene_shaders(dialect) if scene else {})
+        for name, one in named.items():
+            texts = found.setdefault(name, {})
             if dialect is WGSL:
                 texts["wgsl"] = f"{WGSL.triangle}\n{one.text}"
             else:

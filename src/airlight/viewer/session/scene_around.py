@@ -115,8 +115,7 @@ class SceneAround:
             "view.longitude": scene.longitude,
             "view.altitude": max(scene.altitude, 1.0),
             **_aim(scene),
-            "view.sun_zenith": scene.sun_zenith,
-            "view.sun_azimuth": scene.sun_azimuth % 360.0,
+            **self.sun(system),
         }
         if system.view.polariser is not None:
             found |= {"view.filter": True, "view.polariser": system.view.polariser % 180.0}
@@ -132,7 +131,7 @@ class SceneAround:
     def _scene(self, system: System) -> Scene:
         """Scene above the edited planet, with the camera of a scene of several bodies."""
         body = system.body(self.body)
-        towards = self._star.towards(system.eye)
+        towards = _star(system).towards(system.eye)
         local = level_axes(zenith_above(system, body), towards)
         lights = SceneLights(system, np.array([550.0]), {})
         return scene_of_light(lights, system.view.camera(1280, 720, None), body, towards, local)
@@ -164,8 +163,17 @@ class SceneAround:
 
     def _at_body(self, view: Mapping[str, Value]) -> dict[str, float]:
         """Aim of the scene file's camera at the date and place of a view."""
-        system = replace(self._at(view), observer=self._place(view), view=self.system.view)
-        return _aim(self._scene(system))
+        return self.aim(self._at(view), view)
+
+    def aim(self, system: System, view: Mapping[str, Value]) -> dict[str, float]:
+        """Aim of the scene file's camera at the place of a view, by paths of a session. [deg]
+
+        Parameters
+        ----------
+        system : System
+            Scene at some time.
+        """
+        return _aim(self._scene(replace(system, observer=self._place(view), view=self.system.view)))
 
     def seen(self, view: Mapping[str, Value], planet: Planet | None) -> System:
         """Scene of a view of the session.
@@ -178,7 +186,13 @@ class SceneAround:
             Planet as edited.
         """
         by_date = self.dated and bool(view[CLOCK])
-        system = self._at(view) if by_date else self.system
+        system = self.placed(self._at(view) if by_date else self.system, view, planet)
+        return system if by_date else self._under_sun(system, view)
+
+    def placed(
+        self, system: System, view: Mapping[str, Value], planet: Planet | None = None
+    ) -> System:
+        """Scene with observer and camera of a view; arguments of ``seen``."""
         tilt, heading, roll, field_of_view, polariser, dehaze = (
             float(view[f"view.{name}"])
             for name in (
@@ -190,7 +204,7 @@ class SceneAround:
                 "dehaze",
             )
         )
-        system = replace(
+        return replace(
             system,
             observer=self._place(view),
             view=View(
@@ -204,11 +218,20 @@ class SceneAround:
             ),
             given=self.system.planets | ({} if planet is None else {self.body: planet}),
         )
-        return system if by_date else self._under_sun(system, view)
 
-    @property
-    def _star(self) -> Light:
-        return next(light for light in self.system.lights if light.star is not None)
+    def sun(self, system: System) -> dict[str, float]:
+        """Place of the first star above the edited planet, by paths of a session. [deg]"""
+        scene = self._scene(system)
+        return {
+            "view.sun_zenith": scene.sun_zenith,
+            "view.sun_azimuth": scene.sun_azimuth % 360.0,
+        }
+
+    def after(self, hours: float) -> System:
+        """Scene of the file some hours later. [h]"""
+        assert self.system.time is not None
+        time = (self.system.time + timedelta(hours=hours)).isoformat()
+        return changed_system(self.tables, self.file, self.folder, {**self.changes, "time": time})
 
     def _at(self, view: Mapping[str, Value]) -> System:
         """Scene at the date of a view, to the second."""
@@ -239,7 +262,7 @@ class SceneAround:
         level = level / size
         flat = math.cos(bearing) * level + math.sin(bearing) * np.cross(level, up)
         towards = math.cos(zenith) * up + math.sin(zenith) * flat
-        star = self._star
+        star = _star(self.system)
         if star.position is None:
             moved = replaced(star, direction=tuple(towards.tolist()))
         else:
@@ -247,6 +270,11 @@ class SceneAround:
             moved = replaced(star, position=tuple((system.eye + distance * towards).tolist()))
         lights = tuple(moved if one is star else one for one in system.lights)
         return replace(system, lights=lights)
+
+
+def _star(system: System) -> Light:
+    """First star of a scene."""
+    return next(light for light in system.lights if light.star is not None)
 
 
 def _aim(scene: Scene) -> dict[str, float]:

@@ -2,6 +2,8 @@
 import { Edits } from "./solving/edits.js";
 import { textOf } from "./drawing/package.js";
 import { Picture } from "./drawing/picture.js";
+import { ScenePicture } from "./drawing/scene_picture.js";
+import { SceneSpace } from "./drawing/scene_space.js";
 import { Viewer } from "./ui/viewer.js";
 
 /** Delay from the last change to the update of the URL. [ms] */
@@ -14,6 +16,7 @@ const wanted = new URLSearchParams(location.search).get("device") ?? "auto";
 
 /** Times that a lost device is replaced. */
 const MOST_RESTARTS = 3;
+const space = data.picture.scene ? new SceneSpace(data.picture.scene, data.picture) : null;
 let viewer = null;
 let restarts = 0;
 
@@ -27,6 +30,7 @@ function show(device) {
     values: data.values,
     state: before?.state,
     body: data.body,
+    space,
     note: data.note,
     device,
     first: before ? undefined : first,
@@ -34,7 +38,8 @@ function show(device) {
     link: (fragment) => location.href.replace(/#.*/, "") + (fragment ? `#${fragment}` : ""),
     picture: async (opened, onProgress) => {
       const shaders = JSON.parse(await textOf(data.picture.shaders));
-      return Picture.make(opened, { ...data.picture, shaders }, onProgress);
+      const kind = space ? ScenePicture : Picture;
+      return kind.make(opened, { ...data.picture, shaders, space }, onProgress);
     },
     edits: (shown) => data.solver && new Edits(shown, data.solver, data.picture),
     lost: (reason) => {

@@ -24,7 +24,7 @@ from airlight.render.gpu.picture.frame_passes import FramePasses
 from airlight.render.gpu.picture.shaders import transmittance_shader
 from airlight.render.gpu.picture.sky_views import SkyViews
 from airlight.render.gpu.picture.solution_textures import SolutionTextures
-from airlight.render.gpu.picture.uniforms import FRAME, weight_uniforms
+from airlight.render.gpu.picture.uniforms import FRAME, light_uniforms, weight_uniforms
 from airlight.render.pixels.capacity import check_capacity
 from airlight.render.pixels.march_points import FEW
 from airlight.render.pixels.render_tables import render_tables
@@ -34,7 +34,6 @@ from airlight.render.pixels.view_uniforms import (
     checked_samples,
     display_uniforms,
     is_always_marched,
-    night_uniforms,
     order_number,
     view_uniforms,
 )
@@ -409,11 +408,10 @@ class GpuRenderer:
         solution = light.solution
         assert self._solution is not None
         uniforms = view_uniforms(light.scene, solution) | self.textures.uniforms
-        if solution is not self._solution:
-            uniforms |= night_uniforms(solution, self._given)
-            uniforms["star_radius"] = solution.tables.star_radius
-            own, lit = (one.lights[0].irradiance.sum() for one in (self._solution, solution))
-            uniforms["airglow"] *= float(own / lit)  # the layers are relative to the whole star
+        if solution is self._solution:
+            uniforms |= weight_uniforms(solution.lights[0].colors(self._given))
+        else:
+            uniforms |= light_uniforms(self._solution, solution, self._given)
         peaks = 0.0 if exact else float(uniforms["separated_1"] >= 0)
         uniforms |= {
             "width": size[0],
@@ -428,8 +426,7 @@ class GpuRenderer:
         uniforms |= {} if orders == "all" else {"airglow": 0.0, "skyglow": 0.0}
         if exact and self.device.software:  # limited to 65 535 loop iterations per pixel
             uniforms["edges"] = 0.0
-        uniforms |= {"separated_1": -1.0, "separated_2": -1.0} if exact else {}
-        return uniforms | weight_uniforms(solution.lights[0].colors(self._given))
+        return uniforms | ({"separated_1": -1.0, "separated_2": -1.0} if exact else {})
 
     @property
     def textures(self) -> SolutionTextures:

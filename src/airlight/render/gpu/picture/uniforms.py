@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Final, NamedTuple
 
 import numpy as np
 
@@ -13,7 +13,11 @@ from airlight.render.pixels.bare_body import BareBody
 from airlight.render.pixels.pixel import ViewUniforms
 from airlight.render.pixels.render_tables import WAVELENGTHS
 from airlight.render.pixels.sky_view_lut import Observer
+from airlight.render.pixels.view_uniforms import night_uniforms
 from airlight.solver.moments.march_tables import MarchTables
+
+if TYPE_CHECKING:
+    from airlight.solver.moments.solution import MomentsSolution
 
 #: Colour matrix: weights of the wavelengths in each channel.
 CHANNELS: Final = ("red", "green", "blue")
@@ -77,6 +81,26 @@ def weight_uniforms(weights: np.ndarray) -> dict[str, float]:
         for channel, column in zip(CHANNELS, matrix.T, strict=True)
         for i, value in enumerate(column)
     }
+
+
+def light_uniforms(
+    solution: MomentsSolution, lit: MomentsSolution, weights: np.ndarray | None = None
+) -> dict[str, float]:
+    """Uniforms of a solution under another light: its colour, its radius, and that of the night.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution whose tables are read.
+    lit : MomentsSolution
+        The same from ``with_light``.
+    weights : array, shape (nl, 3), optional
+        Linear sRGB per radiance; by default ``picture_weights``.
+    """
+    uniforms = night_uniforms(lit, weights) | {"star_radius": float(lit.tables.star_radius)}
+    own, other = (float(one.lights[0].irradiance.sum()) for one in (solution, lit))
+    uniforms["airglow"] *= own / other  # the layers are relative to the whole star
+    return uniforms | weight_uniforms(lit.lights[0].colors(weights))
 
 
 #: Uniforms and tables of the rendering shaders.

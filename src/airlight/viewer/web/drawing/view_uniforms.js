@@ -21,10 +21,7 @@ export function observerUniforms(planet, altitude, sun) {
   const outside = altitude >= thickness;
   const r = geometry ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = geometry ? geometry.bottom : radius;
-  const refracts = geometry && !outside;
-  const apparentSunMu = refracts
-    ? apparent_sun_cosine(r, sun[2], bottom, geometry.top, geometry.refraction_table)
-    : sun[2];
+  const apparentSunMu = apparentCosine(planet, altitude, sun[2]);
   const [horizonMu, horizonSine, level, seenLevel, disc] = observer_uniforms(
     r,
     bottom,
@@ -48,6 +45,14 @@ export function observerUniforms(planet, altitude, sun) {
     disc,
     draws_disc: Number(star > 0),
   };
+}
+
+/** Cosine of the apparent zenith angle of a point at infinity from that of its true one. */
+export function apparentCosine(planet, altitude, mu) {
+  const { geometry, thickness } = planet;
+  if (!geometry || altitude >= thickness) return mu;
+  const { bottom, top, refraction_table: table } = geometry;
+  return apparent_sun_cosine(opticalRadius(planet, altitude), mu, bottom, top, table);
 }
 
 /** Uniforms of the camera. */

@@ -3,7 +3,7 @@ import { withFollowing } from "./amounts.js";
 import { History } from "./history.js";
 import { fragmentOf, readFragment } from "./link.js";
 import { checked } from "./parameters.js";
-import { withSky } from "./sun_clock.js";
+import { later, withSky } from "./sun_clock.js";
 
 /** Paths of camera and sun, which the states of a comparison can share. */
 const CAMERA = /^view\./;
@@ -13,9 +13,12 @@ export class State {
    * @param {object[]} parameters Declared parameters.
    * @param {Object<string, number | string | boolean>} values Initial values, restored by `reset`.
    * @param {string | null} body World whose sky the planet has, where no parameter says it.
+   * @param {object | null} space Scene of several bodies, whose sun is above the place; see
+   *     drawing/scene_space.js.
    */
-  constructor(parameters, values, body = null) {
+  constructor(parameters, values, body = null, space = null) {
     this.fixedBody = body;
+    this.space = space;
     this.parameters = new Map(parameters.map((one) => [one.path, one]));
     this.planet = "";
     this.initial = { ...values };
@@ -103,7 +106,18 @@ export class State {
   /** Changes, with those of values that follow from them and from the values at their start. */
   following(changes, name) {
     const start = { ...this.values, ...this.history.joined(name)?.before };
-    return withSky(this.body, this.values, withFollowing(this.parameters, start, changes));
+    return this.withSky(withFollowing(this.parameters, start, changes));
+  }
+
+  /** Changes, with the sun and the Moon that follow from them. */
+  withSky(changes) {
+    if (this.space) return this.space.follow(this.values, changes);
+    return withSky(this.body, this.values, changes);
+  }
+
+  /** Values some hours later; null where the sun does not go by a date. [h] */
+  later(hours) {
+    return this.space ? this.space.later(this.values, hours) : later(this.body, this.values, hours);
   }
 
   record(name, before, after, held) {
@@ -190,7 +204,7 @@ export class State {
    */
   takeFragment(fragment) {
     const { values, faults } = readFragment(this, fragment);
-    this.take(withSky(this.body, this.values, values));
+    this.take(this.withSky(values));
     return faults;
   }
 }

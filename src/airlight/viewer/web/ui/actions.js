@@ -60,7 +60,12 @@ export function actionsOf(viewer) {
 /** Buttons: action, text, explanation, and a function of their current state. */
 export const BUTTONS = [
   ["undo", "undo", "Take back the last change (Ctrl+Z).", (s) => ({ disabled: !s.canUndo })],
-  ["time", "time", "Let time pass, or stop it (T).", (s, v) => ({ pressed: v.flight.playing })],
+  [
+    "time",
+    "time",
+    "Let time pass, or stop it (T).",
+    (s, v) => ({ pressed: v.flight.playing, disabled: Boolean(s.space) && !s.space.timed }),
+  ],
   ["save picture", "save", "The picture, as a PNG (Ctrl+S).", () => ({})],
 ];
 

@@ -37,6 +37,7 @@ export class Controls {
     const all = [...this.state.parameters.values()];
     const rank = ({ group }) => (FIRST.indexOf(group) + FIRST.length + 1) % (FIRST.length + 1);
     for (const parameter of all.sort((a, b) => rank(a) - rank(b))) {
+      if (parameter.mode === "derived") continue;
       if (this.words ? !answers(parameter, this.words) : !this.offers(parameter)) continue;
       const group = this.fold(groups, parameter.group, this.place, parameter.group);
       const list = parameter.part_of

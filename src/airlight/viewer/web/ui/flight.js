@@ -20,7 +20,6 @@ import {
   turns_planet,
 } from "../generated/formulas.js";
 import { KEYS } from "../generated/keys.js";
-import { later } from "../state/sun_clock.js";
 
 const { held: HELD, factors: FACTORS, rates: RATES } = KEYS;
 /** Values changed by flying on a great circle, in the order of `turned`. */
@@ -128,7 +127,7 @@ export class Flight {
     if (this.moving) this.step(seconds);
     if (this.playing) {
       const hours = (seconds * RATES.time) / 3600;
-      this.state.take(later(this.state.body, this.state.values, hours) ?? this.laterToday(hours));
+      this.state.take(this.state.later(hours) ?? this.laterToday(hours));
     }
     return true;
   }

@@ -14,6 +14,7 @@
  * - `stale()` — optional words while the picture shows another planet than the controls, or none;
  * - `link(fragment)` — optional address that shows the state again;
  * - `body` — world whose sky the planet has, where no parameter says it;
+ * - `space` — optional scene of several bodies, see drawing/scene_space.js;
  * - `lost(reason)` — optional replacement of a lost device;
  * - `note` — optional line about parameters that cannot be edited here;
  * - `device` — auto, webgpu, webgl2, or a name of `devices`;
@@ -55,7 +56,8 @@ export class Viewer {
    */
   constructor(place, source) {
     this.source = source;
-    this.state = source.state ?? new State(source.parameters, source.values, source.body);
+    const { parameters, values, body, space } = source;
+    this.state = source.state ?? new State(parameters, values, body, space);
     this.flight = new Flight(this.state, () => this.request(), () => source.radius());
     this.build(place);
     const { root, canvas, tools, controls } = this.parts;
