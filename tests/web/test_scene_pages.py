@@ -26,6 +26,7 @@ WIDTH, HEIGHT = 160, 90
 #: by it too, and another before the sun.
 SCENE = """
 name = "Two planets"
+stars = true
 
 [[bodies]]
 name = "near"
@@ -76,6 +77,7 @@ VIEWS: dict[str, dict[str, Any]] = {
     "a filter": {"view.altitude": 3e5, "view.longitude": -95.0, "view.look_zenith": 102.0,
                  "view.heading": 85.0, "view.field_of_view": 30.0, "view.filter": True,
                  "view.polariser": 70.0},
+    "stars": {"view.look_zenith": 50.0, "view.heading": 250.0, "view.field_of_view": 60.0},
     "sun": {"view.look_zenith": 56.73, "view.heading": 107.35, "view.field_of_view": 1.5},
 }  # fmt: skip
 #: Paths of the camera and the sun.
@@ -142,6 +144,8 @@ def test_a_page_draws_a_scene_as_the_cpu_does(
     off = np.abs(got - wanted).max(axis=-1)
     assert wanted.max() > 150.0
     assert off.mean() < 0.2
+    if name == "stars":
+        assert 20 < (wanted.max(axis=-1) > 100.0).sum() < wanted.size // 30
     assert (off > 2.0).mean() < 0.005  # samples on edges
     # Metered in small, a thin crescent covers other pixels.
     _, exposure = painted(page, VIEWS[name])

@@ -67,8 +67,13 @@ def milky_way_radiance(
     >>> f"{pole[0, 0]:.1e}"  # 24.2 mag per square second of arc
     '3.3e-10'
     """
+    return np.asarray(starlight(directions, sun)[:, None] * tenth_magnitude(wavelengths))
+
+
+def tenth_magnitude(wavelengths: npt.ArrayLike) -> FloatArray:
+    """Spectral radiance of 1 S10, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
     star = black_body_irradiances(np.array([_TENTH]), np.array([_COLOR]), wavelengths)
-    return np.asarray(starlight(directions, sun)[:, None] * star / _SQUARE_DEGREE)
+    return np.asarray(star[0] / _SQUARE_DEGREE)
 
 
 def starlight(directions: FloatArray, sun: Sun | None = None) -> FloatArray:
@@ -115,14 +120,22 @@ def galactic_axes() -> FloatArray:
 
 
 @cache
-def _picture() -> FloatArray:
-    """Brightness in S10, shape (rows, columns): right ascension to the left, from 90°."""
+def map_codes() -> npt.NDArray[np.uint8]:
+    """Map, shape (rows, columns): 255 times the root of the brightness over ``BRIGHTEST``.
+
+    Right ascension is to the left, from 90°.
+    """
     from PIL import Image
 
     file = resources.files("airlight.scene.system") / "data" / "milky-way.png"
     with resources.as_file(file) as path, Image.open(path) as picture:
-        codes = np.asarray(picture, float) / 255.0
-    return np.asarray(BRIGHTEST * codes * codes)
+        return np.asarray(picture, np.uint8)
+
+
+@cache
+def _picture() -> FloatArray:
+    """Brightness in S10, shape (rows, columns)."""
+    return np.asarray(BRIGHTEST * (map_codes() / 255.0) ** 2)
 
 
 @lru_cache(maxsize=2)

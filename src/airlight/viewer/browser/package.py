@@ -394,8 +394,8 @@ def ground_map(found: SurfaceMap | None, *, overlay: bool = False) -> dict[str, 
     if overlay and not colors[..., 1:].any():  # no shader reads the empty channels
         colors = colors[..., 0]
     return {
-        "image": _lossless(colors) if overlay else _jpeg(colors, _QUALITY),
-        "water": (_jpeg(shares, _CLOUD_QUALITY) if overlay else _lossless(shares)) if wet else None,
+        "image": lossless(colors) if overlay else _jpeg(colors, _QUALITY),
+        "water": (_jpeg(shares, _CLOUD_QUALITY) if overlay else lossless(shares)) if wet else None,
         "rows": rows,
         "columns": columns,
         "decoded": [float(x) for x in DECODED[0]],
@@ -407,7 +407,7 @@ def _within(texels: NDArray[np.uint8], widest: int) -> NDArray[np.uint8]:
     return texels if texels.shape[1] <= widest else reduced(texels, widest // 2, widest)
 
 
-def _lossless(pixels: NDArray[np.uint8]) -> str:
+def lossless(pixels: NDArray[np.uint8]) -> str:
     """Data URL of a lossless WebP."""
     from PIL import Image
 

@@ -4,6 +4,7 @@
  * Both back ends have the same methods:
  *
  * - `flatTexture(format, data)` — table for `textureLoad`, see textures.js;
+ * - `image(format, width, height, texels)` — the same of a frame's size;
  * - `target(format, width, height)` — texture that a pass renders to and later ones read;
  * - `pipeline(shader, formats)` — promise of a compiled pass; the shader has `wgsl`, `glsl` with
  *   `vertex` and `fragment`, the names `vertex` and `entry` of its functions, the slot `uniforms`

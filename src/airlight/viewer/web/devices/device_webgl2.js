@@ -51,13 +51,16 @@ export class WebGl2Device {
   }
 
   flatTexture(format, data) {
-    const { gl } = this;
     const { width, height } = flatSize(data.length, format);
+    return this.image(format, width, height, wholeRows(data, format));
+  }
+
+  image(format, width, height, texels) {
+    const { gl } = this;
     const texture = this.texture(format, width, height);
     const layout = format === "r32float" ? gl.RED : gl.RGBA;
     const kind = format === PACKED_FORMAT ? gl.UNSIGNED_BYTE : gl.FLOAT;
-    const rows = wholeRows(data, format);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, layout, kind, rows);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, layout, kind, texels);
     return { texture, framebuffer: null, format, width, height };
   }
 

@@ -55,14 +55,17 @@ export class WebGpuDevice {
 
   flatTexture(format, data) {
     const { width, height } = flatSize(data.length, format);
+    return this.image(format, width, height, wholeRows(data, format));
+  }
+
+  image(format, width, height, texels) {
     const texture = this.device.createTexture({
       size: [width, height],
       format,
       usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST,
     });
-    const rows = wholeRows(data, format);
-    const bytesPerRow = width * CHANNELS[format] * rows.BYTES_PER_ELEMENT;
-    this.device.queue.writeTexture({ texture }, rows, { bytesPerRow }, [width, height]);
+    const bytesPerRow = width * CHANNELS[format] * texels.BYTES_PER_ELEMENT;
+    this.device.queue.writeTexture({ texture }, texels, { bytesPerRow }, [width, height]);
     return wrapped(texture, format, width, height);
   }
 

@@ -31,7 +31,8 @@ export async function groundTexels(map) {
   return { texels, size: [map.rows, map.columns, sizes.length] };
 }
 
-async function pixelsOf(image, { rows, columns }) {
+/** Bytes of an image, four values per pixel. */
+export async function pixelsOf(image, { rows, columns }) {
   const bytes = Uint8Array.from(atob(image.slice(image.indexOf(",") + 1)), (c) => c.charCodeAt(0));
   const kind = image.slice(5, image.indexOf(";"));
   const bitmap = await createImageBitmap(new Blob([bytes], { type: kind }), {

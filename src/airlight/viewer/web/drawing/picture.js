@@ -61,6 +61,7 @@ export class Picture {
     this.maps = {};
     this.skyViews = ["", ""];
     this.laws = "";
+    this.behind = ""; // key of what is behind the planet
     this.rendered = "";
     this.spread = "";
     this.solutions = 0;
@@ -180,7 +181,7 @@ export class Picture {
   /** Render linear radiance, unless only the display has changed; false if it was stopped. */
   async renderLight(lights, width, height, { strips, stopped }) {
     const numbers = lights.map((light) => this.uniformsOf(light, width, height));
-    const rendered = JSON.stringify([this.skyViews, this.shape, this.laws, numbers]);
+    const rendered = JSON.stringify([this.skyViews, this.shape, this.laws, this.behind, numbers]);
     if (rendered === this.rendered) return true;
     this.rendered = "";
     this.program.set("first_row", 0);

@@ -33,7 +33,7 @@ function sum(...vectors) {
 }
 
 /** Combination of the rows of a matrix. */
-function combined(rows, [x, y, z]) {
+export function combined(rows, [x, y, z]) {
   return sum(scaled(rows[0], x), scaled(rows[1], y), scaled(rows[2], z));
 }
 
