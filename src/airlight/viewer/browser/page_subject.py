@@ -186,10 +186,11 @@ class ScenePage:
         for one in scene["bodies"]:
             away = one["name"] in solutions and one["name"] != own
             one["planet"] = picture_data(solutions[one["name"]]) if away else None
+        declared = [one.path for one in self.parameters if one.mode != "derived"]
         first = {
             "name": "scene",
             "sentence": self.around.system.description or title,
-            "view": {path: x for path, x in values.items() if path.startswith(("view.", "scene."))},
+            "view": {path: values[path] for path in declared if not path.startswith("display.")},
         }
         picture = data["picture"]
         views = [one for one in picture["viewpoints"] if one["name"] == "planet"]
