@@ -86,7 +86,7 @@ class PageEvents:
         shown = np.asarray(Image.open(io.BytesIO(data)).convert("RGB"), float)
         link = f"#{unquote(state['link'])}" if state["link"] else self.first_link(state["view"])
         try:
-            wanted = expected(link, size, False)
+            wanted = expected(link, size, False, tuple(sorted(state["view"].items())))
         except Exception as error:
             return "link", f"{type(error).__name__}: {error}; {link}"
         picture = wanted.picture(state["exposure"])

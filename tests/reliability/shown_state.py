@@ -15,6 +15,7 @@ from airlight.render import render
 from airlight.render.star_points import add_catalogue
 from airlight.scene.frame import Frame
 from airlight.viewer.background.solver_thread import SolverThread
+from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.view_parameters import settings_of
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.start import Start, opened
@@ -49,13 +50,17 @@ class Expected:
 
 
 @lru_cache(maxsize=1)
-def expected(link: str, size: tuple[int, int], starry: bool) -> Expected:
+def expected(
+    link: str, size: tuple[int, int], starry: bool, view: tuple[tuple[str, Value], ...] = ()
+) -> Expected:
     """Light of a link, solved and rendered in this process.
 
     Parameters
     ----------
     link : str
         State as the viewer exports it, from ``#`` on.
+    view : tuple of (str, value), optional
+        Values of the view, which a link rounds: from 1 m above the ground that moves pixels.
     size : (int, int)
         Size of the picture. [pixel]
     starry : bool
@@ -67,6 +72,8 @@ def expected(link: str, size: tuple[int, int], starry: bool) -> Expected:
         If the planet cannot be solved.
     """
     session = opened(Start(planet=link))
+    if view:
+        session.change_view("exact", dict(view))
     session.resize(*size)
     with SolverThread(session) as solving:
         solving.wait()

@@ -228,7 +228,8 @@ class WindowEvents:
         left, top, width, height = (round(one) for one in self.window.ask("picture_place"))
         shown = self.window.pixels()[top : top + height, left : left + width].astype(float)
         try:
-            wanted = expected(state["link"], tuple(state["size"]), state["exposure"] >= 3.0)
+            view = tuple(sorted(state["view"].items()))
+            wanted = expected(state["link"], tuple(state["size"]), state["exposure"] >= 3.0, view)
         except Exception as error:
             return "link", f"{type(error).__name__}: {error}; {facts(state)}"
         picture = wanted.picture(state["exposure"])

@@ -93,6 +93,7 @@ class Answers:
         session, shown = self.window.session, self.window.shown()
         return {
             "link": f"#{to_fragment(session.to_state())}",
+            "view": dict(session.view),
             "size": session.size,
             "exposure": None if shown is None else shown.exposure,
             "held": session.holds_exposure,
