@@ -13,12 +13,15 @@ from airlight.scene.cloud_grain import (
     FALL,
     FOLDED,
     FOLDED_DEVIATION,
+    GATHERED,
+    GROUPS,
     GROWING,
     OCTAVES,
     OPEN,
     PUFFED,
     SMALL,
     SMOOTH,
+    SPREAD,
     WARPED,
     CloudGrain,
     cloud_grain,
@@ -33,39 +36,57 @@ WHOLE, PART = Vec3(3e6, 5e6, 7e6), Vec3(0.1, 0.2, 0.3)
 WAY = Vec3(0.48, -0.6, 0.64)
 
 
-def grain_at(place: np.ndarray, footprint: float) -> CloudGrain:
+def grain_at(place: np.ndarray, footprint: float, cover: float = 0.5) -> CloudGrain:
     """Texture at a place. [m]"""
-    return cloud_grain(Vec3(*place), footprint, 0.5, CELL, WHOLE, PART, WAY, True)
+    return cloud_grain(Vec3(*place), footprint, cover, CELL, WHOLE, PART, WAY, True)
 
 
-@pytest.mark.parametrize("footprint", [10.0, 300.0, 1500.0])
+@pytest.mark.parametrize("footprint", [10.0, 300.0, 1500.0, 3000.0])
 def test_clouds_between_texels_have_the_cover_of_the_map(footprint: float) -> None:
     # The logistic function and noise that is not quite normal err by 2 %, the mean of 4000 places
     # by 0.7 %.
     places = np.random.default_rng(9).uniform(-60.0, 60.0, (4000, 3)) * TEXEL
-    grains = [grain_at(place, footprint) for place in places]
     for cover in (0.05, 0.2, 0.5, 0.8, 0.95):
+        grains = [grain_at(place, footprint, cover) for place in places]
         covers = [grained_cover(cover, 0.05, *one[:3]) for one in grains]
         assert abs(np.mean(covers) - cover) < 0.03
         assert 0.0 <= min(covers) < max(covers) <= 1.0
-    noise, variance, *_ = np.transpose(grains)
-    assert noise.var() == pytest.approx(variance.mean(), rel=0.15)
+        noise, variance, *_ = np.transpose(grains)
+        assert noise.var() == pytest.approx(variance.mean(), rel=0.15)
 
 
-def test_no_scale_of_the_texture_prevails() -> None:
-    """Mean squares of differences grow as the distance to 2/3, the law of a k^-5/3 spectrum."""
+def differences(distances: np.ndarray) -> np.ndarray:
+    """Mean squares of the differences of noise over distances, over twice its variance. [1]"""
     random = np.random.default_rng(3)
-    places = random.uniform(-60.0, 60.0, (3000, 3)) * TEXEL
+    places, squares = random.uniform(-60.0, 60.0, (3000, 3)) * TEXEL, []
     noise = np.array([grain_at(place, 1.0).noise for place in places])
-    distances = TEXEL * 0.5 ** np.arange(5)
-    squares = []
     for distance in distances:
         way = random.normal(size=places.shape)
         way *= distance / np.linalg.norm(way, axis=1, keepdims=True)
         there = [grain_at(place, 1.0).noise for place in places + way]
-        squares.append(np.mean((there - noise) ** 2))
-    slope = np.polyfit(np.log(distances), np.log(squares), 1)[0]
+        squares.append(np.mean((there - noise) ** 2) / (2.0 * noise.var()))
+    return np.array(squares)
+
+
+def test_no_scale_of_the_texture_prevails() -> None:
+    """Mean squares of differences grow as the distance to 2/3, the law of a k^-5/3 spectrum."""
+    distances = TEXEL * 0.5 ** np.arange(5)
+    slope = np.polyfit(np.log(distances), np.log(differences(distances)), 1)[0]
     assert slope == pytest.approx(2.0 / 3.0, abs=0.15)
+
+
+def test_clouds_gather_in_groups_of_several_texels() -> None:
+    # Noise without correlation has 1; that of octaves below two texels has it at three of them.
+    near, far = differences(TEXEL * np.array([3.0, 30.0]))
+    assert near < 0.9
+    assert far == pytest.approx(1.0, abs=0.06)
+
+
+def test_clouds_are_whole_rather_than_translucent() -> None:
+    # Uniform covers between none and all would have four fifths of the places between these two.
+    places = np.random.default_rng(6).uniform(-60.0, 60.0, (2000, 3)) * TEXEL
+    seen = np.array([grained_cover(0.3, 0.05, *grain_at(at, 300.0, 0.3)[:3]) for at in places])
+    assert np.mean((seen > 0.1) & (seen < 0.9)) < 0.5
 
 
 def test_the_texture_has_no_seam_where_its_lattice_repeats() -> None:
@@ -79,8 +100,8 @@ def test_the_texture_has_no_seam_where_its_lattice_repeats() -> None:
 
 
 def test_footprints_wider_than_the_octaves_see_no_texture() -> None:
-    assert grain_at(np.array([1e3, 2e3, 3e3]), TEXEL)[:2] == (0.0, 0.0)
-    assert OCTAVES == 8
+    assert grain_at(np.array([1e3, 2e3, 3e3]), 4.0 * TEXEL)[:2] == (0.0, 0.0)
+    assert OCTAVES == 10
 
 
 def folded_ascent(place: np.ndarray, footprint: float) -> float:
@@ -89,7 +110,11 @@ def folded_ascent(place: np.ndarray, footprint: float) -> float:
     steps = np.array([0.0, step, -step])[:, None] * np.array(WAY)
     for octave in range(OCTAVES):
         scale = COARSEST * 0.5**octave
-        shown = FALL**octave * min((SMALL + GROWING * 0.5) * 2.0**octave, 1.0)
+        folded, plain, shown = PUFFED, OPEN, FALL**octave
+        if octave < GROUPS:
+            folded, plain = GATHERED, SPREAD
+        else:
+            shown *= min((SMALL + GROWING * 0.5) * 2.0 ** (octave - GROUPS), 1.0)
         shown *= max(min(0.5 * CELL * scale / footprint - 1.0, 1.0), 0.0)
         heights, moved = [], WARPED * total
         for point in np.array(PART) + (place + steps) / CELL:
@@ -97,8 +122,10 @@ def folded_ascent(place: np.ndarray, footprint: float) -> float:
             noise = gradient_noise(at[0] + moved, at[1] - moved, at[2] + moved)
             heights.append((abs(noise) - FOLDED) / FOLDED_DEVIATION)
             if len(heights) == 1:
-                total += shown * (PUFFED * heights[0] + OPEN * noise / GRADIENT_DEVIATION)
-        ascent += shown * SMOOTH**octave * (heights[1] - heights[2]) / (2.0 * step)
+                total += shown * (folded * heights[0] + plain * noise / GRADIENT_DEVIATION)
+        if octave >= GROUPS:
+            smooth = SMOOTH ** (octave - GROUPS)
+            ascent += shown * smooth * (heights[1] - heights[2]) / (2.0 * step)
     return ascent
 
 

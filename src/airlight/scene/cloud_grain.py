@@ -1,9 +1,10 @@
 """Procedural texture of the cloud layer below the resolution of its map; it is not data.
 
-Octaves of gradient noise, each half of the previous scale, from two texels downwards; a part of
-it is folded: puffs between narrow gaps. The places of an octave are displaced by the coarser ones,
-which draws puffs out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis et al. 1997,
-JAS 54, 241). Noise of one scale above a threshold would be a labyrinth. Edges are soft in some
+Octaves of gradient noise, each half of the previous scale, from eight texels downwards; a part of
+it is folded. The coarsest ones are folded to bands and cells with clear sky between, which gather
+the clouds, finer ones to puffs between narrow gaps. The places of an octave are displaced by the
+coarser ones, which draws puffs out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis
+et al. 1997, JAS 54, 241), so that clouds above a threshold have all sizes. Edges are soft in some
 regions, as those of veils, and hard in others.
 """
 
@@ -23,13 +24,14 @@ from airlight.kernel import kernel
 from airlight.scene.ground_detail import OCTAVES as GROUND_OCTAVES
 from airlight.scene.ground_detail import STEP, WHOLE_PERIOD, along_lattice
 
-#: Number of octaves.
-OCTAVES: Final = 8
+#: Number of octaves, and of the coarsest ones that gather clouds.
+OCTAVES: Final = 10
+GROUPS: Final = 2
 #: Step of the cover of a map; covers that are nearer to none or to all have no texture. [1]
 STEP_OF_COVER: Final = 1.0 / 255.0
-#: Cells of the coarsest octave and of the softness of edges, two and four texels, over the finest
-#: of ``ground_detail``.
-COARSEST: Final = 2 * STEP ** (GROUND_OCTAVES - 1)
+#: Cells of the coarsest octave and of the softness of edges, 8 and 16 texels, over the finest of
+#: ``ground_detail``.
+COARSEST: Final = 8 * STEP ** (GROUND_OCTAVES - 1)
 SOFTNESS: Final = 2 * COARSEST
 #: Ratio of the contrasts of an octave and the next coarser one, 2^(-1/3). [1]
 FALL: Final = 0.7937
@@ -40,22 +42,24 @@ FOLDED_DEVIATION: Final = 0.0772
 #: of their squares is 1, as both are uncorrelated. By eye. [1]
 PUFFED: Final = 0.85
 OPEN: Final = 0.527
-#: A sixth of the skewness that folded noise leaves, of 4000 places at half cover, by which the sum
-#: is corrected (Cornish & Fisher 1938, Rev. Int. Stat. Inst. 5, 307), and standard deviations
-#: beyond which the correction stays. [1]
-SKEWED: Final = 0.106
-FARTHEST: Final = 3.0
-#: Share of the variance that the correction leaves. [1]
-KEPT: Final = 0.902
+#: The same of octaves that gather clouds, along lines where the noise is small. By eye. [1]
+GATHERED: Final = -0.5
+SPREAD: Final = 0.866
+#: Skewness p³ f + 3 p (1 - p²) m of octaves of a share p of folded noise, whose skewness f is 0.770
+#: and whose mean product m with the square of plain noise is 1.207, of 200 000 places. [1]
+PUFFED_SKEWNESS: Final = 1.328
+GATHERED_SKEWNESS: Final = -1.454
+#: Standard deviations beyond which the correction of the skewness stays. [1]
+FARTHEST: Final = 2.5
 #: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
 WARPED: Final = 0.1
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
-#: and change of its logarithm with noise of its own. [1]
-EDGE: Final = 0.95
-VARIED: Final = 3.5
-#: Share of the coarsest octave without clouds, and its growth with their cover; twice that of the
-#: next one, up to 1. By eye. [1]
-SMALL: Final = 0.15
+#: and change of its logarithm with noise of its own, by eye. [1]
+EDGE: Final = 1.8
+VARIED: Final = 6.0
+#: Share of the coarsest octave of puffs without clouds, and its growth with their cover; twice that
+#: of the next one, up to 1. By eye. [1]
+SMALL: Final = 0.5
 GROWING: Final = 1.5
 #: Ratio of the heights of tops over that of the contrasts, of an octave and the next coarser one:
 #: light is scattered from slope to slope within some hundred metres. By eye. [1]
@@ -76,8 +80,8 @@ class CloudGrain(NamedTuple):
         Reciprocal of the width of edges, in standard deviations of the coarsest octave. [1]
     ascent : float
         Growth of the height of tops along a direction, over that of folded noise of the coarsest
-        octave; displacements of places count as even. A reflection of every octave at a place turns
-        it round and leaves the rest, so that its mean is 0 for every noise. [m⁻¹]
+        octave of puffs; displacements of places count as even. A reflection of every octave at a
+        place turns it round and leaves the rest, so that its mean is 0 for every noise. [m⁻¹]
     """
 
     noise: float
@@ -106,7 +110,7 @@ def turning_place(whole, beyond, scale):
     >>> turning_place(5.0, 0.5, 2.0)
     (2.75, 1.0)
     >>> turning_place(WHOLE_PERIOD - 2.0, 1.0, COARSEST)
-    (7.62939453125e-06, -1.0)
+    (1.9073486328125e-06, -1.0)
     """
     inverse = 1.0 / scale
     place, turn, growth = along_lattice(whole, beyond, inverse), WHOLE_PERIOD * inverse, 1.0
@@ -121,6 +125,10 @@ def turning_place(whole, beyond, scale):
 def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
     """``CloudGrain`` of a place.
 
+    Its skewness g, of the sum of octaves, is removed to first order (Cornish & Fisher 1938, Rev.
+    Int. Stat. Inst. 5, 307): of x standard deviations, g (x² - 1)/6 are subtracted, and
+    g²/18 of the variance.
+
     Parameters
     ----------
     cover : float
@@ -132,7 +140,6 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
     place, footprint, cell, whole, part :
         Arguments of ``ground_detail``.
     """
-    coarse = SMALL + GROWING * cover
     beyond_x, beyond_y = part.x + place.x / cell, part.y + place.y / cell
     beyond_z = part.z + place.z / cell
     edge = EDGE
@@ -143,32 +150,41 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
         z, along_z = turning_place(whole.z, beyond_z, scale)
         edge *= exp(VARIED * gradient_noise(x, y, z))
     scale = float(COARSEST)
-    total, variance, share = 0.0, 0.0, 1.0
-    ascent, smooth = 0.0, 1.0
-    for _octave in range(OCTAVES):
-        shown = share * min(coarse, 1.0) * min(0.5 * cell * scale / footprint - 1.0, 1.0)
+    total, variance, third, share = 0.0, 0.0, 0.0, 1.0
+    ascent, smooth, coarse = 0.0, 1.0, SMALL + GROWING * cover
+    for octave in range(OCTAVES):
+        shown = share * min(0.5 * cell * scale / footprint - 1.0, 1.0)
+        if octave >= GROUPS:
+            shown *= min(coarse, 1.0)
+            coarse *= 2.0
         if shown > 0.0:
             x, along_x = turning_place(whole.x, beyond_x, scale)
             y, along_y = turning_place(whole.y, beyond_y, scale)
             z, along_z = turning_place(whole.z, beyond_z, scale)
             moved, inverse = WARPED * total, 1.0 / (cell * scale)
             x, y, z, noise, growth = x + moved, y - moved, z + moved, 0.0, 0.0
-            if whole_grain:
+            if whole_grain and octave >= GROUPS:
                 along = Vec3(along_x * way.x, along_y * way.y, along_z * way.z)
                 noise, growth = sloping_gradient_noise(x, y, z, along)
             else:
                 noise = gradient_noise(x, y, z)
+            folded, plain, skewness = PUFFED, OPEN, PUFFED_SKEWNESS
+            if octave < GROUPS:
+                folded, plain, skewness = GATHERED, SPREAD, GATHERED_SKEWNESS
             puffs = (abs(noise) - FOLDED) / FOLDED_DEVIATION
-            total += shown * (PUFFED * puffs + OPEN * noise / GRADIENT_DEVIATION)
+            total += shown * (folded * puffs + plain * noise / GRADIENT_DEVIATION)
             heaped = growth if noise > 0.0 else -growth
             ascent += shown * smooth * heaped * inverse / FOLDED_DEVIATION
             variance += shown * shown
+            third += skewness * shown * shown * shown
         share *= FALL
-        smooth *= SMOOTH
-        coarse *= 2.0
+        if octave >= GROUPS:
+            smooth *= SMOOTH
         scale *= 0.5
     if variance > 0.0:
         deviation = sqrt(variance)
-        far = min(total / deviation, FARTHEST)
-        total -= SKEWED * deviation * (far * far - 1.0)
-    return CloudGrain(total, KEPT * variance, edge, ascent)
+        far = min(max(total / deviation, -FARTHEST), FARTHEST)
+        skewed = third / (6.0 * variance * deviation)
+        total -= skewed * deviation * (far * far - 1.0)
+        variance *= 1.0 - 2.0 * skewed * skewed
+    return CloudGrain(total, variance, edge, ascent)
