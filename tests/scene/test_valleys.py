@@ -14,6 +14,9 @@ from airlight.scene.ground_detail import WHOLE_PERIOD
 from airlight.scene.hills import COARSEST
 from airlight.scene.valleys import (
     EDGE,
+    OCTAVES,
+    PALER,
+    SMOOTH,
     Phasor,
     Valleys,
     farmland,
@@ -94,8 +97,8 @@ def test_gullies_run_down_the_slope_of_the_map() -> None:
 
 
 def test_nothing_is_shown_of_cells_below_two_pixels() -> None:
-    assert np.all(places(5, 0.61 * COARSEST) == 0.0)
-    assert np.all(places(5, 0.4 * COARSEST)[:, 0] != 0.0)
+    assert np.all(places(5, 0.61 * SMOOTH) == 0.0)
+    assert np.all(places(5, 0.4 * SMOOTH)[:, 0] != 0.0)
 
 
 def test_fields_are_even_between_their_edges() -> None:
@@ -121,3 +124,12 @@ def test_phases_of_cells_are_of_all_quarters_and_products_turn() -> None:
     ]
     assert_allclose(np.mean(phases), 0.0, atol=0.04)
     assert_allclose([abs(one.real) + abs(one.imag) for one in phases], 1.0, atol=1e-12)
+
+
+def test_wide_valleys_are_more_conspicuous_than_narrow_ones() -> None:
+    # Pixels of 0.3 texels show gullies in cells of a texel and none below. Octaves whose contrast
+    # falls to PALER have the share 1 - PALER² of the variance in the first; equal ones, 1/OCTAVES.
+    wide, narrow = places(3000, 0.3 * COARSEST)[:, 2], places(3000, 20.0)[:, 2]
+    share = np.var(wide) / np.var(narrow)
+    assert share > 1.5 / OCTAVES
+    assert_allclose(share, 1.0 - PALER**2, atol=0.1)

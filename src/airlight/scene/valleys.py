@@ -1,8 +1,8 @@
 """Valleys and fields between the resolution of maps and that of the texture of land, from above.
 
-Decoration: smooth relief of cells of a texel of the map (7 km on Earth) and, at each half of that
-size, gullies: waves across the slope of all coarser relief, whose crests run down it and meet as
-spurs and valleys do. Waves of a cell have a phase of their own and are blended with those of its
+Decoration: smooth relief of cells of two texels of the map (15 km on Earth) and, at each half of
+that size, gullies: waves across the slope of all coarser relief, whose crests run down it and meet
+as spurs and valleys do. Waves of a cell have a phase of their own and are blended with those of its
 neighbours at the same amplitude (phasor noise, Tricard et al. 2019, ACM Trans. Graph. 38(4), 57).
 Valleys are brighter than what is between them: sediment in deserts, fields among woods. Plains have
 fields, patches of one tone with edges.
@@ -26,15 +26,18 @@ from airlight.geometry.vectors import Vec3, cross, dot, plus, scaled
 from airlight.kernel import kernel
 from airlight.scene.hills import COARSEST, lattice_place
 
-#: Number of octaves of gullies, from cells of half a texel on.
-OCTAVES: Final = 6
-#: Waves in a cell, their slope over that of the smooth relief, and its ratio from an octave to the
-#: next finer one, by eye. [1]
+#: Number of octaves of gullies, from cells of a texel on; cells of the smooth relief.
+OCTAVES: Final = 7
+SMOOTH: Final = 2.0 * COARSEST
+#: Slope of the smooth relief over its noise's, waves in a cell, their slope over that of the noise,
+#: and ratios of the slope and of the tone from an octave to the next finer one, by eye. [1]
+GENTLE: Final = 0.5
 WAVES: Final = 0.9
-STEEP: Final = 0.52
-FALL: Final = 0.8
-#: Slope of coarser relief over that of the smooth one from which on gullies are fully cut. [1]
-CUT: Final = 0.7
+STEEP: Final = 0.4
+FALL: Final = 0.75
+PALER: Final = 0.8
+#: Slope of coarser relief over that of the noise from which on gullies are fully cut. [1]
+CUT: Final = 0.3
 #: Square of the amplitude below which waves of opposite phases cancel. [1]
 CANCELLED: Final = 0.02
 #: Mean of the cube of how low a place is between crests, of 40 000 places. [1]
@@ -158,18 +161,18 @@ def valleys(finest, footprint, whole, up, way, slope, steep):
     slope : Vec3
         Horizontal gradient of the map's heights, whose light is not of the valleys. [1]
     steep : float
-        Height of the smooth relief over its cells. [1]
+        Height of the relief over its cells. [1]
     """
-    height, ascent, tone, scale = 0.0, 0.0, 0.0, 0.5 * COARSEST
-    shown = min(0.6 * COARSEST / footprint - 1.0, 1.0)
+    height, ascent, tone, scale = 0.0, 0.0, 0.0, COARSEST
+    shown = min(0.6 * SMOOTH / footprint - 1.0, 1.0)
     if shown > 0.0:
-        at = lattice_place(finest, whole, COARSEST)
+        at = lattice_place(finest, whole, SMOOTH)
         height, x, y, z = noise_gradient(at.x, at.y, at.z)
         rise = Vec3(x, y, z)
-        rise = scaled(plus(rise, scaled(up, -dot(rise, up))), shown * steep)
+        rise = scaled(plus(rise, scaled(up, -dot(rise, up))), shown * GENTLE * steep)
         slope = plus(slope, rise)
         ascent = dot(rise, way)
-    cut, wave = max(CUT * steep, 1e-6), STEEP * steep
+    cut, wave, pale = max(CUT * steep, 1e-6), STEEP * steep, 1.0
     for _octave in range(OCTAVES):
         shown = min(0.6 * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
@@ -182,8 +185,9 @@ def valleys(finest, footprint, whole, up, way, slope, steep):
             slope = plus(slope, scaled(across, growth))
             ascent += growth * dot(across, way)
             low = 0.5 - 0.5 * crest
-            tone += shown * (low * low * low - NARROW)
+            tone += pale * shown * (low * low * low - NARROW)
         wave *= FALL
+        pale *= PALER
         scale *= 0.5
     return Valleys(height, ascent, tone)
 
