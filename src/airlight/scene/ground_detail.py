@@ -29,12 +29,12 @@ WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
 PLAIN_CONTRAST: Final = 0.04
 PLAIN_FALL: Final = 1.0
 #: Standard deviation of the displacement by the coarsest octave. [texel]
-DISPLACED: Final = 0.09
+DISPLACED: Final = 0.12
 #: Ratio of the displacements of an octave and the next coarser one. [1]
 DISPLACED_FALL: Final = 0.6
 #: Width of shallow water along a coast. [texel]
 SHOAL: Final = 0.25
-#: Share of the interpolation between texels that has the edges of ``edged``. [1]
+#: Share of the colours between texels that has the edges of ``edged``, by eye. [1]
 EDGED: Final = 0.8
 #: Ratio of the normal quantile to the logit, within 1 % of probability. [1]
 _LOGISTIC: Final = 1.702
@@ -187,31 +187,29 @@ def displacement(width, noise, rows):
 
 
 @kernel
-def edged(angle, rows, middle, width):
-    """Coordinate at which a map is read, so that the colours of texels meet at edges. [rad]
+def edged(value, least, most, width):
+    """Value between texels, between edges at which it is the mean of those around it. [1]
 
-    The fade of ``quintic`` between the centres of texels: it is odd about their edges, so that the
-    mean over a texel remains.
+    The fade of ``quintic``, twice: odd about the mean, so that a straight edge keeps its place.
+    Values that are none of those between, as in narrow strips, remain.
 
     Parameters
     ----------
-    angle : float
-        Latitude or longitude. [rad]
-    rows : float
-        Number of rows of the map.
-    middle : float
-        Index of a texel at the angle 0, between two of them ending in a half. [1]
+    value : float
+        Interpolated value. [1]
+    least, most : float
+        Extremes of those a texel away. [1]
     width : float
         Result of ``pixel_width``. [texel]
 
     Examples
     --------
-    >>> edged(0.0, 10.0, 4.5, 0.1), edged(0.1, 10.0, 4.5, 1.0)  # an edge; wide pixels
-    (0.0, 0.1)
+    >>> edged(0.5, 0.0, 1.0, 0.1), round(edged(0.7, 0.0, 1.0, 0.0), 3), edged(0.7, 0.0, 1.0, 1.0)
+    (0.5, 0.925, 0.7)
     """
-    place = angle * rows / pi + middle
-    part = place - floor(place)
-    return angle + EDGED * (1.0 - width) * (quintic(part) - part) * pi / rows
+    span = max(most - least, 1e-6)
+    part = min(max((value - least) / span, 0.0), 1.0)
+    return value + EDGED * (1.0 - width) * (quintic(quintic(part)) - part) * span
 
 
 @kernel

@@ -1,18 +1,26 @@
-"""Coasts of detailed ground: a line finer than the texels of the map, and shallow water."""
+"""Edges of detailed ground between the texels of the map, coasts, and shallow water."""
 
 from __future__ import annotations
 
+from math import pi
 from typing import Final, NamedTuple
 
+from airlight.image.texels import CHANNELS
 from airlight.kernel import inlined
-from airlight.scene.ground_detail import moved_coast, sharper_share, shoal
-from airlight.scene.ground_place import map_value
+from airlight.scene.ground_detail import edged, moved_coast, sharper_share, shoal
+from airlight.scene.ground_place import map_color
 
 #: Channel of the share of water in the map.
 WATER: Final = 3
 #: Reflectance of shallow water over that of the land beside it, green or blue, and red, by eye. [1]
 SHALLOW: Final = 0.12
 SHALLOW_RED: Final = 0.03
+#: Growth of the width of edges with the share of water beside them. [texel]
+COASTAL: Final = 2.0
+#: Elements of ``color`` that are filled later: values beside a place, and extremes of them.
+_BESIDE: Final = 12
+_LEAST: Final = _BESIDE + CHANNELS
+_MOST: Final = _LEAST + CHANNELS
 
 
 class MapSpot(NamedTuple):
@@ -32,6 +40,35 @@ class MapSpot(NamedTuple):
 
 
 @inlined
+def edged_color(spot, view, color):
+    """Colours with edges between texels, in the first three of ``color``. [1]
+
+    Not at coasts, where the land's colour comes from the difference of both.
+
+    Parameters
+    ----------
+    spot, view, color :
+        Arguments of ``detailed_land``.
+    """
+    for c in range(CHANNELS):
+        color[_LEAST + c] = color[c]
+        color[_MOST + c] = color[c]
+    for step in range(4):
+        beside = pi / view.map_rows if step < 2 else -pi / view.map_rows
+        north = beside if step == 0 or step == 2 else 0.0
+        map_color(
+            view.texels, view.map_rows, view.map_columns, view.map_levels,
+            spot.latitude + north, spot.longitude + beside - north, 0.0, color, _BESIDE,
+        )  # fmt: skip
+        for c in range(CHANNELS):
+            color[_LEAST + c] = min(color[_LEAST + c], color[_BESIDE + c])
+            color[_MOST + c] = max(color[_MOST + c], color[_BESIDE + c])
+    width = max(spot.width, min(COASTAL * color[_MOST + WATER], 1.0))
+    for c in range(WATER):
+        color[c] = edged(color[c], color[_LEAST + c], color[_MOST + c], width)
+
+
+@inlined
 def land_and_water(red, green, blue, share, shore, spot, view, color):
     """Colours of a pixel of land and water, into the first four values of ``color``. [1]
 
@@ -46,14 +83,7 @@ def land_and_water(red, green, blue, share, shore, spot, view, color):
     spot, view, color :
         Arguments of ``detailed_land``.
     """
-    coast, width = share, spot.width
-    if width < 1.0 and share > 0.0:
-        # without the edges between the colours of texels
-        even = map_value(
-            view.texels, view.map_rows, view.map_columns, 0, spot.latitude, spot.longitude, WATER
-        )
-        coast += (1.0 - width) * (even - coast)
-    coast = moved_coast(coast, shore)
+    coast, width = moved_coast(share, shore), spot.width
     wet, shallow = sharper_share(coast, width), (1.0 - width) * shoal(coast)
     color[0] = red + wet * (view.water.x + SHALLOW_RED * shallow * red - red)
     color[1] = green + wet * (view.water.y + SHALLOW * shallow * green - green)

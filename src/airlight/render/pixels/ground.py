@@ -21,7 +21,7 @@ from airlight.physics.optics.cox_munk import mean_square_slope, mirror_slope
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.physics.optics.rpv import land_diffuse, land_direct, unsaturated
 from airlight.physics.optics.water import water_reflectances
-from airlight.render.pixels.coast import MapSpot
+from airlight.render.pixels.coast import MapSpot, edged_color
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
 from airlight.render.pixels.ground_clouds import (
     CLOUD_VALUES,
@@ -45,7 +45,6 @@ from airlight.scene.ground_detail import (
     STEP,
     GroundNoise,
     displacement,
-    edged,
     ground_detail,
     pixel_width,
 )
@@ -183,9 +182,10 @@ def ground_color(ray, sine, angle, observer, frame, color):
         )
         map_color(
             view.texels, view.map_rows, view.map_columns, view.map_levels,
-            edged(seen.latitude, view.map_rows, 0.5 * view.map_rows - 0.5, width),
-            edged(seen.longitude, view.map_rows, view.map_rows - 0.5, width), level, color, 0,
+            seen.latitude, seen.longitude, level, color, 0,
         )  # fmt: skip
+        if width < 1.0 and color[3] < NEARLY_WATER:
+            edged_color(seen, view, color)
     mu_s = 0.0
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom
