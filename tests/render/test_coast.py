@@ -1,0 +1,55 @@
+"""Edges between the colours of a map, finer than its texels."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from airlight.render.pixels.coast import MapSpot, edged_color
+from airlight.scene.ground_place import map_color
+
+ROWS = 16
+
+
+class View(NamedTuple):
+    """The part of ``ViewUniforms`` that is read."""
+
+    texels: np.ndarray
+    map_rows: int
+    map_columns: int
+    map_levels: int
+
+
+def profile(water: int) -> tuple[np.ndarray, np.ndarray]:
+    """Red across an edge of dark to bright land, interpolated and with edges. [1]"""
+    texels = np.zeros((ROWS, 2 * ROWS, 4), np.uint8)
+    texels[:, ROWS:] = (200, 180, 150, 0)
+    texels[..., 3] = water
+    view = View(texels.ravel(), ROWS, 2 * ROWS, 1)
+    found = []
+    for longitude in np.linspace(-0.5, 0.5, 201) * pi / ROWS:
+        color = np.zeros(25)
+        map_color(view.texels, ROWS, 2 * ROWS, 1, 0.0, longitude, 0.0, color, 0)
+        before = color[0]
+        edged_color(MapSpot(0.0, longitude, 0.05), view, color)
+        found.append((before, color[0]))
+    interpolated, sharp = np.transpose(found)
+    return interpolated, sharp
+
+
+def test_an_edge_of_fields_is_less_than_half_a_texel_wide() -> None:
+    # Interpolation rises evenly over a texel: a tenth to nine tenths over four fifths of it. The
+    # mean over the texel is that of its two colours by both.
+    interpolated, sharp = profile(water=0)
+    levels = (sharp - sharp.min()) / (sharp.max() - sharp.min())
+    assert np.mean((levels > 0.1) & (levels < 0.9)) < 0.5
+    assert sharp.mean() == pytest.approx(interpolated.mean(), rel=1e-3)
+    assert np.ptp(sharp) == pytest.approx(np.ptp(interpolated))
+
+
+def test_land_beside_water_has_no_edges() -> None:
+    interpolated, sharp = profile(water=160)
+    np.testing.assert_allclose(sharp, interpolated, rtol=1e-12)
