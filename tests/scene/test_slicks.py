@@ -11,7 +11,7 @@ from airlight.geometry.vectors import Vec3
 from airlight.physics.optics.cox_munk import glint_factor, mean_square_slope, mirror_slope
 from airlight.render import render
 from airlight.scene.ground_detail import finest_cell
-from airlight.scene.slicks import CONTRAST, OCTAVES, slick_glint, slick_roughness
+from airlight.scene.slicks import CONTRAST, FALL, OCTAVES, slick_glint, slick_roughness
 
 CELL = finest_cell(6371e3, 2048)
 WHOLE, PART = Vec3(3e6, 5e6, 7e6), Vec3(0.1, 0.2, 0.3)
@@ -25,7 +25,8 @@ def roughness(footprint: float, count: int = 20_000) -> np.ndarray:
 
 def test_roughness_has_mean_0_and_the_variance_that_it_states() -> None:
     rougher, variance = roughness(100.0).T
-    assert_allclose(variance, OCTAVES * CONTRAST**2)
+    shares = CONTRAST * FALL ** np.arange(OCTAVES)
+    assert_allclose(variance, np.sum(shares**2))
     assert_allclose(rougher.mean(), 0.0, atol=0.01)
     assert_allclose(rougher.var(), variance[0], rtol=0.05)
     assert not roughness(1e6, 10).any()  # below the size of a pixel

@@ -1,6 +1,6 @@
 """Procedural slicks and gusts on the sea, which texture the glint; they are not data.
 
-Octaves of gradient noise, each a quarter of the previous scale, change the logarithm of the
+Octaves of gradient noise, each half of the previous scale, change the logarithm of the
 mean-square slope: folded noise to narrow slicks, which have fewer waves, plain noise to gusts. The
 places of an octave are displaced by the coarser ones, which draws slicks out to eddies. The glint
 keeps its mean over places to second order in the contrast.
@@ -19,16 +19,18 @@ from airlight.scene.ground_detail import STEP
 
 #: Number of octaves, and cells of the coarsest one, sixteen texels, over the finest of
 #: ``ground_detail``.
-OCTAVES: Final = 4
+OCTAVES: Final = 6
 COARSEST: Final = 16 * STEP ** (GROUND_OCTAVES - 1)
 #: Shares of folded and of plain noise: the sum of their squares is 1.
 SLICK: Final = 0.8
 GUST: Final = 0.6
-#: Standard deviation of the logarithm of the mean-square slope by an octave, by eye; an oil slick
-#: has half of it or less (Cox & Munk 1954). [1]
-CONTRAST: Final = 0.1
+#: Standard deviation of the logarithm of the mean-square slope by the coarsest octave, and ratio to
+#: that of the next finer one, by eye; an oil slick has half of the slope or less (Cox & Munk 1954).
+#: [1]
+CONTRAST: Final = 0.11
+FALL: Final = 0.85
 #: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
-WARPED: Final = 0.3
+WARPED: Final = 0.45
 #: Square of the facet's slope over the mean-square slope from which on the glint is neglected. [1]
 STEEPEST: Final = 12.0
 
@@ -43,7 +45,7 @@ def slick_roughness(place, footprint, cell, whole, part):
         Arguments of ``ground_detail``.
     """
     x, y, z = part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell
-    total, variance, scale = 0.0, 0.0, float(COARSEST)
+    total, variance, scale, share = 0.0, 0.0, float(COARSEST), CONTRAST
     for _octave in range(OCTAVES):
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
@@ -53,10 +55,11 @@ def slick_roughness(place, footprint, cell, whole, part):
             at_z, _ = turning_place(whole.z, z, scale)
             noise = gradient_noise(at_x + moved, at_y - moved, at_z + moved)
             folded = (abs(noise) - FOLDED) / FOLDED_DEVIATION
-            shown *= CONTRAST
+            shown *= share
             total += shown * (SLICK * folded + GUST * noise / GRADIENT_DEVIATION)
             variance += shown * shown
-        scale /= float(STEP)
+        scale *= 0.5
+        share *= FALL
     return total, variance
 
 
