@@ -205,7 +205,7 @@ def edged(value, least, most, width):
     Examples
     --------
     >>> edged(0.5, 0.0, 1.0, 0.1), round(edged(0.7, 0.0, 1.0, 0.0), 3), edged(0.7, 0.0, 1.0, 1.0)
-    (0.5, 0.925, 0.7)
+    (0.5, 0.913, 0.7)
     """
     span = max(most - least, 1e-6)
     part = min(max((value - least) / span, 0.0), 1.0)

@@ -40,11 +40,11 @@ CLOUD_VALUES: Final = 13
 THICKNESS: Final = 3300.0
 #: Height of tops in a standard deviation of folded noise of eight texels, of few clouds, and
 #: the share of it that full cover loses, by eye. [m], [1]
-HEAPED: Final = 1200.0
+HEAPED: Final = 2000.0
 LEVELLED: Final = 0.5
 #: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
 #: eye. [1]
-SHADING: Final = 0.4
+SHADING: Final = 0.5
 #: Cover through which no shadow is seen, and finest texture of shadows over that of clouds. [1]
 HIDDEN: Final = 0.9
 SOFTER: Final = 2.0
