@@ -2,55 +2,69 @@
 
 In equilibrium, where new craters erase old ones, the number per area of those wider than D is
 c D^-2; the c of the lunar maria is 0.079 (Trask 1966, JPL Tech. Rep. 32-800, 252: 10^10.9 D^-2 per
-10^6 km², D in metres). Beyond ``TURN`` it falls as D^-3, near the production of new ones (Neukum,
-Ivanov & Hartmann 2001, Space Sci. Rev. 96, 55). Each cell of a lattice has at most one crater, of
+10^6 km², D in metres). Beyond a diameter it falls as D^-3, near the production of new ones
+(Neukum, Ivanov & Hartmann 2001, Space Sci. Rev. 96, 55): on the maria some 300 m, in the highlands
+tens of kilometres (Hartmann 1984, Icarus 60, 56). Each cell of a lattice has at most one crater, of
 the diameters between those of the next finer and its own lattice; cells are on the face of a cube,
-distances on the ground. The slope towards the star is that of a bowl with the depth and rim of a
-fresh crater (Pike 1977, in Impact and Explosion Cratering, 489), which ages to a shallow one
-without rim, as by diffusion (Fassett & Thomson 2014, JGR Planets 119, 2255); old ones are the most.
-Soil of fresh ones is brighter. Mean sunlight and mean reflectance remain.
+distances on the ground. Slopes are those of a bowl with the depth and rim of a fresh crater (Pike
+1977, in Impact and Explosion Cratering, 489), which ages to a shallow one without rim, as by
+diffusion (Fassett & Thomson 2014, JGR Planets 119, 2255); old ones are the most. Wide ones have
+level floors, terraces and central peaks, and are shallower (Pike 1980, Icarus 43, 1). Fresh bowls
+are in the shadow of their rims, and near rims hide what is behind them. Soil of fresh ones is
+brighter, in rays. Seen from above, mean sunlight and mean reflectance remain.
 """
 
 from __future__ import annotations
 
-from math import floor, log, pi, sqrt
+from math import floor, log2, pi, sin, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import in_period, shuffled
+from airlight.geometry.gradient_noise import in_period, plane_noise, shuffled
 from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import along_lattice
 
 #: Number of lattices, and cells of the coarsest over the finest of ``ground_detail``: with the
-#: packaged map of the Moon 43 km, so that craters are at most 25 km wide; those above some 15 km
-#: have no flat floors here.
-LATTICES: Final = 17
-COARSEST: Final = 524288.0
+#: packaged map of the Moon 113 km, so that craters are at most 68 km wide.
+LATTICES: Final = 19
+COARSEST: Final = 2097152.0
 #: Diameter of the widest crater of a lattice, twice that of the narrowest. [cell]
 WIDEST: Final = 0.6
-#: Diameter above which craters are fewer than in equilibrium, between the maria's, some 300 m, and
-#: that of the highlands, which have it up to tens of kilometres (Hartmann 1984, Icarus 60, 56). By
-#: eye. [m]
-TURN: Final = 4000.0
+#: Diameters above which craters are fewer than in equilibrium, on maria and in highlands, and green
+#: reflectances of both in the packaged map. [m], [1]
+MARE: Final = 300.0
+HIGHLAND: Final = 2e4
+DARK: Final = 0.065
+LIGHT: Final = 0.095
 #: Depth below the rim's foot and height of the rim of a fresh crater over its diameter. [1]
 DEPTH: Final = 0.16
 RIM: Final = 0.036
-#: Radius at which ejecta end, over the crater's. [1]
+#: Radius at which the rim's slope ends, over the crater's. [1]
 EJECTA: Final = 1.6
-#: Steepest slope, towards which steep ones are compressed. [1]
-STEEPEST: Final = 0.45
-#: Largest share of the radius by which a rim is out of round, and growth of freshness with an even
-#: variable from 0, by eye. [1]
+#: Diameters between which craters get level floors [m], and radius of the floor, over the crater's,
+#: of those wider; radius and steepest slope of their peaks, and contrast of three terraces, by eye.
+SIMPLE: Final = 10e3
+COMPLEX: Final = 22e3
+FLOOR: Final = 0.5
+PEAK: Final = 0.18
+STEEP: Final = 0.5
+TERRACED: Final = 0.5
+#: Largest tangent of the star's zenith angle: rims shade one another below. [1]
+LOWEST: Final = 6.0
+#: Share of the craters that are shallower, as if flooded. [1]
+FLOODED: Final = 0.25
+#: Largest share of the radius by which a rim is out of round, by eye. [1]
 UNROUND: Final = 0.12
-YOUNG: Final = 0.3
-#: Change of the reflectance in the middle of a fresh crater, whose soil is immature, by eye; its
-#: mean over cells with a crater: π/2 ``BRIGHT`` and the means of the squares of ``EJECTA`` radii,
-#: W² ln 4 / 12, and of the freshness. [1]
-BRIGHT: Final = 0.35
-MEAN: Final = (
-    0.5 * pi * BRIGHT * EJECTA**2 * WIDEST**2 * log(4.0) / 12.0
-    * (YOUNG**2 / 3.0 + YOUNG * (1.0 - YOUNG) / 2.0 + (1.0 - YOUNG) ** 2 / 5.0)
-)  # fmt: skip
+#: Radius at which bright soil ends [cell], change of the reflectance in the middle of a fresh
+#: crater, whose soil is immature, contrast of its rays, their width over the distance [1], and
+#: diameter below which all of it fades [m], by eye; mean change over cells with a crater, with that
+#: of the cube of the freshness [1].
+REACH: Final = 0.48
+BRIGHT: Final = 0.8
+RAYS: Final = 1.6
+RAY: Final = 2.5
+RAYED: Final = 100.0
+MEAN: Final = BRIGHT * pi * REACH**2 / 3.0 / 10.0 * (1.0 - 0.75 * FLOODED)
 
 
 class Crater(NamedTuple):
@@ -81,13 +95,13 @@ class Cratered(NamedTuple):
 
     Attributes
     ----------
-    ascent : float
-        Tangent of the ascent towards the star. [1]
+    light : float
+        Direct light over that of level ground, of mean 1. [1]
     tone : float
         Change of the reflectance by ejecta, of mean 0. [1]
     """
 
-    ascent: float
+    light: float
     tone: float
 
 
@@ -114,17 +128,37 @@ def crater_of(i, j, lattice, share):
         # the inverse of D^-2 between both diameters
         radius = 0.5 * WIDEST / sqrt(1.0 + 3.0 * shuffled(third + i) / 288.0)
     even = third / 288.0
-    fresh = even * (YOUNG + (1.0 - YOUNG) * even)
+    fresh = even * even * even
+    # where the share varies, no crater ends suddenly
+    fresh *= min(max(289.0 * share - number, 0.0) / (FLOODED * 289.0 * share), 1.0)
     along, across = shuffled(third + column) / 144.0 - 1.0, shuffled(third + second) / 144.0 - 1.0
     return Crater(first / 289.0, second / 289.0, radius, fresh, along, across)
 
 
 @kernel
-def crater_slope(distance, fresh):
+def level_floor(diameter):
+    """Radius of the level floor of a crater over its radius. [1]
+
+    Parameters
+    ----------
+    diameter : float
+        Diameter. [m]
+
+    Examples
+    --------
+    >>> level_floor(5e3), level_floor(22e3)
+    (0.0, 0.5)
+    """
+    wide = log2(diameter / SIMPLE) / log2(COMPLEX / SIMPLE)
+    return FLOOR * min(max(wide, 0.0), 1.0)
+
+
+@kernel
+def crater_slope(distance, fresh, level):
     """Slope of a crater away from its centre. [1]
 
-    Of a fresh one a parabola with rim and ejecta; of an old one, with the depth z and the ratio t
-    of the distance to ``EJECTA``, that of -z (1 - t²)³.
+    Of a fresh one a parabola from the floor to the rim, and ejecta; of an old one, with the depth z
+    and the ratio t of the distance to ``EJECTA``, that of -z (1 - t²)³.
 
     Parameters
     ----------
@@ -132,23 +166,102 @@ def crater_slope(distance, fresh):
         Distance from the centre over the radius. [1]
     fresh : float
         Freshness; the depth of an old crater is in proportion to it. [1]
+    level : float
+        Result of ``level_floor``. [1]
 
     Examples
     --------
-    >>> crater_slope(0.0, 1.0), round(crater_slope(0.5, 1.0), 3), abs(crater_slope(2.0, 1.0))
-    (0.0, 0.392, 0.0)
+    >>> crater_slope(0.0, 1.0, 0.0), round(crater_slope(0.5, 1.0, 0.0), 3)
+    (0.0, 0.392)
+    >>> crater_slope(0.4, 1.0, 0.5), abs(crater_slope(2.0, 1.0, 0.0))
+    (0.0, 0.0)
     """
     left = max(1.0 - distance * distance / (EJECTA * EJECTA), 0.0)
-    worn = 12.0 * DEPTH / (EJECTA * EJECTA) * distance * left * left
-    sharp = 4.0 * (DEPTH + RIM) * distance
+    worn = (1.0 - level) * 12.0 * DEPTH / (EJECTA * EJECTA) * distance * left * left
+    wall = max(distance - level, 0.0) / (1.0 - level)
+    terraces = 1.0 + TERRACED * level / FLOOR * sin(6.0 * pi * wall)
+    sharp = 4.0 * (DEPTH + RIM) * wall * terraces
     if distance > 1.0:
         left = max((EJECTA - distance) / (EJECTA - 1.0), 0.0)
         sharp = -6.0 * RIM * left / (distance * distance * distance * distance)
+    elif distance < PEAK:
+        sharp -= STEEP * level / FLOOR * sin(pi / PEAK * distance)
     return fresh * (fresh * sharp + (1.0 - fresh) * worn)
 
 
 @kernel
-def craters(place, whole, up, way, footprint, cell, density):
+def shadowed(towards, square, fresh, level, tangent, blur):
+    """Share of a place within the rim of a crater to which the rim casts its shadow. [1]
+
+    The line towards the star leaves the circle of the rim after s = √(b² + 1 - r²) - b; the
+    place lies in shadow if it is lower than s over the tangent of the star's zenith angle.
+
+    Parameters
+    ----------
+    towards, square : float
+        Component b of the place towards the star, times ``tangent``, and the square of its distance
+        r from the centre, over the radius and its square. [1]
+    fresh, level, tangent : float
+        Freshness, ``level_floor``, and tangent of the star's zenith angle. [1]
+    blur : float
+        Width of the pixel over the radius. [1]
+
+    Examples
+    --------
+    >>> shadowed(2.5, 0.25, 1.0, 0.0, 5.0, 0.01), shadowed(-0.5, 0.25, 1.0, 0.0, 1.0, 0.01)
+    (1.0, 0.0)
+    """
+    if square >= 1.0 or tangent <= 0.0:
+        return 0.0
+    wall = max(sqrt(square) - level, 0.0) / (1.0 - level)
+    deep = 2.0 * (DEPTH + RIM) * (1.0 - level) * (1.0 - wall * wall) * fresh * fresh
+    along = towards / tangent
+    lower = tangent * deep - sqrt(along * along + 1.0 - square) + along
+    return min(max(lower / (4.0 * blur + 0.02), 0.0), 1.0)
+
+
+@kernel
+def sunk(along, flat, square, fresh):
+    """Depth over the radius at which a line of sight meets a bowl. [1]
+
+    With the tangent f of the line's zenith angle, k h² f² + (2 k b + 1) h = k (1 - r²) for a depth
+    k (1 - r²). Of an old one k has half of its depth, which lies outside.
+
+    Parameters
+    ----------
+    along, flat : float
+        Component b away from the observer of the place at which the line passes the rim's level,
+        times f, over the radius; and f². [1]
+    square : float
+        Square of the distance r of that place from the centre, over that of the radius. [1]
+    fresh : float
+        Freshness. [1]
+
+    Examples
+    --------
+    >>> round(sunk(0.0, 0.0, 0.0, 1.0), 3), round(sunk(0.0, 25.0, 0.0, 1.0), 3)
+    (0.392, 0.155)
+    """
+    deep = fresh * (DEPTH + (DEPTH + 2.0 * RIM) * fresh)
+    middle = 1.0 + 2.0 * deep * along
+    root = sqrt(middle * middle + 4.0 * deep * deep * flat * (1.0 - square))
+    return 2.0 * deep * (1.0 - square) / max(middle + root, 1e-6)
+
+
+@kernel
+def highland(green):
+    """Share of highlands, 0 to 1, by a map's reflectance. [1]
+
+    Examples
+    --------
+    >>> highland(0.05), round(highland(0.08), 9), highland(0.12)
+    (0.0, 0.5, 1.0)
+    """
+    return min(max((green - DARK) / (LIGHT - DARK), 0.0), 1.0)
+
+
+@kernel
+def craters(place, whole, up, way, footprint, cell, density, high, ray):
     """``Cratered`` of a place.
 
     Parameters
@@ -156,23 +269,32 @@ def craters(place, whole, up, way, footprint, cell, density):
     place, whole : Vec3
         Place and lattice point, ``faced``. [finest cell]
     up, way : Vec3
-        Vertical, and horizontal direction towards the star, ``faced``. [1]
+        Vertical, and horizontal direction towards the star, times the tangent of its zenith angle,
+        at most ``LOWEST``; ``faced``. [1]
     footprint : float
         Width of the pixel: craters narrower than two of it are left out. [finest cell]
     cell : float
         Size of the finest cells. [m]
     density : float
         c of the module. [1]
+    high : float
+        Share of highlands. [1]
+    ray : Vec3
+        Horizontal direction away from the observer, times the tangent of the zenith angle of the
+        line of sight, ``faced``. [1]
     """
-    ascent, tone, scale = 0.0, 0.0, COARSEST
+    light, tone, scale = 1.0, 0.0, COARSEST
     narrowest = 0.5 * WIDEST
     several = density * 3.0 / (WIDEST * WIDEST) / max(abs(up.z), 0.5)
+    tangent, flat = sqrt(dot(way, way)), dot(ray, ray)
+    turn = MARE * (HIGHLAND / MARE) ** high
     tilt_x, tilt_y = up.x / up.z, up.y / up.z
     for lattice in range(LATTICES):
         shown = min(0.5 * narrowest * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
-            share = min(several * min(TURN / (narrowest * scale * cell), 1.0), 1.0)
-            tone -= shown * share * MEAN
+            share = min(several * min(turn / (narrowest * scale * cell), 1.0), 1.0)
+            young = shown * min(narrowest * scale * cell / RAYED, 1.0)
+            tone -= young * share * MEAN
             x = along_lattice(whole.x, place.x, 1.0 / scale)
             y = along_lattice(whole.y, place.y, 1.0 / scale)
             corner_x, corner_y = floor(x - 0.5), floor(y - 0.5)
@@ -184,17 +306,44 @@ def craters(place, whole, up, way, footprint, cell, density):
                     at_x, at_y = x - i - one.x, y - j - one.y
                     away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
                     square = dot(away, away)
+                    if square < one.radius * one.radius:
+                        edge = (one.radius - sqrt(square)) * scale / footprint
+                        met = (
+                            one.radius
+                            * min(edge, 1.0)
+                            * sunk(
+                                dot(away, ray) / one.radius,
+                                flat,
+                                square / (one.radius * one.radius),
+                                one.fresh,
+                            )
+                        )
+                        at_x, at_y = at_x + met * ray.x, at_y + met * ray.y
+                        away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
+                        square = dot(away, away)
                     distance = sqrt(square)
                     bulge = one.along * (at_x * at_x - at_y * at_y) + 2.0 * one.across * at_x * at_y
                     wider = 1.0 + UNROUND * bulge / max(square, 1e-12)
-                    within = distance / (wider * one.radius)
+                    radius = wider * one.radius
+                    within = distance / radius
                     if within < EJECTA and distance > 1e-6:
-                        half = 0.5 * footprint / (scale * one.radius)
-                        steep = 0.5 * crater_slope(max(within - half, 0.0), one.fresh)
-                        steep += 0.5 * crater_slope(within + half, one.fresh)
-                        ascent += shown * steep * dot(away, way) / distance
-                        thin = 1.0 - within * within / (EJECTA * EJECTA)
-                        tone += shown * BRIGHT * one.fresh * one.fresh * thin
+                        blur = footprint / (scale * one.radius)
+                        level = level_floor(2.0 * one.radius * scale * cell)
+                        steep = 0.5 * crater_slope(max(within - 0.5 * blur, 0.0), one.fresh, level)
+                        steep += 0.5 * crater_slope(within + 0.5 * blur, one.fresh, level)
+                        towards = dot(away, way)
+                        dark = shadowed(
+                            towards / radius, within * within, one.fresh, level, tangent, blur
+                        )
+                        facing = max(1.0 - steep * towards / distance, 0.0)
+                        light *= 1.0 + shown * (facing * (1.0 - dark) - 1.0)
+                    thin = 1.0 - square / (REACH * REACH)
+                    if thin > 0.0 and one.fresh > 0.3:
+                        streak, _growth_x, _growth_y = plane_noise(
+                            99.0 * one.x + RAY * at_x / distance,
+                            99.0 * one.y + RAY * at_y / distance,
+                        )
+                        bright = BRIGHT * one.fresh * one.fresh * one.fresh * thin * thin
+                        tone += young * bright * (1.0 + RAYS * streak * min(within, 1.0))
         scale *= 0.5
-    ascent /= sqrt(1.0 + ascent * ascent / (STEEPEST * STEEPEST))
-    return Cratered(ascent, tone)
+    return Cratered(light, tone)

@@ -493,7 +493,7 @@ WHOLE = {
         "in_period",
     ),
     "test_ground_detail.py::test_craters_are_those_of_the_cpu": (
-        "craters", "crater_of", "crater_slope",
+        "craters", "crater_of", "crater_slope", "level_floor", "shadowed", "sunk", "highland",
     ),
     "test_sea.py::test_waves_near_the_observer_are_those_of_the_cpu": (
         "sea_slopes", "peak_wavenumber", "saturation", "lattice_turns", "turned", "turned_back",

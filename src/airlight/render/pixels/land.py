@@ -6,7 +6,7 @@ from math import cos, pi, sqrt
 from typing import Final
 
 from airlight.geometry.gradient_noise import smooth_noise
-from airlight.geometry.vectors import Vec3, components, plus, scaled
+from airlight.geometry.vectors import Vec3, components, dot, minus, plus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.render.pixels.coast import land_and_water
 from airlight.render.pixels.ground_angles import columns_to_ground
@@ -14,7 +14,7 @@ from airlight.render.pixels.land_from_above import land_from_above
 from airlight.render.pixels.longer_columns import lengthen
 from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import height_at
-from airlight.scene.craters import craters
+from airlight.scene.craters import LOWEST, craters, highland
 from airlight.scene.ground_detail import unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
 from airlight.scene.hills import COARSEST, CROWNS, canopy, hills, woods
@@ -82,9 +82,11 @@ COMMON: Final = 0.031
 #: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
 #: as ellipses. [1]
 FLATTENED: Final = 0.3
-#: Cosine of the zenith angle of a line of sight from the ground at which rims hide half of the
-#: slopes of craters, by eye; from ``LOW`` on they hide nothing. [1]
-HOLLOW: Final = 0.08
+#: Least cosine of the zenith angle of a line of sight that meets bowls as deep as they are. [1]
+FLATTEST: Final = 0.05
+#: Height of hills in highlands with craters over that of others: median slopes of the Moon's are
+#: 7.5° there and 2.0° on the maria (Rosenburg et al. 2011, JGR 116, E02001). [1]
+HILLY: Final = 3.0
 #: Finest texture of hills beyond the horizon, all of whose rows lie at one place, by eye. [pixel]
 BEYOND: Final = 8.0
 
@@ -350,6 +352,9 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             snow = snowiness(color[0], color[2])
             uneven = max(unevenness(color[1], observer.optical_altitude), snow)
             leaf = leafiness(color[0], color[1], snow)
+        pitted, bare = view.craters > 0.0, 0.0  # where craters last there is no wind
+        if pitted:
+            bare = highland(color[1]) if view.mapped else 1.0
         blur = texture_footprint(footprint, cosine) / cell
         # the star's azimuth is the observer's first axis
         way = Vec3(observer.ground_x.x, observer.ground_y.x, observer.ground_z.x)
@@ -368,7 +373,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             woody = 0.0
         elif high > 0.0:
             size = hill_size(middle, frame.tables.bottom, uneven, view)
-            size *= 1.0 + (SNOWED - 1.0) * snow
+            size *= 1.0 + (SNOWED - 1.0) * snow + (HILLY - 1.0) * bare
             from_there = reach if observer.optical_altitude < LOW else 1e9
             hill = hills(
                 finest, blur, from_there / cell, view.whole, way, True, cell, view.grain_fall
@@ -398,8 +403,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
             if low < LOW and reach > 0.9 * sqrt(2.0 * low * frame.tables.bottom):
                 shorter = max(shorter, BEYOND * view.pixel_angle * reach / cell)
-        dark = 1.0
-        pitted = view.craters > 0.0  # where craters last there is no wind
+        dark, open_ground = 1.0, 1.0
         texture = land_texture(
             finest, row, shorter, footprint / cell, whole, way, leaf, snow, not pitted
         )
@@ -419,12 +423,16 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         if pitted:
             wide = max(blur, FLATTENED * footprint / cell)
             middle = faced(middle, face)
-            hidden = HOLLOW * max(1.0 - observer.optical_altitude / LOW, 0.0)
-            seen = cosine / max(cosine + hidden, 1e-6)
-            pits = craters(finest, whole, middle, way, wide, cell, view.craters)
-            ascent += seen * pits.ascent
+            low = min(sine / max(mu_s, 1e-3), LOWEST) if mu_s > 0.0 else 0.0
+            beyond = minus(place, scaled(middle, dot(place, middle)))
+            flat = sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, FLATTEST)
+            ray = scaled(beyond, flat / max(sqrt(dot(beyond, beyond)), 1e-3 * cell))
+            pits = craters(
+                finest, whole, middle, scaled(way, low), wide, cell, view.craters, bare, ray
+            )
             dark = max(1.0 + pits.tone, 0.1)
-        color[11] = stony.light + stony.open * texture_light(mu_s, ascent)
+            open_ground = pits.light
+        color[11] = stony.light + stony.open * open_ground * texture_light(mu_s, ascent)
         change = stony.bare * texture.tone
         hue += stony.bare * texture.hue
         tone *= LOUD
