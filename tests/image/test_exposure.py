@@ -75,6 +75,28 @@ def test_highlights_are_protected():
     assert_allclose(automatic_exposure(few), automatic_exposure(plain), atol=0.1)
 
 
+def test_a_blue_aureole_keeps_its_colour_and_a_warm_one_is_bright():
+    # Around the low sun of Mars, in a tan sky, a fiftieth of the picture may exceed 1.1, so that
+    # blue is left in the rest; the same aureole in the colour of its sky, or warmer, is a highlight
+    # as any other, which 0.6 EV more show.
+    across = np.linspace(0.0, 1.0, 64)
+    glow = 4.0 + 40.0 * np.exp(-0.5 * (across / 0.1) ** 2)
+    tan = np.broadcast_to(glow[None, :, None] * np.array([1.3, 1.0, 0.6]), (32, 64, 3)).copy()
+    blue, red = tan.copy(), tan.copy()
+    blue[:, :16] *= np.array([0.6, 1.0, 2.6])
+    red[:, :16] *= np.array([1.1, 1.0, 0.5])
+    cool, plain, warm = (automatic_exposure(one) for one in (blue, tan, red))
+    bright = np.sort(luminance(blue).ravel())[-41]  # the 2 % are 41 of 2048 pixels
+    assert_allclose(bright * exposure_factor(cool), 1.1, rtol=0.02)
+    assert plain - cool > 0.6
+    assert warm - cool > 0.6
+    # a blue sky over brown ground is not an aureole: the key decides as before
+    field = np.full((32, 64, 3), 2.0) * np.array([0.8, 1.0, 1.8])
+    field[16:] = np.array([1.2, 0.8, 0.4])
+    grey = np.repeat(luminance(field)[..., None], 3, axis=2)
+    assert_allclose(automatic_exposure(field), automatic_exposure(grey), atol=0.02)
+
+
 def test_white_is_shown_as_white_and_soil_is_not():
     # incident metering: a surface of the reflectance ρ that faces the star is shown as ρ where that
     # is brighter than the key, so that snow and the clouds of Venus are not grey

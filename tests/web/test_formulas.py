@@ -135,14 +135,20 @@ CASES: dict[str, tuple[Any, ...]] = {
     "apparent_sun_cosine": STAR,
     "luminance_of": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
     "exposure_of": (
-        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500), numbers(0.0, 900.0),
+        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500),
+        RNG.uniform(0.0, 1.0, 500), numbers(0.0, 900.0),
         numbers(0.0, 60.0) * RNG.integers(0, 2, COUNT),
     ),
     "exposure_with_stars": (
         np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500) * (np.arange(500) < 400),
         RNG.uniform(0.0, 1.0, 500) * (np.arange(500) >= 400), RNG.integers(0, 2, 500),
-        RNG.integers(0, 3, COUNT), numbers(0.0, 900.0), numbers(250.0, 1000.0),
-        numbers(0.0, 60.0) * RNG.integers(0, 2, COUNT),
+        RNG.uniform(0.0, 1.0, 500), RNG.integers(0, 3, COUNT), numbers(0.0, 900.0),
+        numbers(250.0, 1000.0), numbers(0.0, 60.0) * RNG.integers(0, 2, COUNT),
+    ),
+    "cool_share": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.1, 9.0)),
+    "cool_limit": (
+        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500),
+        RNG.uniform(0.0, 1.0, 500), numbers(100.0, 9000.0),
     ),
     "metered_light": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
     "full_light_factor": (numbers(-2.0, 9.0),),

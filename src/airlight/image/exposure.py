@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.image.adaptation import KEY, NIGHT, adapted_key, shown_key
+from airlight.image.cool_exposure import cool_limit, cool_shares
 from airlight.image.lamp_exposure import brightest_light, lamps_shorter
 from airlight.image.xyz import luminance, luminance_of
 from airlight.kernel import compiled_loop, inlined, kernel
@@ -215,7 +216,7 @@ def unlit_exposure(white):
 
 
 @compiled_loop
-def exposure_of(bright, weight, black, white):
+def exposure_of(bright, weight, cool, black, white):
     """Exposure of a picture, see ``automatic_exposure``. [EV]
 
     Parameters
@@ -224,6 +225,8 @@ def exposure_of(bright, weight, black, white):
         Light of the pixels, ``metered_light`` above 0, ascending, not empty. [W m⁻² sr⁻¹]
     weight : array, shape (n,)
         Weights of these pixels. [1]
+    cool : array, shape (n,)
+        Their ``cool_share``. [1]
     black : float
         Weight of black pixels. [1]
     white : float
@@ -271,6 +274,8 @@ def exposure_of(bright, weight, black, white):
     limited = max(limited, exposure - _PROTECTION + log2(low_key))
     if white > 0.0:
         limited = max(limited, log2(_WHITE / white))
+    bluer = cool_limit(bright, weight, cool, whole)
+    limited = min(limited, max(bluer, exposure - _PROTECTION + log2(low_key)))
     return min(max(limited, -MOST_EXPOSURE), MOST_EXPOSURE)
 
 
@@ -303,21 +308,28 @@ def sampled(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
     return out
 
 
-def metered_pixels(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
-    """``metered_light`` of a subsampled picture.
+def metered_pixels(
+    rgb: NDArray[np.floating], step: int, weights: NDArray[np.floating] | None = None
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """``metered_light`` and ``cool_share`` of a subsampled picture.
 
     Parameters
     ----------
     rgb, step :
         Arguments of ``sampled``.
+    weights : array, shape (ceil(height / step), ceil(width / step)), optional
+        Weights of its pixels, below 0 for those without part in its mean; default: equal.
 
     Returns
     -------
-    array, shape (ceil(height / step), ceil(width / step))
-        Light of the pixels. [W m⁻² sr⁻¹]
+    bright, cool : array, shape (ceil(height / step), ceil(width / step))
+        Light of the pixels [W m⁻² sr⁻¹], and shares [1].
     """
     chosen = sampled(rgb, step)
-    return np.asarray(np.maximum(luminance(chosen), _RED * chosen[..., 0]))
+    red, blue = chosen[..., 0], chosen[..., 2]
+    bright = np.maximum(luminance(chosen), _RED * red)
+    own = np.ones(red.shape) if weights is None else np.maximum(weights, 0.0)
+    return bright, cool_shares(red, blue, np.where(bright < np.inf, own, 0.0))
 
 
 def automatic_exposure(
@@ -338,7 +350,8 @@ def automatic_exposure(
               \quad a = \left(1 + \frac{34\ \mathrm{cd\,m^{-2}}}
               {\max(\bar L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
 
-    but at least :math:`0.75/L_w`, and at most :math:`2.5 - \log_2 b` EV below the larger of the
+    but at least :math:`0.75/L_w`. Of light that is bluer than the rest, a fiftieth of the picture
+    may have 1.1. Both are at most :math:`2.5 - \log_2 b` EV below the larger of the
     key's :math:`0.42\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least
     1e-4 cd m⁻², and :math:`b = d` is the square root of the lit fraction of the picture, at least
     0.5: bright parts of a crescent keep their detail. By day a is 1, independent of the light
@@ -378,15 +391,17 @@ def automatic_exposure(
     """
     height, width = rgb.shape[:2]
     step = sampling_step(height, width)
-    bright = metered_pixels(rgb, step).ravel()
-    weight = np.ones(bright.size) if weights is None else weights[::step, ::step].ravel()
+    own = None if weights is None else weights[::step, ::step]
+    bright, cool = (one.ravel() for one in metered_pixels(rgb, step, own))
+    weight = np.ones(bright.size) if own is None else own.ravel()
     counted = np.isfinite(bright) & (bright > 0.0) & (weight > 0.0)
     black = float(weight[np.isfinite(bright) & ~counted].sum())
     bright, weight = bright[counted], np.asarray(weight[counted], dtype=np.float64)
+    cool = cool[counted]
     if bright.size == 0:
         return float(unlit_exposure(white))
     order = np.argsort(bright)
-    return float(exposure_of(bright[order], weight[order], black, white))
+    return float(exposure_of(bright[order], weight[order], cool[order], black, white))
 
 
 @kernel

@@ -65,7 +65,7 @@ def star_limited(exposure, brightest, irradiance, picture):
 
 
 @compiled_loop
-def exposure_with_stars(bright, weight, near, light, lights, black, picture, white):
+def exposure_with_stars(bright, weight, near, light, cool, lights, black, picture, white):
     """Exposure of a picture with stars in view. [EV]
 
     Pixels away from stars are metered by ``exposure_of``, limited by each star (``star_limited``).
@@ -81,6 +81,8 @@ def exposure_with_stars(bright, weight, near, light, lights, black, picture, whi
         Solid angles of the pixels away from and near stars; the other one is 0. [sr]
     light : array, shape (n,)
         Index of the star near each pixel. [1]
+    cool : array, shape (n,)
+        Argument of ``exposure_of``. [1]
     black : float
         Solid angle of black pixels away from stars. [sr]
     picture : float
@@ -94,11 +96,11 @@ def exposure_with_stars(bright, weight, near, light, lights, black, picture, whi
         around += near[i]
     exposure = MOST_EXPOSURE
     if away > 0.0:
-        exposure = exposure_of(bright, weight, black, white)
+        exposure = exposure_of(bright, weight, cool, black, white)
     elif black <= 0.0 or around <= 0.0:
         most = bright[bright.size - 1]
         contrast = max(1.0 - bright[0] / most, _CONTRAST)
-        exposure = max(exposure_of(bright, near, 0.0, 0.0), log2(_DISC * contrast / most))
+        exposure = max(exposure_of(bright, near, cool, 0.0, 0.0), log2(_DISC * contrast / most))
     elif white > 0.0:
         exposure = unlit_exposure(white)
     limit = exposure

@@ -243,8 +243,8 @@ def scene_exposure(
         Exposure, -100 to 100; ``unlit_exposure`` for a black frame. [EV]
     """
     step = sampling_step(*rgb.shape[:2])
-    bright = metered_pixels(rgb, step)
     weights, light = metering_weights(scene, angular_radius, step)
+    bright, cool = metered_pixels(rgb, step, weights)
     seen = np.isfinite(bright) & (weights != 0.0)
     lit = seen & (bright > 0.0)
     if not lit.any():
@@ -257,6 +257,7 @@ def scene_exposure(
         np.maximum(own, 0.0),
         np.maximum(-own, 0.0),
         light[lit][order],
+        cool[lit][order],
         len(scene.lights),
         black,
         float(np.abs(weights[seen]).sum()),

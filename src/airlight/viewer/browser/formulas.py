@@ -9,6 +9,7 @@ from typing import Any, Final
 
 from airlight.geometry.ephemeris import moon_formula, sun_formula
 from airlight.geometry.refraction import apparent_sun_cosine
+from airlight.image.cool_exposure import cool_share
 from airlight.image.exposure import eased, metered_light, unlit_exposure
 from airlight.image.glare import glare_levels, glare_share
 from airlight.image.sky_magnitude import sky_magnitude
@@ -64,7 +65,7 @@ def _lanes(rank: int) -> ShaderTable:
 
 
 #: Tables of a metered picture.
-_STARS: Final = ("bright", "weight", "near", "light")
+_STARS: Final = ("bright", "weight", "near", "light", "cool")
 #: Formulas with the types of their arguments, by default all numbers. An array that a formula
 #: writes to may have any length.
 FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
@@ -77,6 +78,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     luminance_of: (),
     exposure_with_stars: (*(ShaderTable(one) for one in _STARS), I32, F32, F32, F32),
     metered_light: (),
+    cool_share: (),
     unlit_exposure: (),
     eased: (),
     scene_weight: (),

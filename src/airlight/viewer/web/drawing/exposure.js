@@ -4,6 +4,7 @@
  */
 import {
   PIXEL_ANGLES,
+  cool_share,
   exposure_with_stars,
   left_out,
   luminance_of,
@@ -32,7 +33,7 @@ export function automaticExposure(rgba, [width, height], camera, projection, sta
   const angle = PIXEL_ANGLES[camera.projection](width, height, fieldOfView);
   const cosines = suns.map(([, radius]) => left_out(radius, angle));
   const pixels = [];
-  let [black, whole] = [0, 0];
+  let [black, whole, red, blue] = [0, 0, 0, 0];
   for (let i = 0; i < width * height; i++) {
     const bright = metered_light(...rgba.subarray(4 * i, 4 * i + 3));
     const [x, y] = [(i % width) + 0.5, Math.floor(i / width) + 0.5];
@@ -44,13 +45,18 @@ export function automaticExposure(rgba, [width, height], camera, projection, sta
     const solid = Math.abs(weights[0]);
     whole += solid;
     if (bright > 0 && solid > 0) {
-      pixels.push([bright, light < 0 ? solid : 0, light < 0 ? 0 : solid, light]);
+      const away = light < 0 ? solid : 0;
+      pixels.push([bright, away, solid - away, light, rgba[4 * i], rgba[4 * i + 2]]);
+      red += away * rgba[4 * i];
+      blue += away * rgba[4 * i + 2];
     } else if (light < 0) black += solid;
   }
   if (!pixels.length) return unlit_exposure(white);
   pixels.sort((a, b) => a[0] - b[0]);
   const table = (numbers) => ({ values: Float64Array.from(numbers), shape: [numbers.length] });
-  const columns = [0, 1, 2, 3].map((part) => table(pixels.map((one) => one[part])));
+  const mean = blue / Math.max(red, 1e-300);
+  for (const one of pixels) one[4] = mean > 0 ? cool_share(one[4], one[5], mean) : 0;
+  const columns = [0, 1, 2, 3, 4].map((part) => table(pixels.map((one) => one[part])));
   return exposure_with_stars(...columns, suns.length, black, whole, white);
 }
 
