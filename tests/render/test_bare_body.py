@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
 
+from airlight.geometry.vectors import Vec3
 from airlight.kernel import vectorized
-from airlight.render.pixels.bare_body import sphere_distance
+from airlight.render.pixels.bare_body import crater_light, sphere_distance
 
 
 def test_a_line_meets_a_sphere_where_a_point_of_it_has_unit_distance() -> None:
@@ -21,3 +22,29 @@ def test_a_line_meets_a_sphere_where_a_point_of_it_has_unit_distance() -> None:
         missed = vectorized(sphere_distance)(distance * np.array([-1.0]), 0.0, power)
         assert_array_equal(missed, -1.0)
     assert sphere_distance(3.0, 1.001, 9.002) == -1.0
+
+
+def test_only_near_ground_has_craters_of_mean_light() -> None:
+    # Half a texel of the map, π/1024 wide, is the widest pixel with craters. Seen from above their
+    # mean is 1 within three standard errors and 1 % for hills, whose steepest slopes are limited.
+    random = np.random.default_rng(6)
+    places = random.normal(size=(4000, 3))
+    places /= np.linalg.norm(places, axis=1, keepdims=True)
+    sideways = np.cross(places, [0.0, 0.6, 0.8])
+    sideways /= np.linalg.norm(sideways, axis=1, keepdims=True)
+    lights = 0.5 * places + 0.75**0.5 * sideways
+
+    def found(width: float) -> np.ndarray:
+        return np.array(
+            [
+                crater_light(
+                    Vec3(*one), Vec3(*-one), Vec3(*light), width, 0.1, 0.079, 1.7374e6, 1024.0
+                )
+                for one, light in zip(places, lights, strict=True)
+            ]
+        )
+
+    near = found(1e-4)
+    assert near.std() > 0.05
+    assert abs(near.mean() - 1.0) < 0.01 + 3.0 * near.std() / np.sqrt(near.size)
+    assert_array_equal(found(0.51 * np.pi / 1024.0), 1.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,14 @@ from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
 
 FloatArray = NDArray[np.float64]
+
+#: Craters wider than D per area D² of bodies that reflect as the Moon, as its preset has them. [1]
+CRATERS: Final = 0.079
+
+
+def crater_density(body: Body) -> float:
+    """Craters wider than D per area D² of a body; 0 without. [1]"""
+    return CRATERS if body.reflection == "moon" else 0.0
 
 
 def body_map(system: System, body: Body) -> SurfaceMap | None:
@@ -54,6 +62,8 @@ def place_uniforms(system: System, body: Body, local: FloatArray) -> dict[str, f
         **_vector("body_y", local @ system.axes(body)[1]),
         **_vector("body_z", local @ system.axes(body)[2]),
         "body_law": law_number(body.reflection),
+        "body_radius": radius,
+        "body_craters": crater_density(body),
         "body_mapped": float(picture is not None),
         "map_rows": size[0],
         "map_columns": size[1],

@@ -27,10 +27,10 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.light_source import LightSource
 from airlight.planets.parameters import replace as replaced
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.render.bare_bodies import body_map, map_mean
+from airlight.render.bare_bodies import body_map, crater_density, map_mean
 from airlight.render.clouds.cloud_time import CloudTime
 from airlight.render.corona import OUTERMOST, corona
-from airlight.render.pixels.bare_body import map_colors
+from airlight.render.pixels.bare_body import crater_lights, map_colors
 from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
 from airlight.render.render_scene import CPU, color_wavelengths
 from airlight.render.scene_lights import SceneLights
@@ -362,13 +362,18 @@ class _BodyTracer:
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
         points = body.centre + radius * normal
         leaving = -np.einsum("nk,nk->n", normal, rays[met])
-        texture = self._texture(body, normal, length, leaving)
+        texture, green, rows = self._texture(body, normal, length, leaving)
+        density, axes = crater_density(body), self.system.axes(body).T
+        width = self.camera.pixel_angle * length / radius
         albedo = body.albedos(self.wavelengths)
         for light in self.lights.on(body):
             source = self.lights.seen_from(light, body)
             towards = self.lights.towards(light, points)
             size = np.full(met.size, source.angular_radius)
             factor = body.surface_factor(normal, towards, -rays[met], size)
+            if density > 0.0:
+                own = (np.ascontiguousarray(one @ axes) for one in (normal, rays[met], towards))
+                crater_lights(*own, width, green, density, radius, float(rows), factor)
             lit = np.flatnonzero(factor > 0.0)
             if lit.size == 0:
                 continue
@@ -380,11 +385,11 @@ class _BodyTracer:
 
     def _texture(
         self, body: Body, normal: FloatArray, length: FloatArray, leaving: FloatArray
-    ) -> FloatArray:
-        """Reflectance of a body's map over its mean, shape (n, 3). [1]"""
+    ) -> tuple[FloatArray, FloatArray, int]:
+        """Reflectance of a body's map over its mean, shape (n, 3); its green, and its rows. [1]"""
         picture = body_map(self.system, body)
         if picture is None:
-            return np.ones((len(normal), 3))
+            return np.ones((len(normal), 3)), np.ones(len(normal)), 1
         level = vectorized(map_level)(
             self.camera.pixel_angle, length, leaving, self.system.radius(body), picture.rows
         )
@@ -392,7 +397,9 @@ class _BodyTracer:
         places = np.ascontiguousarray(normal @ self.system.axes(body).T)
         size = picture.rows, picture.columns, len(picture.levels)
         map_colors(picture.flat, *size, places, level, colors)
-        return np.asarray(colors[:, :3] / map_mean(picture, body, self.wavelengths))
+        green = np.ascontiguousarray(colors[:, 1])
+        mean = map_mean(picture, body, self.wavelengths)
+        return np.asarray(colors[:, :3] / mean), green, picture.rows
 
     def _disc(self, light: Light, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
         """Add the limb-darkened disc and the corona of a star."""

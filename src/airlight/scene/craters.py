@@ -53,6 +53,11 @@ TERRACED: Final = 0.5
 LOWEST: Final = 6.0
 #: Share of the craters that are shallower, as if flooded. [1]
 FLOODED: Final = 0.25
+#: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
+#: as ellipses. [1]
+FLATTENED: Final = 0.3
+#: Least cosine of the zenith angle of a line of sight that meets bowls as deep as they are. [1]
+FLATTEST: Final = 0.05
 #: Largest share of the radius by which a rim is out of round, by eye. [1]
 UNROUND: Final = 0.12
 #: Radius at which bright soil ends [cell], change of the reflectance in the middle of a fresh
@@ -60,8 +65,8 @@ UNROUND: Final = 0.12
 #: diameter below which all of it fades [m], by eye; mean change over cells with a crater, with that
 #: of the cube of the freshness [1].
 REACH: Final = 0.48
-BRIGHT: Final = 0.8
-RAYS: Final = 1.6
+BRIGHT: Final = 0.6
+RAYS: Final = 0.8
 RAY: Final = 2.5
 RAYED: Final = 100.0
 MEAN: Final = BRIGHT * pi * REACH**2 / 3.0 / 10.0 * (1.0 - 0.75 * FLOODED)

@@ -446,6 +446,9 @@ WHOLE = {
         "surface_color", "towards_unit", "sphere_distance", "surface_factor", "factor_of_law",
         "regolith_factor",
     ),
+    "test_scene_bodies.py::test_craters_of_a_near_moon_are_those_of_the_cpu": (
+        "crater_light", "finest_cell",
+    ),
     "test_scene_bodies.py::test_a_shadow_on_a_moon_is_that_of_the_cpu": ("shade_left",),
     "test_scene_bodies.py::test_the_sun_behind_air_and_a_moon_is_that_of_the_cpu": (
         "scene_disc",

@@ -6,24 +6,33 @@ resolves the ground from its surface, and its disc from any distance.
 
 from __future__ import annotations
 
-from math import asin, sqrt
+from math import asin, pi, sqrt
 from typing import Annotated, Final, NamedTuple
 
 import numpy as np
 
 from airlight.geometry.sun_disc import mean_incidence
-from airlight.geometry.vectors import Vec3, components, cross, dot, minus, scaled
+from airlight.geometry.vectors import Vec3, components, cross, dot, minus, plus, scaled
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.physics.optics.bare_surface import surface_factor
+from airlight.render.pixels.land import HILLY, LEAST
 from airlight.render.pixels.pixel import ViewUniforms
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.render.pixels.star_disc import camera_direction, leaving_air
+from airlight.scene.craters import FLATTENED, FLATTEST, LOWEST, craters, highland
+from airlight.scene.ground_detail import finest_cell
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level
+from airlight.scene.hills import COARSEST, hills
+from airlight.scene.land_texture import face_of, faced, texture_footprint, texture_light
 from airlight.solver.moments.march_tables import MarchTables
 
 #: Power of the observer's point below which it decides between hit and miss. [radius²]
 _NEAR: Final = 3.0
+#: Contrast of the land that hills mottle, by eye, and its ratio at a scale to that at four times
+#: the scale, that of the packaged map of the Moon. [1]
+MOTTLED: Final = 0.1
+FALL: Final = 0.7
 #: Distance from the limb within which pixels are supersampled. [pixel]
 _EDGE: Final = 1.5
 
@@ -47,6 +56,8 @@ class BareBody(NamedTuple):
         Whether it is seen through refracting air.
     body_hides : bool
         Whether it stands before the star whose disc is drawn.
+    body_radius, body_craters : float
+        Radius [m]; craters wider than D per area D², 0 without [1].
     body_mapped : bool
         Whether it has a map, in the place of that of the ground.
     body_color : Vec3
@@ -75,6 +86,8 @@ class BareBody(NamedTuple):
     body_samples: Annotated[int, CHOICE]
     body_behind: bool
     body_hides: bool
+    body_radius: float
+    body_craters: float
     body_mapped: bool
     body_color: Vec3
     body_light: Vec3
@@ -270,14 +283,29 @@ def body_light(px, py, frame, columns, color):
             if lit > 0.0:
                 factor = surface_factor(body.body_law, lit, max(leaving, 0.0), -dot(light, ray))
                 factor *= step * step
-                color[0] = factor
-                color[1] = factor
-                color[2] = factor
+                mapped = 1.0
                 if body.body_mapped:
                     surface_color(point, length, leaving, frame, color)
+                    mapped = color[1]
+                if body.body_craters > 0.0:
+                    factor *= crater_light(
+                        components(point, body.body_x, body.body_y, body.body_z),
+                        components(ray, body.body_x, body.body_y, body.body_z),
+                        components(light, body.body_x, body.body_y, body.body_z),
+                        frame.camera.pixel_angle * length,
+                        mapped,
+                        body.body_craters,
+                        body.body_radius,
+                        1.0 * frame.camera.map_rows,
+                    )
+                if body.body_mapped:
                     color[0] *= factor
                     color[1] *= factor
                     color[2] *= factor
+                else:
+                    color[0] = factor
+                    color[1] = factor
+                    color[2] = factor
                 if body.shaded:
                     color[0] *= shade_left(point, body, 0)
                     color[1] *= shade_left(point, body, 1)
@@ -309,6 +337,87 @@ def surface_color(point, length, leaving, frame, color):
     level = map_level(view.pixel_angle, length, leaving, 1.0, 1.0 * view.map_rows)
     rows, columns, levels = view.map_rows, view.map_columns, view.map_levels
     map_color(view.texels, rows, columns, levels, latitude, longitude, level, color, 0)
+
+
+@kernel
+def crater_light(own, ray, light, width, green, density, radius, rows):
+    """Light of a place of a body without air, by craters and hills, over that without them. [1]
+
+    Those of near ground alone: pixels wider than half a texel of the map have none.
+
+    Parameters
+    ----------
+    own, ray, light : Vec3
+        Unit vectors in the body-fixed frame: place, line of sight, and towards the light. [1]
+    width : float
+        Width of the pixel at the distance of the place. [radius]
+    green : float
+        Green reflectance of the map. [1]
+    density : float
+        Craters wider than D per area D². [1]
+    radius : float
+        Radius of the body. [m]
+    rows : float
+        Rows of the map.
+    """
+    leaving, mu = max(-dot(own, ray), FLATTEST), dot(own, light)
+    wide = width / leaving
+    wide = max(texture_footprint(wide, leaving), FLATTENED * wide)
+    shown = min(2.0 - 4.0 * wide * rows / pi, 1.0)
+    if shown <= 0.0:
+        return 1.0
+    cell = finest_cell(radius, rows)
+    cells, face = radius / cell, face_of(own)
+    level = minus(light, scaled(own, mu))
+    sine = max(sqrt(dot(level, level)), 1e-6)
+    way = scaled(level, min(1.0 / max(mu, 1e-3), LOWEST / sine))
+    beyond = scaled(plus(ray, scaled(own, -dot(own, ray))), 1.0 / leaving)
+    pits = craters(
+        faced(scaled(own, cells), face),
+        Vec3(0.0, 0.0, 0.0),
+        faced(own, face),
+        faced(way, face),
+        wide * cells,
+        cell,
+        density,
+        highland(green),
+        faced(beyond, face),
+    )
+    hill = hills(
+        scaled(own, cells),
+        wide * cells,
+        1e9,
+        Vec3(0.0, 0.0, 0.0),
+        scaled(level, 1.0 / sine),
+        True,
+        cell,
+        FALL,
+    )
+    steep = LEAST * COARSEST * cell * (1.0 + (HILLY - 1.0) * highland(green)) * hill.ascent
+    tone = max(1.0 + pits.tone + MOTTLED * hill.tone, 0.1)
+    return 1.0 + shown * (pits.light * texture_light(mu, steep) * tone - 1.0)
+
+
+@compiled_loop
+def crater_lights(places, rays, lights, width, green, density, radius, rows, out):
+    """``crater_light`` at n points.
+
+    Parameters
+    ----------
+    places, rays, lights : array, shape (n, 3)
+        Arguments of ``crater_light``. [1]
+    width, green : array, shape (n,)
+        Arguments of ``crater_light``.
+    out : array, shape (n,)
+        Is multiplied by the results. [1]
+    """
+    for k in range(out.size):
+        out[k] *= crater_light(
+            Vec3(places[k, 0], places[k, 1], places[k, 2]),
+            Vec3(rays[k, 0], rays[k, 1], rays[k, 2]),
+            Vec3(lights[k, 0], lights[k, 1], lights[k, 2]),
+            width[k], green[k], density, radius, rows,
+        )  # fmt: skip
 
 
 @compiled_loop

@@ -14,7 +14,7 @@ from airlight.render.pixels.land_from_above import land_from_above
 from airlight.render.pixels.longer_columns import lengthen
 from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import height_at
-from airlight.scene.craters import LOWEST, craters, highland
+from airlight.scene.craters import FLATTENED, FLATTEST, LOWEST, craters, highland
 from airlight.scene.ground_detail import unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
 from airlight.scene.hills import COARSEST, CROWNS, canopy, hills, woods
@@ -79,11 +79,6 @@ COVER: Final = 0.394
 #: What mean reflectance loses as woods are where the ground between them would be bright, of 12 000
 #: places with the contrast of the packaged map of Earth. [1]
 COMMON: Final = 0.031
-#: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
-#: as ellipses. [1]
-FLATTENED: Final = 0.3
-#: Least cosine of the zenith angle of a line of sight that meets bowls as deep as they are. [1]
-FLATTEST: Final = 0.05
 #: Height of hills in highlands with craters over that of others: median slopes of the Moon's are
 #: 7.5° there and 2.0° on the maria (Rosenburg et al. 2011, JGR 116, E02001). [1]
 HILLY: Final = 3.0
