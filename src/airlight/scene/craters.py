@@ -25,9 +25,9 @@ from airlight.kernel import kernel
 from airlight.scene.ground_detail import along_lattice
 
 #: Number of lattices, and cells of the coarsest over the finest of ``ground_detail``: with the
-#: packaged map of the Moon 113 km, so that craters are at most 68 km wide.
-LATTICES: Final = 19
-COARSEST: Final = 2097152.0
+#: packaged map of the Moon 57 km, so that craters are at most 34 km wide.
+LATTICES: Final = 18
+COARSEST: Final = 1048576.0
 #: Diameter of the widest crater of a lattice, twice that of the narrowest. [cell]
 WIDEST: Final = 0.6
 #: Diameters above which craters are fewer than in equilibrium, on maria and in highlands, and green
@@ -51,7 +51,7 @@ STEEP: Final = 0.5
 TERRACED: Final = 0.5
 #: Largest tangent of the star's zenith angle: rims shade one another below. [1]
 LOWEST: Final = 6.0
-#: Share of the craters that are shallower, as if flooded. [1]
+#: Share of craters that are shallower, as if flooded. [1]
 FLOODED: Final = 0.25
 #: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
 #: as ellipses. [1]
@@ -65,6 +65,7 @@ UNROUND: Final = 0.12
 #: diameter below which all of it fades [m], by eye; mean change over cells with a crater, with that
 #: of the cube of the freshness [1].
 REACH: Final = 0.48
+WIDER: Final = EJECTA * (1.0 + 1.4143 * UNROUND)
 BRIGHT: Final = 0.6
 RAYS: Final = 0.8
 RAY: Final = 2.5
@@ -84,7 +85,7 @@ class Crater(NamedTuple):
     fresh : float
         Freshness, from 0 to 1, of which small values are the most. [1]
     along, across : float
-        Second harmonic of the radius, over ``UNROUND``. [1]
+        Numbers that ``shuffled`` makes its second harmonics.
     """
 
     x: float
@@ -136,8 +137,7 @@ def crater_of(i, j, lattice, share):
     fresh = even * even * even
     # where the share varies, no crater ends suddenly
     fresh *= min(max(289.0 * share - number, 0.0) / (FLOODED * 289.0 * share), 1.0)
-    along, across = shuffled(third + column) / 144.0 - 1.0, shuffled(third + second) / 144.0 - 1.0
-    return Crater(first / 289.0, second / 289.0, radius, fresh, along, across)
+    return Crater(first / 289.0, second / 289.0, radius, fresh, third + column, third + second)
 
 
 @kernel
@@ -154,8 +154,9 @@ def level_floor(diameter):
     >>> level_floor(5e3), level_floor(22e3)
     (0.0, 0.5)
     """
-    wide = log2(diameter / SIMPLE) / log2(COMPLEX / SIMPLE)
-    return FLOOR * min(max(wide, 0.0), 1.0)
+    if diameter <= SIMPLE:
+        return 0.0
+    return FLOOR * min(log2(diameter / SIMPLE) / log2(COMPLEX / SIMPLE), 1.0)
 
 
 @kernel
@@ -184,13 +185,14 @@ def crater_slope(distance, fresh, level):
     left = max(1.0 - distance * distance / (EJECTA * EJECTA), 0.0)
     worn = (1.0 - level) * 12.0 * DEPTH / (EJECTA * EJECTA) * distance * left * left
     wall = max(distance - level, 0.0) / (1.0 - level)
-    terraces = 1.0 + TERRACED * level / FLOOR * sin(6.0 * pi * wall)
-    sharp = 4.0 * (DEPTH + RIM) * wall * terraces
+    sharp = 4.0 * (DEPTH + RIM) * wall
     if distance > 1.0:
         left = max((EJECTA - distance) / (EJECTA - 1.0), 0.0)
         sharp = -6.0 * RIM * left / (distance * distance * distance * distance)
-    elif distance < PEAK:
-        sharp -= STEEP * level / FLOOR * sin(pi / PEAK * distance)
+    elif level > 0.0:
+        sharp *= 1.0 + TERRACED * level / FLOOR * sin(6.0 * pi * wall)
+        if distance < PEAK:
+            sharp -= STEEP * level / FLOOR * sin(pi / PEAK * distance)
     return fresh * (fresh * sharp + (1.0 - fresh) * worn)
 
 
@@ -216,7 +218,8 @@ def shadowed(towards, square, fresh, level, tangent, blur):
     >>> shadowed(2.5, 0.25, 1.0, 0.0, 5.0, 0.01), shadowed(-0.5, 0.25, 1.0, 0.0, 1.0, 0.01)
     (1.0, 0.0)
     """
-    if square >= 1.0 or tangent <= 0.0:
+    # no wall is steeper than the line
+    if square >= 1.0 or 4.0 * (DEPTH + RIM) * fresh * fresh * tangent <= 1.0:
         return 0.0
     wall = max(sqrt(square) - level, 0.0) / (1.0 - level)
     deep = 2.0 * (DEPTH + RIM) * (1.0 - level) * (1.0 - wall * wall) * fresh * fresh
@@ -277,7 +280,7 @@ def craters(place, whole, up, way, footprint, cell, density, high, ray):
         Vertical, and horizontal direction towards the star, times the tangent of its zenith angle,
         at most ``LOWEST``; ``faced``. [1]
     footprint : float
-        Width of the pixel: craters narrower than two of it are left out. [finest cell]
+        Width of the pixel: craters narrower than three of it are left out. [finest cell]
     cell : float
         Size of the finest cells. [m]
     density : float
@@ -295,7 +298,7 @@ def craters(place, whole, up, way, footprint, cell, density, high, ray):
     turn = MARE * (HIGHLAND / MARE) ** high
     tilt_x, tilt_y = up.x / up.z, up.y / up.z
     for lattice in range(LATTICES):
-        shown = min(0.5 * narrowest * scale / footprint - 1.0, 1.0)
+        shown = min(narrowest * scale / (3.0 * footprint) - 1.0, 1.0)
         if shown > 0.0:
             share = min(several * min(turn / (narrowest * scale * cell), 1.0), 1.0)
             young = shown * min(narrowest * scale * cell / RAYED, 1.0)
@@ -307,31 +310,28 @@ def craters(place, whole, up, way, footprint, cell, density, high, ray):
                 i = corner_x + (neighbour - 2 * (neighbour // 2))
                 j = corner_y + (neighbour // 2)
                 one = crater_of(in_period(i), in_period(j), lattice, share)
-                if one.radius > 0.0:
-                    at_x, at_y = x - i - one.x, y - j - one.y
-                    away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
-                    square = dot(away, away)
-                    if square < one.radius * one.radius:
+                at_x, at_y = x - i - one.x, y - j - one.y
+                away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
+                square = dot(away, away)
+                bright = young * BRIGHT * one.fresh * one.fresh * one.fresh
+                reach = REACH if bright > 0.05 else min(WIDER * one.radius, REACH)
+                if one.radius > 0.0 and square < reach * reach and square > 1e-12:
+                    if square < one.radius * one.radius and flat > 0.0:
+                        inverse = 1.0 / one.radius
                         edge = (one.radius - sqrt(square)) * scale / footprint
-                        met = (
-                            one.radius
-                            * min(edge, 1.0)
-                            * sunk(
-                                dot(away, ray) / one.radius,
-                                flat,
-                                square / (one.radius * one.radius),
-                                one.fresh,
-                            )
+                        met = sunk(
+                            dot(away, ray) * inverse, flat, square * inverse * inverse, one.fresh
                         )
+                        met *= one.radius * min(edge, 1.0)
                         at_x, at_y = at_x + met * ray.x, at_y + met * ray.y
                         away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
-                        square = dot(away, away)
+                        square = max(dot(away, away), 1e-12)
                     distance = sqrt(square)
-                    bulge = one.along * (at_x * at_x - at_y * at_y) + 2.0 * one.across * at_x * at_y
-                    wider = 1.0 + UNROUND * bulge / max(square, 1e-12)
-                    radius = wider * one.radius
+                    bulge = (shuffled(one.along) / 144.0 - 1.0) * (at_x * at_x - at_y * at_y)
+                    bulge += (shuffled(one.across) / 72.0 - 2.0) * at_x * at_y
+                    radius = (1.0 + UNROUND * bulge / square) * one.radius
                     within = distance / radius
-                    if within < EJECTA and distance > 1e-6:
+                    if within < EJECTA:
                         blur = footprint / (scale * one.radius)
                         level = level_floor(2.0 * one.radius * scale * cell)
                         steep = 0.5 * crater_slope(max(within - 0.5 * blur, 0.0), one.fresh, level)
@@ -343,12 +343,11 @@ def craters(place, whole, up, way, footprint, cell, density, high, ray):
                         facing = max(1.0 - steep * towards / distance, 0.0)
                         light *= 1.0 + shown * (facing * (1.0 - dark) - 1.0)
                     thin = 1.0 - square / (REACH * REACH)
-                    if thin > 0.0 and one.fresh > 0.3:
+                    if bright > 0.05 and thin > 0.0:
                         streak, _growth_x, _growth_y = plane_noise(
                             99.0 * one.x + RAY * at_x / distance,
                             99.0 * one.y + RAY * at_y / distance,
                         )
-                        bright = BRIGHT * one.fresh * one.fresh * one.fresh * thin * thin
-                        tone += young * bright * (1.0 + RAYS * streak * min(within, 1.0))
+                        tone += bright * thin * thin * (1.0 + RAYS * streak * min(within, 1.0))
         scale *= 0.5
     return Cratered(light, tone)
