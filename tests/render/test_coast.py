@@ -53,3 +53,25 @@ def test_an_edge_of_fields_is_less_than_half_a_texel_wide() -> None:
 def test_land_beside_water_has_no_edges() -> None:
     interpolated, sharp = profile(water=160)
     np.testing.assert_allclose(sharp, interpolated, rtol=1e-12)
+
+
+def test_edges_go_from_the_colour_of_one_texel_to_that_of_another() -> None:
+    # Not from channel to channel: among texels of many hues these would be colours of none.
+    chance = np.random.default_rng(5)
+    texels = chance.integers(20, 200, (ROWS, 2 * ROWS, 4)).astype(np.uint8)
+    texels[..., 3] = 0
+    view = View(texels.ravel(), ROWS, 2 * ROWS, 1)
+    step = pi / ROWS
+    for latitude, longitude in chance.uniform(-1.0, 1.0, (40, 2)):
+        beside = []
+        for north, east in ((0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)):
+            color = np.zeros(25)
+            place = latitude + north * step, longitude + east * step
+            map_color(view.texels, ROWS, 2 * ROWS, 1, *place, 0.0, color, 0)
+            beside.append(color[:3].copy())
+        edged_color(
+            MapSpot(latitude, longitude, 0.05), view, color := np.append(beside[0], [0.0] * 22)
+        )
+        change = color[:3] - beside[0]
+        ways = [one - other for one in beside for other in beside if one is not other]
+        assert min(np.linalg.norm(np.cross(change, way)) for way in ways) < 1e-9

@@ -43,14 +43,17 @@ class MapSpot(NamedTuple):
 def edged_color(spot, view, color):
     """Colours with edges between texels, in the first three of ``color``. [1]
 
-    Not at coasts, where the land's colour comes from the difference of both.
+    They change from that of the least red to that of the reddest texel beside: each channel by
+    itself would have edges of other hues. Not at coasts, where the land's colour comes from the
+    difference of both.
 
     Parameters
     ----------
     spot, view, color :
         Arguments of ``detailed_land``.
     """
-    for c in range(CHANNELS):
+    wet = color[WATER]
+    for c in range(WATER):
         color[_LEAST + c] = color[c]
         color[_MOST + c] = color[c]
     for step in range(4):
@@ -60,12 +63,18 @@ def edged_color(spot, view, color):
             view.texels, view.map_rows, view.map_columns, view.map_levels,
             spot.latitude + north, spot.longitude + beside - north, 0.0, color, _BESIDE,
         )  # fmt: skip
-        for c in range(CHANNELS):
-            color[_LEAST + c] = min(color[_LEAST + c], color[_BESIDE + c])
-            color[_MOST + c] = max(color[_MOST + c], color[_BESIDE + c])
-    width = max(spot.width, min(COASTAL * color[_MOST + WATER], 1.0))
+        wet = max(wet, color[_BESIDE + WATER])
+        dark, bright = color[_BESIDE] < color[_LEAST], color[_BESIDE] > color[_MOST]
+        for c in range(WATER):
+            if dark:
+                color[_LEAST + c] = color[_BESIDE + c]
+            if bright:
+                color[_MOST + c] = color[_BESIDE + c]
+    red, width = color[0], max(spot.width, min(COASTAL * wet, 1.0))
+    span = max(color[_MOST] - color[_LEAST], 1e-6)
+    share = (edged(red, color[_LEAST], color[_MOST], width) - red) / span
     for c in range(WATER):
-        color[c] = edged(color[c], color[_LEAST + c], color[_MOST + c], width)
+        color[c] = max(color[c] + share * (color[_MOST + c] - color[_LEAST + c]), 0.0)
 
 
 @inlined

@@ -17,7 +17,7 @@ RUGGED: Final = 0.018
 PLAIN: Final = 0.0025
 MOUNTAIN: Final = 5.3
 #: Contrast of valleys and of fields over that of the grain of the map, by eye. [1]
-VALLEYS: Final = 1.8
+VALLEYS: Final = 1.2
 FIELDS: Final = 2.0
 #: Contrast of valleys in plains over that in rugged land. [1]
 SMOOTH: Final = 0.12
