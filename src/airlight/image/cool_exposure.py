@@ -12,12 +12,14 @@ from airlight.kernel import compiled_loop, inlined, kernel
 
 FloatArray = NDArray[np.float64]
 
-#: Largest displayed level that a fiftieth of the picture may have in light that is bluer than the
+#: Largest displayed level that a fiftieth of the picture may exceed if it is bluer than the
 #: rest, such as the aureole of a sun on Mars, which loses its colour as it turns white; warm light
 #: keeps it. Ratios of blue to red over the mean one from which on light is so, and is entirely. [1]
 _COOL: Final = 1.1
 _COOL_SHARE: Final = 0.02
 _BLUER, _BLUEST = 1.1, 1.4
+#: Growth of the limit with the share of the brightest light that is not bluer. [EV]
+_WARMER: Final = 2.0
 
 
 @kernel
@@ -42,9 +44,9 @@ def cool_share(red, blue, mean):
 
 @inlined
 def cool_limit(bright, weight, cool, whole):
-    """Longest exposure for light that is bluer than the rest of the picture. [EV]
+    """Longest exposure if the brightest light is bluer than the rest of the picture. [EV]
 
-    1000 EV if there is too little of it.
+    1000 EV if there is too little light.
 
     Parameters
     ----------
@@ -53,12 +55,13 @@ def cool_limit(bright, weight, cool, whole):
     whole : float
         Weight of the picture. [1]
     """
-    reached = 0.0
+    reached, bluer = 0.0, 0.0
     for back in range(weight.size):
         i = weight.size - 1 - back
-        reached += weight[i] * cool[i]
+        reached += weight[i]
+        bluer += weight[i] * cool[i]
         if reached > _COOL_SHARE * whole:
-            return log2(_COOL / bright[i])
+            return log2(_COOL / bright[i]) + _WARMER * (1.0 - bluer / reached)
     return 1000.0
 
 
