@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import pytest
+
+from airlight.errors import ConflictError
 from airlight.viewer.session.saved_state import to_fragment
 from airlight.viewer.window.start import Start, opened
 
@@ -29,3 +32,9 @@ def test_a_planet_by_name_begins_aside_from_the_sun() -> None:
     assert session.value("dust.amount") == 3.0
     assert session.value("view.heading") == session.value("view.sun_azimuth") + 70.0
     assert not session.can_undo
+
+
+def test_a_link_of_a_scene_opens_in_its_page_alone() -> None:
+    link = f"page.html#{to_fragment({'planet': 'iss', 'view': {}})}"
+    with pytest.raises(ConflictError, match="iss is a scene, whose links open in its page alone"):
+        opened(Start(planet=link))

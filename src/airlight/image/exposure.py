@@ -350,9 +350,9 @@ def automatic_exposure(
               \quad a = \left(1 + \frac{34\ \mathrm{cd\,m^{-2}}}
               {\max(\bar L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
 
-    but at least :math:`0.75/L_w`. Of light that is bluer than the rest, a fiftieth of the picture
-    may have 1.1. Both are at most :math:`2.5 - \log_2 b` EV below the larger of the
-    key's :math:`0.42\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least
+    but at least :math:`0.75/L_w`. As far as the brightest fiftieth of the picture is bluer than the
+    rest, it may have 1.1 (``cool_exposure``). Both are at most :math:`2.5 - \log_2 b` EV below the
+    larger of the key's :math:`0.42\,d\,a/\bar L` and :math:`1/L_w`. Here :math:`\bar L` is at least
     1e-4 cd m⁻², and :math:`b = d` is the square root of the lit fraction of the picture, at least
     0.5: bright parts of a crescent keep their detail. By day a is 1, independent of the light
     level; in the dark the picture darkens with the cube root of luminance. A white surface is thus

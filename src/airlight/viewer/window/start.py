@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.errors import FileError
+from airlight.errors import ConflictError, FileError
 from airlight.files.atomic_file import check_target
 from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.memory import share_memory_of_threads
@@ -184,7 +184,10 @@ def _session_of(planet: str) -> Session:
     if not sign:
         return Session(planet)
     state = from_fragment(fragment)
-    session = Session(str(state.get("planet", "")))
+    name = str(state.get("planet", ""))
+    if is_scene_file(name):
+        raise ConflictError(name, "is a scene, whose links open in its page alone")
+    session = Session(name)
     session.from_state(state)
     return session
 
