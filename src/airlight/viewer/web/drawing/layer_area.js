@@ -14,8 +14,9 @@ const MARGIN = 3;
  * @param {number} projection Number of its projection.
  * @returns {number[] | null} Left, top, width and height; null if no pixel is near. [pixel]
  */
-export function layerArea(towards, radius, { projection: name, fieldOfView }, projection, width, height) {
-  const pixel = PIXEL_ANGLES[name](width, height, fieldOfView);
+export function layerArea(towards, radius, camera, projection, width, height) {
+  const { fieldOfView } = camera;
+  const pixel = PIXEL_ANGLES[camera.projection](width, height, fieldOfView);
   const least = Math.cos(Math.min(radius + (MARGIN + STEP) * pixel, Math.PI));
   let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
   for (let row = 0; row <= Math.ceil(height / STEP); row++) {
@@ -27,7 +28,8 @@ export function layerArea(towards, radius, { projection: name, fieldOfView }, pr
       [right, bottom] = [Math.max(right, x + STEP), Math.max(bottom, y + STEP)];
     }
   }
-  return left > right ? null : overlap([left, top, right - left, bottom - top], [0, 0, width, height]);
+  if (left > right) return null;
+  return overlap([left, top, right - left, bottom - top], [0, 0, width, height]);
 }
 
 /** Common part of two rectangles; null if there is none. */

@@ -105,7 +105,7 @@ export class ScenePicture extends Picture {
   /** Lights of a planet with air, as `lightsOf` of a picture. */
   lightsOn(i, picture, values) {
     const { lights } = this.seen.moment.bodies[i];
-    const frames = lights.map((light) => this.frame(i, light.towards, light.radius, light.numbers));
+    const frames = lights.map((one) => this.lightFrom(i, one.towards, one.radius, one.numbers));
     const brightest = Math.max(...lights.map((light) => light.irradiance));
     const { radius, thickness } = picture.planet;
     const zenith = ({ camera }) => Math.acos(camera.sun[2]) * DEGREE;
@@ -117,14 +117,14 @@ export class ScenePicture extends Picture {
   }
 
   /**
-   * Frame of the observer above a planet under a light.
+   * A light of a planet, in the frame of the observer above it.
    *
    * @param {number} i Index of the body.
    * @param {number[]} towards Direction towards the light.
    * @param {number} star Angular radius of the light. [rad]
    * @param {Object<string, number>} numbers Uniforms of its colour.
    */
-  frame(i, towards, star, numbers) {
+  lightFrom(i, towards, star, numbers) {
     const { seen, values, fixed, space } = this;
     const { planet } = this.planets.get(i);
     const { centre, axes } = seen.moment.bodies[i];
@@ -191,7 +191,9 @@ export class ScenePicture extends Picture {
   /** Render the star catalogue and the Milky Way behind a target; the key of what is there. */
   putStars(name, { camera }, width, height) {
     const { eye, axes: world, north, moment } = this.seen;
-    const key = JSON.stringify([width, height, camera.fieldOfView, camera.filter, eye, world, moment.hours]);
+    const { projection, fieldOfView, filter } = camera;
+    const seen = [projection, fieldOfView, filter, eye, world, moment.hours];
+    const key = JSON.stringify([width, height, ...seen]);
     const before = this.stars.get(name);
     if (before?.key === key) return key;
     if (before) this.device.release(before.texture);
@@ -290,8 +292,6 @@ export class ScenePicture extends Picture {
     const numbers =
       own ??
       this.lit.get(i).map((one) => ({ ...picture.uniformsOf(one, width, height), ...filter }));
-    const offset = { first_row: 0, first_column: 0 };
-    program.setAll(offset);
     picture.sum(name, numbers, width, height, whole);
     program.resize("layer_through", width, height);
     program.setAll(numbers[0]);
@@ -302,7 +302,7 @@ export class ScenePicture extends Picture {
   /** Uniforms of a layer without air, seen through the air of a planet. */
   laid(light, { width, height, filter }) {
     const camera = cameraUniforms(light.camera, width, height, this.fixed.projections);
-    const plain = { detailed: 0, edges: 0, first_row: 0, first_column: 0, body_samples: SAMPLES };
+    const plain = { detailed: 0, edges: 0, body_samples: SAMPLES };
     return { ...light.numbers, ...camera, ...filter, ...plain, draws_disc: 1 };
   }
 
@@ -312,7 +312,7 @@ export class ScenePicture extends Picture {
     const part = this.part(towards, radius, air, frame);
     if (!part || radius <= 0) return;
     const { numbers } = this.space.scene.stars[k];
-    const light = this.frame(air, towards, radius, coloured(numbers, share));
+    const light = this.lightFrom(air, towards, radius, coloured(numbers, share));
     const { order, width, height } = frame;
     const hides = order
       .slice(0, order.indexOf(air))

@@ -150,7 +150,8 @@ export class SceneSpace {
     const { moment, eye, north } = this.seen(values);
     const centre = body === null ? null : moment.bodies[body].centre;
     const true_ = centre ? unit(minus(centre, eye)) : this.towards(moment.stars[star], eye);
-    const forward = body === this.scene.home ? along(north, true_) : this.raised(values, along(north, true_));
+    const straight = along(north, true_);
+    const forward = body === this.scene.home ? straight : this.raised(values, straight);
     const right = unit(cross(forward, up ? along(north, unit(up)) : [0, 0, 1]));
     const [zenith, heading] = angles(forward);
     const level = direction_of(90, heading + 90);

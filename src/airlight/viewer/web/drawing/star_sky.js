@@ -67,7 +67,8 @@ export class StarSky {
     const left = Math.floor(x);
     const [down, across] = [Math.min(Math.max(y - row, 0), 1), x - left];
     const [west, east] = [left, left + 1].map((one) => ((one % columns) + columns) % columns);
-    const line = (at) => bright[at * columns + west] * (1 - across) + bright[at * columns + east] * across;
+    const at = (one, side) => bright[one * columns + side];
+    const line = (one) => at(one, west) * (1 - across) + at(one, east) * across;
     return line(row) * (1 - down) + line(row + 1) * down;
   }
 
