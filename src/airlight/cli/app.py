@@ -53,7 +53,7 @@ COMMANDS: Final = {
     "fit": "Fit parameters of a planet to measured radiances, or to a photograph of its sky.",
     "plot": "Plot a figure of a planet: star, atmosphere, radiation or tables.",
     "bake": "Bake a planet's radiation to look-up tables: NPZ, EXR and a JSON manifest.",
-    "export-page": "Write an interactive page of a planet: a single HTML file, below 5 MB.",
+    "export-page": "Write an interactive page of a planet or a scene: one HTML file, below 5 MB.",
     "validate": "Check airlight against published numbers, independent codes and measured skies.",
 }
 

@@ -41,7 +41,7 @@ def export_page(
     quality: Quality = "default",
     no_cache: NoCache = False,
 ) -> None:
-    """Write an interactive page of a planet or a scene: a single HTML file, below 5 MB.
+    """Write an interactive page of a planet or a scene: one HTML file, below 5 MB.
 
     The page renders with WebGPU or WebGL2, and loads nothing from a network.
     """
