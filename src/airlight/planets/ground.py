@@ -190,7 +190,7 @@ class Ground(TomlModel):
     )
     craters: float = key(
         help="Craters wider than D per area D², in pictures of detailed ground.",
-        note="Decoration: equilibrium below 4 km; 0.079 on the lunar maria (Trask 1966).",
+        note="Decoration: equilibrium below 0.3 to 20 km; 0.079 on the lunar maria (Trask 1966).",
         range=(0.0, 0.3),
         synonyms=("impacts", "moon"),
         default=0.0,

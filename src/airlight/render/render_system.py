@@ -40,6 +40,7 @@ from airlight.render.star_points import add_sky
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import camera_angles, level_axes, zenith_azimuth
 from airlight.scene.frame import Frame
+from airlight.scene.ground_detail import NOMINAL_ROWS
 from airlight.scene.ground_place import map_level
 from airlight.scene.light_position import LightPosition
 from airlight.scene.metering import METERED, white_luminance
@@ -389,7 +390,7 @@ class _BodyTracer:
         """Reflectance of a body's map over its mean, shape (n, 3); its green, and its rows. [1]"""
         picture = body_map(self.system, body)
         if picture is None:
-            return np.ones((len(normal), 3)), np.ones(len(normal)), 1
+            return np.ones((len(normal), 3)), np.ones(len(normal)), NOMINAL_ROWS
         level = vectorized(map_level)(
             self.camera.pixel_angle, length, leaving, self.system.radius(body), picture.rows
         )

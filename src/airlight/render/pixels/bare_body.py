@@ -21,7 +21,7 @@ from airlight.render.pixels.pixel import ViewUniforms
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.render.pixels.star_disc import camera_direction, leaving_air
 from airlight.scene.craters import FLATTENED, FLATTEST, LOWEST, craters, highland
-from airlight.scene.ground_detail import finest_cell
+from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level
 from airlight.scene.hills import COARSEST, hills
 from airlight.scene.land_texture import face_of, faced, texture_footprint, texture_light
@@ -296,7 +296,7 @@ def body_light(px, py, frame, columns, color):
                         mapped,
                         body.body_craters,
                         body.body_radius,
-                        1.0 * frame.camera.map_rows,
+                        1.0 * (frame.camera.map_rows if body.body_mapped else NOMINAL_ROWS),
                     )
                 if body.body_mapped:
                     color[0] *= factor
