@@ -14,6 +14,7 @@ import pytest
 from numpy.testing import assert_allclose
 from PIL import Image
 
+from airlight.errors import ParameterError
 from airlight.image.display import to_display
 from airlight.render.render_system import render_solved_system
 from airlight.render.scene_lights import SceneLights
@@ -190,3 +191,16 @@ def apart(one: dict[str, Any], other: dict[str, Any], names: tuple[str, ...]) ->
     """Differences of angles of two views. [deg]"""
     paths = [f"view.{name}" for name in names]
     return [math.remainder(one[path] - other[path], 360.0) for path in paths]
+
+
+def test_time_ends_where_the_moons_shadow_falls_on_air() -> None:
+    # The partial eclipse of 21 August 2017 began on Earth at 15:47 UT (Espenak 2014).
+    subject = page_subject("lunar-eclipse", {"time": "2017-08-21T12:00Z"})
+    assert isinstance(subject, ScenePage)
+    solutions = subject.solved("three", "preview")
+    data = subject.data(solutions, "", subject.values({}), "three")
+    (time,) = (one for one in data["parameters"] if one["path"] == "scene.hours")
+    assert time["most"] == time["high"] == 3.5
+    assert time["least"] == -12.0
+    with pytest.raises(ParameterError, match=r"scene\.hours is 6.*; allowed: -12 to 3\.5 h"):
+        subject.data(solutions, "", subject.values({"scene.hours": 6.0}), "three")

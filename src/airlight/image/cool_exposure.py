@@ -80,7 +80,7 @@ def cool_shares(red: FloatArray, blue: FloatArray, weights: FloatArray) -> Float
     red, blue : array, shape (height, width)
         Linear sRGB. [W m⁻² sr⁻¹]
     weights : array, shape (height, width)
-        Weights of the pixels in the mean; 0 where they are no numbers. [1]
+        Weights of the pixels in the mean; 0 where radiance is not finite. [1]
 
     Returns
     -------

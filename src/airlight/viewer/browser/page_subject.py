@@ -9,7 +9,7 @@ from typing import Any, Final, TypeAlias
 
 from airlight.errors import ParameterError
 from airlight.geometry.ephemeris.sun_formula import NUMBERED
-from airlight.kernel.threads import Cancel, Progress
+from airlight.kernel.threads import Progress
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import texel_wavelengths
 from airlight.planets.planet import Planet
@@ -27,7 +27,7 @@ from airlight.viewer.browser.page_data import (
     picture_data,
     program_data,
 )
-from airlight.viewer.browser.scene_package import HOURS, scene_package
+from airlight.viewer.browser.scene_package import HOURS, SPAN, scene_package
 from airlight.viewer.navigation.viewpoints import view_in
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.sun_clock import SUN
@@ -109,8 +109,7 @@ class PlanetPage:
         title: str,
         values: Mapping[str, Value],
         count: str,
-        progress: Progress | None = None,
-        cancel: Cancel | None = None,
+        **report: Any,
     ) -> dict[str, Any]:
         """Data of a page; arguments of ``page_data``."""
         return page_data(solutions[self.planet.name], str(self.name), title, values, count)
@@ -141,16 +140,17 @@ class ScenePage:
         """See ``PlanetPage``."""
         return self.around.system.name
 
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """Parameters of the page: the time moves sun and moons."""
+    def parameters(self, ends: tuple[float, float] = (-SPAN, SPAN)) -> tuple[Parameter, ...]:
+        """Parameters of the page: the time moves sun and moons, between its ends. [h]"""
         known = (one for one in page_parameters(dated=False) if one.group != "moon")
         shown = (replace(one, mode="derived") if one.path in SUN else one for one in known)
-        return (*shown, *((HOURS,) if self.around.dated else ()))
+        low, high = ends
+        time = replace(HOURS, low=low, high=high, least=low, most=high)
+        return (*shown, *((time,) if self.around.dated else ()))
 
     def values(self, view: Mapping[str, Value]) -> dict[str, Value]:
         """See ``PlanetPage``."""
-        _checked(view, tuple(one for one in self.parameters if one.mode != "derived"))
+        _checked(view, tuple(one for one in self.parameters() if one.mode != "derived"))
         declared = {one.path: one for one in (*VIEW_VALUES, HOURS)}
         given = {path: declared[path].checked(value) for path, value in view.items()}
         values = {HOURS.path: 0.0, **DEFAULTS, **self.around.view(), **given}
@@ -176,17 +176,19 @@ class ScenePage:
         title: str,
         values: Mapping[str, Value],
         count: str,
-        progress: Progress | None = None,
-        cancel: Cancel | None = None,
+        **report: Any,
     ) -> dict[str, Any]:
         """See ``PlanetPage``."""
         own = self.around.body
         data = page_data(solutions[own], self.name, title, values, count)
-        scene = scene_package(self.around, solutions, progress=progress, cancel=cancel)
+        scene = scene_package(self.around, solutions, **report)
         for one in scene["bodies"]:
             away = one["name"] in solutions and one["name"] != own
             one["planet"] = picture_data(solutions[one["name"]]) if away else None
-        declared = [one.path for one in self.parameters if one.mode != "derived"]
+        times = [one["hours"] for one in scene["moments"]]
+        parameters = self.parameters((times[0], times[-1]))
+        values = {one.path: one.checked(values[one.path]) for one in parameters}
+        declared = [one.path for one in parameters if one.mode != "derived"]
         first = {
             "name": "scene",
             "sentence": self.around.system.description or title,
@@ -199,10 +201,10 @@ class ScenePage:
         picture["uniforms"] |= scene["moments"][0]["bodies"][scene["home"]]["lights"][0]["numbers"]
         known = {one.path for one in VIEW_VALUES}
         edited = [one for one in data["parameters"] if one["path"] not in known]
-        data["parameters"] = [*edited, *(one.as_json() for one in self.parameters)]
+        data["parameters"] = [*edited, *(one.as_json() for one in parameters)]
         data["values"] = {
             **{one["path"]: data["values"][one["path"]] for one in edited},
-            **{one.path: values[one.path] for one in self.parameters},
+            **values,
         }
         return data
 

@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ConflictError
+from airlight.errors import Cancelled, ConflictError
 from airlight.image.white_balance import star_white
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.bare_bodies import body_map, light_uniforms, place_uniforms
@@ -92,9 +92,12 @@ def scene_package(
     system = replace(around.system, given=around.system.planets)
     lights = SceneLights(system, next(iter(solutions.values())).wavelengths, solutions)
     by_time = _systems(around, system)
-    shades = _shades([replace(lights, system=one, **_fresh()) for _, one in by_time])
+    nearest = sorted(by_time, key=lambda one: abs(one[0]))  # tables are of the nearest time
+    shades = _shades([replace(lights, system=one, **_fresh()) for _, one in nearest])
     moments = []
     for number, (hours, one) in enumerate(by_time):
+        if cancel is not None and cancel():
+            raise Cancelled
         moments.append({"hours": hours, **_moment(replace(lights, system=one, **_fresh()), shades)})
         if progress is not None:
             progress(number + 1, len(by_time), "moving the bodies")
@@ -193,21 +196,10 @@ def _body(
         "refracts": solution is not None and solution.geometry.shell is not None,
         "map": None if body.planet is not None else ground_map(body_map(system, body)),
         "lights": [
-            {
-                **_source(lights, light),
-                "shade": _shade_table(lights, body, light, shades.get((light.name, body.name))),
-            }
+            {"shade": _shade_table(lights, body, light, shades.get((light.name, body.name)))}
             for light in _lights_on(lights, body)
         ],
     }
-
-
-def _source(lights: SceneLights, light: Light) -> dict[str, int | None]:
-    """Index of the star or of the body of a light."""
-    names = [body.name for body in lights.system.bodies]
-    if light.body is not None:
-        return {"star": None, "body": names.index(light.body)}
-    return {"star": lights.stars.index(light), "body": None}
 
 
 def _lights_on(lights: SceneLights, body: Body) -> list[Light]:
