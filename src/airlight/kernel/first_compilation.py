@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import math
 import multiprocessing
 import threading
 import time
@@ -37,7 +38,7 @@ class FirstCompilation(event.Listener):
         self._finished: set[str] = set()
         self._spent = self._cpu = 0.0
         self._began = (0.0, 0.0)
-        self._end = 0.0
+        self._end = -math.inf  # the monotonic clock may be at 0 when the machine starts
         self._silent = multiprocessing.parent_process() is not None  # whose parent reports it
         self._said = self._silent
         self._timer: threading.Timer | None = None
