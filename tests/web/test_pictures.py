@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from page_picture import page_picture
 from PIL import Image
 
 from airlight import render, solve
@@ -227,20 +228,7 @@ def page_by(
 
 def painted_by(page: Any, changes: dict[str, Any]) -> np.ndarray:
     """Picture that a page draws of a view. [0 to 255]"""
-    url = page.evaluate(
-        """async ([values, width, height]) => {
-          await airlight.ready;
-          airlight.state.reset();
-          airlight.state.set(values);
-          const blob = await airlight.png(width, height);
-          const reader = new FileReader();
-          await new Promise((resolve) => { reader.onload = resolve; reader.readAsDataURL(blob); });
-          return reader.result;
-        }""",
-        [changes, WIDTH, HEIGHT],
-    )
-    image = Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2])))
-    return np.asarray(image.convert("RGB"), np.float64)
+    return page_picture(page, changes, (WIDTH, HEIGHT))[0]
 
 
 def test_a_page_on_a_wide_screen_draws_for_its_primaries(

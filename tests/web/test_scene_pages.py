@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import io
 import json
 import math
 from collections.abc import Callable
@@ -12,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from PIL import Image
+from page_picture import page_picture
 
 from airlight.errors import ParameterError
 from airlight.image.display import to_display
@@ -113,25 +111,6 @@ def page(
     return kept_open(place, "?device=webgl2")
 
 
-def painted(page: Any, view: dict[str, Any]) -> tuple[np.ndarray, float]:
-    """Picture that the page draws of a view [0 to 255], and its exposure [EV]."""
-    url, exposure = page.evaluate(
-        """async ([values, width, height]) => {
-          await airlight.ready;
-          airlight.state.reset();
-          airlight.state.set(values);
-          const blob = await airlight.png(width, height);
-          const { exposure } = airlight.picture;
-          const reader = new FileReader();
-          await new Promise((resolve) => { reader.onload = resolve; reader.readAsDataURL(blob); });
-          return [reader.result, exposure];
-        }""",
-        [view, WIDTH, HEIGHT],
-    )
-    image = Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2])))
-    return np.asarray(image.convert("RGB"), np.float64), exposure
-
-
 @pytest.mark.parametrize("name", VIEWS)
 def test_a_page_draws_a_scene_as_the_cpu_does(
     name: str, subject: ScenePage, solutions: Any, page: Any
@@ -141,7 +120,7 @@ def test_a_page_draws_a_scene_as_the_cpu_does(
     frame = render_solved_system(lights, (WIDTH, HEIGHT, None))
     fixed = {"display.automatic": False, "display.exposure": frame.exposure}
     wanted = to_display(frame.rgb, frame.exposure, settings=settings_of(values), **frame.lens)
-    got, _ = painted(page, {**VIEWS[name], **fixed})
+    got, _ = page_picture(page, {**VIEWS[name], **fixed}, (WIDTH, HEIGHT))
     off = np.abs(got - wanted).max(axis=-1)
     assert wanted.max() > 150.0
     assert off.mean() < 0.2
@@ -149,7 +128,7 @@ def test_a_page_draws_a_scene_as_the_cpu_does(
         assert 20 < (wanted.max(axis=-1) > 100.0).sum() < wanted.size // 30
     assert (off > 2.0).mean() < 0.005  # samples on edges
     # Metered in small, a thin crescent covers other pixels.
-    _, exposure = painted(page, VIEWS[name])
+    _, exposure = page_picture(page, VIEWS[name], (WIDTH, HEIGHT))
     assert exposure == pytest.approx(frame.exposure, abs=0.3)
 
 

@@ -127,8 +127,13 @@ def add_sky(
 def _sun(direction: FloatArray, source: LightSource) -> Sun:
     """The sun in a direction of the frame of the J2000 equator [1], as far as it is bright."""
     x, y, z = direction.tolist()
+    return Sun(x, y, z, sun_distance(source))
+
+
+def sun_distance(source: LightSource) -> float:
+    """Distance at which the sun's irradiance is that of a light. [au]"""
     whole = float(solar_irradiance(source.wavelengths).sum())
-    return Sun(x, y, z, math.sqrt(whole / float(source.irradiance.sum())))
+    return math.sqrt(whole / float(source.irradiance.sum()))
 
 
 def add_milky_way(

@@ -48,7 +48,7 @@ def zodiacal_light(directions: FloatArray, sun: FloatArray, distance: float = 1.
     >>> zodiacal_light(across, np.array([1.0, 0.0, 0.0])).round()  # Table 16: 202 S10
     array([202.])
     """
-    longitudes, latitudes, brightness = _table()
+    longitudes, latitudes, brightness = zodiacal_table(distance)
     pole = np.array(ECLIPTIC_POLE)
     rise = directions @ pole
     latitude = np.degrees(np.arcsin(np.clip(np.abs(rise), 0.0, 1.0)))
@@ -60,7 +60,19 @@ def zodiacal_light(directions: FloatArray, sun: FloatArray, distance: float = 1.
     column, right = _cell(latitude, latitudes)
     near = brightness[row, column] * (1.0 - right) + brightness[row, column + 1] * right
     far = brightness[row + 1, column] * (1.0 - right) + brightness[row + 1, column + 1] * right
-    return np.asarray((near * (1.0 - down) + far * down) * distance**_DISTANCE)
+    return np.asarray(near * (1.0 - down) + far * down)
+
+
+def zodiacal_table(distance: float = 1.0) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Longitudes from the sun and latitudes [deg], and brightness in S10 over both.
+
+    Parameters
+    ----------
+    distance : float
+        Distance from the sun. [au]
+    """
+    longitudes, latitudes, brightness = _table()
+    return longitudes, latitudes, brightness * distance**_DISTANCE
 
 
 def _cell(values: FloatArray, nodes: FloatArray) -> tuple[npt.NDArray[np.intp], FloatArray]:

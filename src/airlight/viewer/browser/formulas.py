@@ -107,6 +107,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     sun_time.sun_at: (),
     sun_time.time_of: (),
     sun_time.sun_on_date: (),
+    sun_formula.days_of_date: (),
     sun_formula.date_after: (),
     moon_formula.moon_on_date: (),
     bright_limb: (),
@@ -193,10 +194,12 @@ def formulas_text() -> str:
     angles = ", ".join(f"{json.dumps(name)}: {_pixel_angle(name)}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
     connected = [name for name, form in PROJECTIONS.items() if form.connected]
+    parallel = [name for name, form in PROJECTIONS.items() if form.parallel]
     circular = [name for name, form in PROJECTIONS.items() if form.circular]
     tables = (
         f"export const PIXEL_ANGLES = {{ {angles} }};\n"
         f"export const CONNECTED = {json.dumps(connected)};\n"
+        f"export const PARALLEL = {json.dumps(parallel)};\n"
         f"export const CIRCULAR = {json.dumps(circular)};\n"
         f"export const ASPECTS = {json.dumps(aspects)};\n"
         f"export const SHADING = {json.dumps(SHADING)};\n"

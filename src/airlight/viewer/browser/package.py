@@ -82,12 +82,12 @@ _DIGITS: Final = 6
 _RADII: Final = 1024
 
 
-def plan(marched: bool = False, scene: bool = False) -> dict[str, Any]:
+def plan(marched: bool = False, layers: tuple[str, ...] = ()) -> dict[str, Any]:
     """Rendering and display passes, and offset of each uniform; see ``web/drawing/program.js``.
 
     Parameters
     ----------
-    marched, scene : bool
+    marched, layers :
         Arguments of ``web_shaders``.
     """
     columns, rows = SKY_VIEW_SIZE
@@ -144,11 +144,18 @@ def plan(marched: bool = False, scene: bool = False) -> dict[str, Any]:
             ),
         ]
 
-    def bodies() -> list[dict[str, Any]]:
+    def layered() -> list[dict[str, Any]]:
         """Passes of layers, whose textures are given when they run."""
+        shaders = scene_shaders(WGSL)
         return [
-            one(name, shader, next(iter(shader.entries)), resized(f"layer_{name}"), name)
-            for name, shader in scene_shaders(WGSL).items()
+            one(
+                name,
+                shaders[name],
+                next(iter(shaders[name].entries)),
+                resized(f"layer_{name}"),
+                name,
+            )
+            for name in layers
         ]
 
     return {
@@ -215,23 +222,23 @@ def plan(marched: bool = False, scene: bool = False) -> dict[str, Any]:
                 for k in range(1, LEVELS + 1)
             ),
             one("display", display_shader(), "shown_picture", [], coarser="spread_1"),
-            *(bodies() if scene else ()),
+            *layered(),
         ],
     }
 
 
-def program(marched: bool = False, scene: bool = False) -> dict[str, Any]:
+def program(marched: bool = False, layers: tuple[str, ...] = ()) -> dict[str, Any]:
     """Data for all solutions, as JSON values.
 
     Parameters
     ----------
-    marched, scene : bool
+    marched, layers :
         Arguments of ``web_shaders``; if not ``marched``, rings have no shadow, and planets are
         spheres.
     """
     return {
-        "plan": plan(marched, scene),
-        "shaders": web_shaders(marched, scene),
+        "plan": plan(marched, layers),
+        "shaders": web_shaders(marched, layers),
         "marched": marched,
         "sky": {
             "full": list(SKY_VIEW_SIZE),
@@ -318,7 +325,7 @@ def refracted_geometry(solution: MomentsSolution) -> dict[str, Any] | None:
         "bottom": float(geometry.shell.bottom),
         "top": float(geometry.shell.top),
         "refraction_table": {
-            "values": [float(f"{x:.7g}") for x in geometry.refraction_table[:, :, 0].ravel()],
+            "values": [float(f"{x:.7f}") for x in geometry.refraction_table[:, :, 0].ravel()],
             "shape": [*geometry.refraction_table.shape[:2], 1],
         },
     }
@@ -394,12 +401,18 @@ def ground_map(found: SurfaceMap | None, *, overlay: bool = False) -> dict[str, 
     if overlay and not colors[..., 1:].any():  # no shader reads the empty channels
         colors = colors[..., 0]
     return {
-        "image": lossless(colors) if overlay else _jpeg(colors, _QUALITY),
-        "water": (_jpeg(shares, _CLOUD_QUALITY) if overlay else lossless(shares)) if wet else None,
+        "image": lossless(colors) if overlay else as_jpeg(colors, _QUALITY),
+        "water": (as_jpeg(shares, _CLOUD_QUALITY) if overlay else lossless(shares))
+        if wet
+        else None,
         "rows": rows,
         "columns": columns,
         "decoded": [float(x) for x in DECODED[0]],
     }
+
+
+def _share_image(shares: NDArray[np.uint8], clouds: bool) -> str:
+    return as_jpeg(shares, _CLOUD_QUALITY) if clouds else lossless(shares)
 
 
 def _within(texels: NDArray[np.uint8], widest: int) -> NDArray[np.uint8]:
@@ -416,7 +429,7 @@ def lossless(pixels: NDArray[np.uint8]) -> str:
     return _as_address("webp", room.getvalue())
 
 
-def _jpeg(pixels: NDArray[np.uint8], quality: int) -> str:
+def as_jpeg(pixels: NDArray[np.uint8], quality: int) -> str:
     """Data URL of a JPEG without subsampling of colours: coasts would lose their water's."""
     from PIL import Image
 

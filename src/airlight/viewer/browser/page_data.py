@@ -42,7 +42,12 @@ def page_parameters(*, dated: bool = True) -> tuple[Parameter, ...]:
 
 
 def page_data(
-    solution: Any, name: str, title: str, values: Mapping[str, Value], count: str
+    solution: Any,
+    name: str,
+    title: str,
+    values: Mapping[str, Value],
+    count: str,
+    layers: tuple[str, ...] = (),
 ) -> dict[str, Any]:
     """Data of a page, as read by ``web/main.js``.
 
@@ -56,6 +61,8 @@ def page_data(
         View values by path.
     count : str
         Number of wavelengths, ``three`` or ``four``.
+    layers : tuple of str
+        Argument of ``program``.
 
     Returns
     -------
@@ -82,22 +89,22 @@ def page_data(
         },
         "solution": f"{count} wavelengths, solved at the quality {solution.settings.as_text()}",
         "solver": solver,
-        "picture": {**program_data((solution,)), **numbers},
+        "picture": {**program_data((solution,), layers), **numbers},
     }
 
 
-def program_data(solutions: Iterable[Any], *, scene: bool = False) -> dict[str, Any]:
+def program_data(solutions: Iterable[Any], layers: tuple[str, ...] = ()) -> dict[str, Any]:
     """Data for all solutions, see ``program``, with the shaders as text.
 
     Parameters
     ----------
     solutions : iterable of MomentsSolution
         Solutions of the planets; every pixel is marched if one has rings or is oblate.
-    scene : bool
+    layers : tuple of str
         Argument of ``program``.
     """
     media = (one.medium for one in solutions)
-    fixed = program(any(one.rings or one.flattening > 0.0 for one in media), scene)
+    fixed = program(any(one.rings or one.flattening > 0.0 for one in media), layers)
     return {**fixed, "shaders": deflated(json.dumps(fixed["shaders"]))}
 
 

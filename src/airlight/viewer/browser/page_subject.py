@@ -28,6 +28,8 @@ from airlight.viewer.browser.page_data import (
     program_data,
 )
 from airlight.viewer.browser.scene_package import HOURS, SPAN, scene_package
+from airlight.viewer.browser.star_sky import planet_sky
+from airlight.viewer.browser.web_shaders import LAYERED, STARRY
 from airlight.viewer.navigation.viewpoints import view_in
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.sun_clock import SUN
@@ -112,7 +114,12 @@ class PlanetPage:
         **report: Any,
     ) -> dict[str, Any]:
         """Data of a page; arguments of ``page_data``."""
-        return page_data(solutions[self.planet.name], str(self.name), title, values, count)
+        solution = solutions[self.planet.name]
+        sky = planet_sky(solution.lights[0], self.planet.body)
+        layers = () if sky is None else STARRY
+        data = page_data(solution, str(self.name), title, values, count, layers)
+        data["picture"]["star_sky"] = sky
+        return data
 
     def frame(self, solutions: Solutions, values: Mapping[str, Value], **report: Any) -> Frame:
         """Square frame of the initial view."""
@@ -196,8 +203,12 @@ class ScenePage:
         }
         picture = data["picture"]
         views = [one for one in picture["viewpoints"] if one["name"] == "planet"]
-        picture |= program_data(solutions.values(), scene=True)
-        picture |= {"scene": scene, "viewpoints": [first, *views], "star_white": scene["white"]}
+        picture |= program_data(solutions.values(), LAYERED)
+        picture |= {
+            "scene": scene,
+            "viewpoints": [first, *views],
+            "star_white": scene["white"],
+        }
         picture["uniforms"] |= scene["moments"][0]["bodies"][scene["home"]]["lights"][0]["numbers"]
         known = {one.path for one in VIEW_VALUES}
         edited = [one for one in data["parameters"] if one["path"] not in known]

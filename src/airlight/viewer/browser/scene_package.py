@@ -25,10 +25,9 @@ from airlight.render.scene_lights import SceneLights, Shade
 from airlight.scene.system import System
 from airlight.scene.system.body import Body
 from airlight.scene.system.light import Light
-from airlight.scene.system.milky_way import BRIGHTEST, map_codes, tenth_magnitude
-from airlight.scene.system.stars import stars
 from airlight.solver.moments.solution import MomentsSolution
-from airlight.viewer.browser.package import ground_map, lossless
+from airlight.viewer.browser.package import ground_map
+from airlight.viewer.browser.star_sky import star_sky
 from airlight.viewer.browser.tables_text import DIGITS, as_text, rounded
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.session.scene_around import SceneAround
@@ -109,26 +108,7 @@ def scene_package(
         "bodies": [_body(lights, body, shades) for body in system.bodies],
         "stars": [_star(lights, star, solutions[around.body]) for star in lights.stars],
         "moments": moments,
-        "sky": _sky(lights) if system.stars else None,
-    }
-
-
-def _sky(lights: SceneLights) -> dict[str, Any]:
-    """Star catalogue and Milky Way: directions, linear sRGB [W m⁻²], and the map in S10."""
-    source = lights.source(lights.stars[0], lights.system.eye)
-    weights = source.colors() / source.irradiance[:, None]
-    picture = map_codes()
-    light = stars().irradiances(lights.wavelengths) @ weights
-    return {
-        "directions": as_text(stars().directions.astype(np.float32), 3),
-        "light": as_text(rounded(light.astype(np.float32), DIGITS), 3),
-        "color": _list(tenth_magnitude(lights.wavelengths) @ weights),
-        "map": {
-            "image": lossless(picture),
-            "rows": picture.shape[0],
-            "columns": picture.shape[1],
-            "brightest": BRIGHTEST,
-        },
+        "sky": star_sky(lights.source(lights.stars[0], system.eye)) if system.stars else None,
     }
 
 

@@ -37,6 +37,12 @@ CORNERS: Final = "full_screen_triangle"
 FILL: Final = "fill"
 
 
+#: Passes of ``scene_shaders`` that draw a planet in front of the stars.
+STARRY: Final = ("through", "layered")
+#: Passes of a scene of several bodies.
+LAYERED: Final = (*STARRY, "body", "coverage", "disc", "small_disc", "covering", "added")
+
+
 def scene_shaders(dialect: ShaderDialect) -> dict[str, Shader]:
     """Shaders of a scene of several bodies, by the names of their passes in a page.
 
@@ -58,15 +64,15 @@ def scene_shaders(dialect: ShaderDialect) -> dict[str, Shader]:
 
 
 @cache
-def web_shaders(marched: bool = False, scene: bool = False) -> dict[str, dict[str, Any]]:
+def web_shaders(marched: bool = False, layers: tuple[str, ...] = ()) -> dict[str, dict[str, Any]]:
     """Rendering and display shaders, for ``web/drawing/program.js``.
 
     Parameters
     ----------
     marched : bool
         Whether every pixel is marched, as with rings or an oblate planet.
-    scene : bool
-        Whether those of a scene of several bodies are among them.
+    layers : tuple of str
+        Those of ``scene_shaders`` that are among them.
 
     Returns
     -------
@@ -86,7 +92,8 @@ def web_shaders(marched: bool = False, scene: bool = False) -> dict[str, dict[st
             added_shader(dialect),
             display_shader((), dialect),
         )
-        named = {one.name: one for one in plain} | (scene_shaders(dialect) if scene else {})
+        named = {one.name: one for one in plain}
+        named |= {name: scene_shaders(dialect)[name] for name in layers}
         for name, one in named.items():
             texts = found.setdefault(name, {})
             if dialect is WGSL:

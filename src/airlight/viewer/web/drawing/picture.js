@@ -16,7 +16,9 @@ import { groundTexels } from "./ground.js";
 import { numbersOf } from "./package.js";
 import { probeText } from "./probe_text.js";
 import { Program } from "./program.js";
-import { cameraUniforms, detailUniforms, observerUniforms } from "./view_uniforms.js";
+import { along, combined, dot } from "./scene_space.js";
+import { StarLayers, skyFrame } from "./star_layers.js";
+import { cameraUniforms, detailUniforms, observerUniforms, raised } from "./view_uniforms.js";
 import { EVEN, lightsOf } from "./lights.js";
 import { Adaptation } from "../state/adaptation.js";
 import {
@@ -37,6 +39,9 @@ const PATIENT = 2500;
 /** Initial estimate of the time per texel of the sky-view LUT. [ms] */
 const SLOW = 0.05;
 
+/** Passes that are compiled when the stars are first shown. */
+const LATER = ["through", "layered"];
+
 export class Picture {
   /**
    * Compile the shaders and upload a solution.
@@ -49,7 +54,10 @@ export class Picture {
   static async make(device, description, onProgress = () => {}) {
     const program = new Program(device, description.plan, description.shaders);
     const picture = new Picture(program, description);
-    await Promise.all([program.build(onProgress), picture.take(description)]);
+    await Promise.all([
+      program.build(onProgress, (pass) => !LATER.includes(pass)),
+      picture.take(description),
+    ]);
     return picture;
   }
 
@@ -61,7 +69,10 @@ export class Picture {
     this.maps = {};
     this.skyViews = ["", ""];
     this.laws = "";
-    this.behind = ""; // key of what is behind the planet
+    /** `StarLayers`, once they are shown, and what is behind the planet in a target by its name. */
+    this.stars = null;
+    this.backdrops = new Map();
+    this.rests = false;
     this.rendered = "";
     this.spread = "";
     this.solutions = 0;
@@ -136,6 +147,7 @@ export class Picture {
   async display(values, width, height, effort, held = false, slow = { strips: 1 }) {
     const { program, fixed } = this;
     const lights = this.lightsOf(values);
+    this.rests = effort !== "moving";
     await this.fillSkyView(lights, effort);
     let exposure = values["display.exposure"];
     let eases = false;
@@ -166,6 +178,7 @@ export class Picture {
   /** Lights of a view, each with the uniforms of its sky-view LUT. */
   lightsOf(values) {
     const { fixed, planet } = this;
+    this.values = values;
     const orders = fixed.orders[values["light.orders"]];
     return lightsOf(values, planet, fixed.projections).map((light) => {
       const seen = { ...planet, star: light.star };
@@ -181,7 +194,10 @@ export class Picture {
   /** Render linear radiance, unless only the display has changed; false if it was stopped. */
   async renderLight(lights, width, height, { strips, stopped }) {
     const numbers = lights.map((light) => this.uniformsOf(light, width, height));
-    const rendered = JSON.stringify([this.skyViews, this.shape, this.laws, this.behind, numbers]);
+    const stars = await this.starsBehind(lights, width, height);
+    this.backdrops.set("picture", stars);
+    const behind = stars?.key ?? "";
+    const rendered = JSON.stringify([this.skyViews, this.shape, this.laws, behind, numbers]);
     if (rendered === this.rendered) return true;
     this.rendered = "";
     this.program.set("first_row", 0);
@@ -193,8 +209,46 @@ export class Picture {
       await this.device.finished();
       if (stopped()) return false;
     }
+    if (stars) this.coverStars(stars, numbers[0], width, height);
     this.rendered = rendered;
     return true;
+  }
+
+  /** The star catalogue behind the picture, which appears when a dark view rests; else null. */
+  async starsBehind(lights, width, height) {
+    if (!this.rests || !StarLayers.visible(this.exposure, lights[0].camera)) return null;
+    const { star_sky: sky, projections } = this.fixed;
+    if (!this.stars && sky) {
+      await this.program.build(() => {}, (one) => LATER.includes(one));
+      this.stars = await StarLayers.make(this.device, sky, Object.keys(projections));
+    }
+    return this.stars && this.putStars("picture", lights, width, height);
+  }
+
+  /** Render the star catalogue and the Milky Way for a target; see `StarLayers.put`. */
+  putStars(name, [{ camera, suns }], width, height) {
+    const { projection, fieldOfView, filter, axes } = camera;
+    const altitude = this.values["view.altitude"];
+    const { frame, sun } = skyFrame(this.values, this.fixed.star_sky.years);
+    const world = axes.map((axis) => combined(frame, axis));
+    const view = { projection, fieldOfView, filter, world, sun, altitude, suns };
+    const hidden = (one) => suns.some(([towards, radius]) => dot(one, towards) > Math.cos(radius));
+    return this.stars.put(name, width, height, view, (true_) => {
+      const here = along(frame, true_);
+      return hidden(here) ? null : combined(frame, raised(this.planet, altitude, here));
+    });
+  }
+
+  /** Put the picture in front of the stars. */
+  coverStars({ texture }, numbers, width, height) {
+    const { program } = this;
+    const [through, front] = ["layer_through", "layer_layered"];
+    for (const name of [through, front]) program.resize(name, width, height);
+    program.setAll(numbers);
+    program.run("through");
+    const [level, coarser, into] = ["picture", through, front].map((n) => program.textures.get(n));
+    program.runIn("layered", null, { picture: texture, level, coarser }, [into]);
+    program.textures.set("picture", into).set(front, level);
   }
 
   /** Uniforms of a frame of one light. */

@@ -24,15 +24,17 @@ export class Program {
   }
 
   /**
-   * Compile all passes and create their targets.
+   * Compile passes and create all targets.
    *
    * @param {(done: number, total: number) => void} [onProgress] Receives the number of shaders compiled.
+   * @param {(name: string) => boolean} [wanted] Which passes; by default all.
    */
-  async build(onProgress = () => {}) {
+  async build(onProgress = () => {}, wanted = () => true) {
     const { device } = this;
     const promises = new Map();
     let done = 0;
-    const work = this.plan.passes.map(async (pass) => {
+    const passes = this.plan.passes.filter((pass) => wanted(pass.name));
+    const work = passes.map(async (pass) => {
       const shader = this.shaders[pass.shader];
       const formats = pass.targets.length ? pass.targets.map((one) => one.format) : ["screen"];
       const key = [pass.shader, pass.entry, ...formats].join(" ");

@@ -11,7 +11,7 @@ import { layerArea, overlap } from "./layer_area.js";
 import { numbersOf } from "./package.js";
 import { Picture } from "./picture.js";
 import { Program } from "./program.js";
-import { StarSky } from "./star_sky.js";
+import { StarLayers } from "./star_layers.js";
 import { cameraUniforms, observerUniforms } from "./view_uniforms.js";
 import {
   along,
@@ -30,8 +30,6 @@ const DEGREE = 180 / Math.PI;
 const AXES = ["x", "y", "z"];
 /** Light without a moon before its disc, as of every light of a scene. */
 const PLAIN = { phased: 0, faced: 0, occulter_radius: 0 };
-/** Exposure from which the star catalogue is drawn, as in the window. [EV] */
-const STARRY = 3;
 
 export class ScenePicture extends Picture {
   /** See `Picture.make`. */
@@ -58,8 +56,6 @@ export class ScenePicture extends Picture {
     this.surfaces = new Map();
     this.shadows = new Map();
     this.discs = [];
-    this.sky = null;
-    this.stars = new Map();
     this.seen = null;
     this.lit = new Map();
   }
@@ -84,7 +80,9 @@ export class ScenePicture extends Picture {
       }),
     );
     this.discs = await Promise.all(stars.map(({ disc }) => flat(disc)));
-    if (space.scene.sky) this.sky = await StarSky.make(space.scene.sky);
+    const projections = Object.keys(this.fixed.projections);
+    const { sky } = space.scene;
+    if (sky) this.stars = await StarLayers.make(device, sky, projections);
   }
 
   async take(solution) {
@@ -173,36 +171,26 @@ export class ScenePicture extends Picture {
     for (const [i, picture] of this.planets) await picture.fillSkyView(this.lit.get(i), effort);
     const { skyViews, shape, texelTime } = this.home;
     Object.assign(this, { skyViews, shape, texelTime });
-    this.rests = effort !== "moving";
-  }
-
-  /** The star catalogue appears when the view rests. */
-  async renderLight(lights, width, height, slow) {
-    const starry = this.sky && this.rests && this.exposure >= STARRY;
-    this.behind = starry ? this.putStars("picture", lights[0], width, height) : "";
-    return super.renderLight(lights, width, height, slow);
   }
 
   async metered(lights, width, height, others) {
-    if (this.sky) this.putStars("metering", lights[0], ...this.meteredSize(width, height));
-    return super.metered(lights, width, height, others);
+    const [wide, high] = this.meteredSize(width, height);
+    if (this.stars) this.backdrops.set("metering", this.putStars("metering", lights, wide, high));
+    const found = await super.metered(lights, width, height, others);
+    this.backdrops.delete("metering");
+    return found;
   }
 
-  /** Render the star catalogue and the Milky Way behind a target; the key of what is there. */
-  putStars(name, { camera }, width, height) {
+  putStars(name, [{ camera }], width, height) {
     const { eye, axes: world, north, moment } = this.seen;
     const { projection, fieldOfView, filter } = camera;
-    const seen = [projection, fieldOfView, filter, eye, world, moment.hours];
-    const key = JSON.stringify([width, height, ...seen]);
-    const before = this.stars.get(name);
-    if (before?.key === key) return key;
-    if (before) this.device.release(before.texture);
-    const number = Object.keys(this.fixed.projections).indexOf(camera.projection);
+    const view = { projection, fieldOfView, filter, eye, world, hours: moment.hours };
     const raised = (true_) => combined(north, this.space.raised(this.values, along(north, true_)));
-    const texels = this.sky.render(width, height, { ...camera, number, world }, raised);
-    this.stars.set(name, { key, texture: this.device.image(DISC_FORMAT, width, height, texels) });
-    return key;
+    return this.stars.put(name, width, height, view, raised);
   }
+
+  /** The stars are the farthest layer. */
+  async coverStars() {}
 
   skyViewKey(light) {
     return this.home.skyViewKey(light);
@@ -226,8 +214,8 @@ export class ScenePicture extends Picture {
       program.runIn(pass, part, { picture: behind, level, coarser }, [front]);
       [behind, front] = [front, behind];
     };
-    const farthest = name === "metering" || this.behind ? this.stars.get(name)?.texture : black;
-    program.runIn("added", whole, { picture: farthest ?? black, level: black }, [behind]);
+    const farthest = this.backdrops.get(name)?.texture ?? black;
+    program.runIn("added", whole, { picture: farthest, level: black }, [behind]);
     for (const i of frame.order) {
       if (!this.planets.has(i)) {
         this.putBody(i, frame, put);

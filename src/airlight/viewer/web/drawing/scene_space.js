@@ -6,7 +6,7 @@
  * *local*: with x horizontally towards a light and z to the zenith, as in scene/directions.py.
  */
 import { camera_frame, direction_of } from "../generated/formulas.js";
-import { apparentCosine } from "./view_uniforms.js";
+import { raised } from "./view_uniforms.js";
 
 const DEGREE = 180 / Math.PI;
 /** Time of the page, in hours from that of the scene. [h] */
@@ -24,11 +24,11 @@ export const along = (rows, vector) => rows.map((row) => dot(row, vector));
 /** Angle between unit vectors, accurate for small angles. [rad] */
 export const between = (a, b) => 2 * Math.asin(Math.min(Math.hypot(...minus(a, b)) / 2, 1));
 
-function cross(a, b) {
+export function cross(a, b) {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
-function sum(...vectors) {
+export function sum(...vectors) {
   return [0, 1, 2].map((i) => vectors.reduce((total, one) => total + one[i], 0));
 }
 
@@ -161,11 +161,8 @@ export class SceneSpace {
   }
 
   /** Apparent direction of a point behind the air of the planet, in axes to north, west, zenith. */
-  raised(values, [x, y, z]) {
-    const seen = apparentCosine(this.planet, values["view.altitude"], z);
-    const level = Math.hypot(x, y);
-    const scale = level > 0 ? Math.sqrt(Math.max(1 - seen ** 2, 0)) / level : 0;
-    return level > 0 ? [x * scale, y * scale, seen] : [x, y, z];
+  raised(values, direction) {
+    return raised(this.planet, values["view.altitude"], direction);
   }
 
   /** View some hours later, between the ends of the known time. [h] */

@@ -1,7 +1,7 @@
-/** Star catalogue and Milky Way behind a scene, on the CPU: `add_sky` in render/star_points.py. */
+/** Star catalogue, Milky Way and zodiacal light, on the CPU: `add_sky` in render/star_points.py. */
 import { pixelsOf } from "./ground.js";
 import { numbersOf } from "./package.js";
-import { along, dot, minus } from "./scene_space.js";
+import { along, cross, dot, minus, scaled } from "./scene_space.js";
 import { projected_ray } from "../generated/formulas.js";
 
 /** Pixels between first guesses of Newton's method, its steps and its difference quotients. */
@@ -12,9 +12,10 @@ const SLOPE = 0.01;
 const MARGIN = 0.15;
 /** Channels of a texel. */
 const CHANNELS = 4;
+const DEGREE = 180 / Math.PI;
 
 export class StarSky {
-  /** @param {object} data `sky` of viewer/browser/scene_package.py. */
+  /** @param {object} data `star_sky` or `planet_sky` of viewer/browser/star_sky.py. */
   static async make(data) {
     const [directions, light] = await Promise.all([data.directions, data.light].map(numbersOf));
     const { rows, columns } = data.map;
@@ -35,8 +36,10 @@ export class StarSky {
    * @param {number} width Width. [pixel]
    * @param {number} height Height. [pixel]
    * @param {object} camera See view.js, with the `number` of its projection, and right, up and
-   *     forward as `world` in the frame of the scene.
-   * @param {(true_: number[]) => number[]} raised Apparent direction of a star.
+   *     forward as `world` in the frame of the stars; `sun`, the direction of the sun there, for
+   *     zodiacal light.
+   * @param {(true_: number[]) => number[] | null} raised Apparent direction of a star; null if a
+   *     disc hides it.
    */
   render(width, height, camera, raised) {
     const frame = new Float32Array(CHANNELS * width * height);
@@ -46,14 +49,15 @@ export class StarSky {
     return frame;
   }
 
-  addMap(frame, width, height, { number, fieldOfView, world }, share) {
-    const { color } = this.data;
+  addMap(frame, width, height, { number, fieldOfView, world, sun }, share) {
+    const { color, zodiacal } = this.data;
+    const dust = sun && zodiacal ? zodiacalLight(zodiacal, sun) : () => 0;
     for (let i = 0; i < width * height; i++) {
       const [x, y] = [(i % width) + 0.5, Math.floor(i / width) + 0.5];
       const [a, b, c] = projected_ray(number, x, y, width, height, fieldOfView);
       if (a === 0 && b === 0 && c === 0) continue;
       const ray = [0, 1, 2].map((k) => a * world[0][k] + b * world[1][k] + c * world[2][k]);
-      const light = share * this.starlight(ray);
+      const light = share * (this.starlight(ray) + dust(ray));
       for (let k = 0; k < 3; k++) frame[CHANNELS * i + k] = light * color[k];
     }
   }
@@ -79,7 +83,9 @@ export class StarSky {
     for (let star = 0; star < directions.length; star += 3) {
       const one = directions.subarray(star, star + 3);
       if (dot(camera.world[2], one) < widest - MARGIN) continue;
-      const seen = along(camera.world, raised(one));
+      const shown = raised(one);
+      if (!shown) continue;
+      const seen = along(camera.world, shown);
       const found = positionOf(seen, guesses, width, height, camera);
       if (!found) continue;
       const [x, y, solid] = found;
@@ -97,6 +103,28 @@ export class StarSky {
       }
     }
   }
+}
+
+/** Brightness of the zodiacal light by direction, in S10: scene/system/zodiacal_light.py. */
+function zodiacalLight({ longitudes, latitudes, brightness, pole }, sun) {
+  const flat = minus(sun, scaled(pole, dot(sun, pole)));
+  const side = cross(pole, flat);
+  return (ray) => {
+    const latitude = Math.asin(Math.min(Math.abs(dot(ray, pole)), 1)) * DEGREE;
+    const longitude = Math.atan2(Math.abs(dot(ray, side)), dot(ray, flat)) * DEGREE;
+    const [row, down] = cellOf(longitude, longitudes);
+    const [column, right] = cellOf(latitude, latitudes);
+    const at = (i) => brightness[i][column] * (1 - right) + brightness[i][column + 1] * right;
+    return at(row) * (1 - down) + at(row + 1) * down;
+  };
+}
+
+/** Node below a value, and share of the way to the next one. */
+function cellOf(value, nodes) {
+  const after = nodes.findIndex((node) => node > value);
+  const low = Math.min(Math.max((after < 0 ? nodes.length : after) - 1, 0), nodes.length - 2);
+  const share = (value - nodes[low]) / (nodes[low + 1] - nodes[low]);
+  return [low, Math.min(Math.max(share, 0), 1)];
 }
 
 /** Rays of a coarse grid, with their places, and the cosine of the reach of one. */

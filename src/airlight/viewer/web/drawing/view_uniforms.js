@@ -55,6 +55,14 @@ export function apparentCosine(planet, altitude, mu) {
   return apparent_sun_cosine(opticalRadius(planet, altitude), mu, bottom, top, table);
 }
 
+/** Apparent direction of a point at infinity, in axes of which the last is to the zenith. */
+export function raised(planet, altitude, [x, y, z]) {
+  const seen = apparentCosine(planet, altitude, z);
+  const level = Math.hypot(x, y);
+  const scale = level > 0 ? Math.sqrt(Math.max(1 - seen ** 2, 0)) / level : 0;
+  return level > 0 ? [x * scale, y * scale, seen] : [x, y, z];
+}
+
 /** Uniforms of the camera. */
 export function cameraUniforms(camera, width, height, projections) {
   const { projection, fieldOfView: field, axes, ground, filter, dehaze } = camera;

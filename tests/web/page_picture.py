@@ -1,0 +1,34 @@
+"""Picture that an open page draws of a view."""
+
+from __future__ import annotations
+
+import base64
+import io
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+
+def page_picture(
+    page: Any, view: dict[str, Any], size: tuple[int, int]
+) -> tuple[np.ndarray, float]:
+    """Picture [0 to 255] of a width and height, and its exposure [EV].
+
+    The view's other values are those with which the page was opened.
+    """
+    url, exposure = page.evaluate(
+        """async ([values, width, height]) => {
+          await airlight.ready;
+          airlight.state.reset();
+          airlight.state.set(values);
+          const blob = await airlight.png(width, height);
+          const { exposure } = airlight.picture;
+          const reader = new FileReader();
+          await new Promise((resolve) => { reader.onload = resolve; reader.readAsDataURL(blob); });
+          return [reader.result, exposure];
+        }""",
+        [view, *size],
+    )
+    image = Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2])))
+    return np.asarray(image.convert("RGB"), np.float64), exposure
