@@ -530,9 +530,9 @@ def test_another_planet_leaves_nothing_of_the_first_and_an_edit_compiles_nothing
     device: Device, lit: Lit, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # Nobody else has the textures; the passes of a frame serve the next solution, although the
-    # device keeps only the last of them.
+    # device keeps only the last of those not used lately.
     apart = device.duplicate()
-    monkeypatch.setitem(vars(apart), "last_passes", Cache(1))
+    monkeypatch.setitem(vars(apart), "last_passes", Cache(1, 60.0))
     pictures = GpuRenderer(apart, (64, 64))
     pictures.set_solution(lit())
     pictures.render(scene_of(PLANETS["earth, with a map"](), "noon"))

@@ -29,7 +29,6 @@ class PictureThread(LatestThread[Request]):
     def __init__(self, renderer: PictureSource, wake: Callable[[], None]) -> None:
         self._renderer = renderer
         self.picture: Picture | None = None
-        self._solution: object = None
         super().__init__("airlight-pictures", wake)
 
     def want(self, request: Request) -> None:
@@ -44,9 +43,7 @@ class PictureThread(LatestThread[Request]):
             self._wake()
             if self.is_stale(request):
                 return
-        if request.solution is not self._solution:  # its tables and shaders left gaps
-            self._solution = request.solution
-            give_back()
+        give_back()  # shaders and tables left gaps
 
     def end(self) -> None:
         """Close the renderer."""

@@ -61,9 +61,12 @@ _NUMBERS: Final = ("char", "uint8_t", "uint32_t")
 #: Kinds of types of which it allocates some.
 _KINDS: Final = ("StructType", "EnumType", "PointerType")
 
-#: Number of passes that are kept while unused, and on a software GPU, where each takes 15 to 30 MB.
+#: Number of passes that are kept, and on a software GPU, where one of pixels takes 50 to 60 MB: a
+#: view has three of these, and four of the display.
 _KEPT_PASSES: Final = 64
-_KEPT_IN_SOFTWARE: Final = 8
+_KEPT_IN_SOFTWARE: Final = 12
+#: Time since the last use for which others are kept too, so that no frame compiles its own. [s]
+_KEPT_SECONDS: Final = 30.0
 
 #: Environment variable with the folder of a session's sockets.
 _RUNTIME: Final = "XDG_RUNTIME_DIR"
@@ -125,7 +128,7 @@ class Device:
     @cached_property
     def last_passes(self) -> Cache[Hashable, Any]:
         """Passes that were used last, which are kept."""
-        return Cache(_KEPT_IN_SOFTWARE if self.software else _KEPT_PASSES)
+        return Cache(_KEPT_IN_SOFTWARE if self.software else _KEPT_PASSES, _KEPT_SECONDS)
 
     @cached_property
     def maps(self) -> WeakValueDictionary[Hashable, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any, Final, NamedTuple
+from weakref import WeakKeyDictionary
 
 from airlight.image.displayed import Display
 from airlight.image.glare import glare_levels, glare_share
@@ -71,7 +72,7 @@ class DisplayPasses:
         self._levels: list[Any] = []  # pyramid in texels of 2, 4, 8 … pixels
         self._spreads: list[Any] = []  # spread light of each level and all coarser ones
         self._uniforms: dict[int, Any] = {}
-        self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
+        self._groups: WeakKeyDictionary[FragmentPass, dict[int, list[Any]]] = WeakKeyDictionary()
 
     def picture(self, width: int, height: int) -> Any:
         """View of the texture of linear radiance, as a render target.
@@ -276,10 +277,10 @@ class DisplayPasses:
 
     def _bound(self, one: FragmentPass, number: int, **textures: Any) -> list[Any]:
         """Cached bind groups of a pass for a level."""
-        key = one, number
-        if key not in self._groups:
-            self._groups[key] = one.bind({"frame": self._buffer(number), **textures})
-        return self._groups[key]
+        groups = self._groups.setdefault(one, {})
+        if number not in groups:
+            groups[number] = one.bind({"frame": self._buffer(number), **textures})
+        return groups[number]
 
     def _pass(self, shader: Shader, target_format: str) -> FragmentPass:
         entry = next(iter(shader.entries))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping, Sequence
 from typing import Any, Final, Protocol
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,8 +45,8 @@ class FramePasses:
 
     def __init__(self, device: Device) -> None:
         self.device = device
-        self._groups: dict[tuple[FragmentPass, Hashable], list[Any]] = {}
-        self._before: dict[Hashable, list[FragmentPass]] = {}  # kept, for the next frame
+        #: Of each light by pass; the device keeps the passes.
+        self._groups: dict[Hashable, WeakKeyDictionary[FragmentPass, list[Any]]] = {}
         self._textures: dict[Hashable, Mapping[str, Any]] = {}
         self._places: dict[Hashable, Mapping[str, tuple[int, ...]]] = {}
         self._clouds: dict[Hashable, CloudsOfLight] = {}
@@ -59,20 +60,13 @@ class FramePasses:
     ) -> None:
         """Set the input textures of a light, and the positions of tables in them."""
         self._textures[light], self._places[light] = textures, places
-        self._release(light)
+        self._groups.pop(light, None)
 
     def read_clouds(self, clouds: CloudsOfLight, light: Hashable = 0) -> None:
         """Set the three-dimensional clouds of a light, for shaders that read them."""
         if self._clouds.get(light) is not clouds:
             self._clouds[light] = clouds
-            self._release(light)
-
-    def _release(self, light: Hashable) -> None:
-        """Drop the bind groups of a light."""
-        passes = [one for one, of in self._groups if of == light]
-        if passes:
-            self._before[light] = passes
-        self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
+            self._groups.pop(light, None)
 
     def picture_shader(
         self, uniforms: Mapping[str, float], exact: bool, fixed: Fixed = (), light: Hashable = 0
@@ -150,9 +144,9 @@ class FramePasses:
         device.queue.submit([encoder.finish()])
 
     def _bound(self, one: FragmentPass, light: Hashable, struct: UniformStruct) -> list[Any]:
-        key = one, light
-        if key not in self._groups:
+        groups = self._groups.setdefault(light, WeakKeyDictionary())
+        if one not in groups:
             clouds = {} if struct is FRAME else self._clouds[light].textures
             read = {**self._textures[light], **clouds}
-            self._groups[key] = one.bind({"frame": self._buffer(struct), **read})
-        return self._groups[key]
+            groups[one] = one.bind({"frame": self._buffer(struct), **read})
+        return groups[one]
