@@ -19,7 +19,7 @@ from airlight.render.gpu.emit.texture_table import TextureTable
 from airlight.render.gpu.emit.wgsl import WGSL
 from airlight.render.gpu.solver.passes import PASSES
 from airlight.viewer.browser.package import program
-from airlight.viewer.browser.web_shaders import CORNERS, FILL, solver_shaders, web_shaders
+from airlight.viewer.browser.web_shaders import CORNERS, FILL, LAYERED, solver_shaders, web_shaders
 
 BACK_ENDS = ("webgpu", "webgl2")
 
@@ -174,12 +174,12 @@ def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
     # the shaders of a page: an error names the entry point and the line
     pairs = [
         (f"{name}.{entry}", text)
-        for name, one in {**web_shaders(), **solver_shaders()}.items()
+        for name, one in {**web_shaders(False, LAYERED), **solver_shaders()}.items()
         for entry, text in one["glsl"].items()
         if entry != CORNERS
     ]
     # sky, its peaks and polarisation, sea, pixels, glare down and up, sum of lights, display
-    assert len(pairs) == 9 + len(PASSES)
+    assert len(pairs) == 9 + len(LAYERED) + len(PASSES)
     page = modules({"devices/device": ("openDevice",)})
     shaders = [
         {"entry": name, "uniforms": {}, "glsl": {"vertex": GLSL.triangle, "fragment": text}}
@@ -207,10 +207,49 @@ def test_every_pipeline_is_made_in_webgpu(modules: Callable[..., Any]) -> None:
     # with the page's own slots and targets; software takes minutes to draw by the large ones, which
     # only test_pictures.py's validation waits for
     page = modules({"devices/device": ("openDevice",), "drawing/program": ("Program",)})
-    given = {**program(), "solver": solver_shaders(), "entry": {"vertex": CORNERS, "entry": FILL}}
+    given = program(layers=LAYERED)
+    given |= {"solver": solver_shaders(), "entry": {"vertex": CORNERS, "entry": FILL}}
     kind, count, faults = page.evaluate(_BUILD, json.loads(json.dumps(given)))
     assert faults == []
     assert (kind, count) == ("webgpu", len({one["name"] for one in given["plan"]["passes"]}))
+
+
+_LAYER = """async ([kind, plan, shaders, texels]) => {
+  const device = await openDevice(document.createElement("canvas"), kind);
+  const names = ["layered", "covering", "added"];
+  const made = new Program(device, plan, shaders);
+  await made.build(() => {}, (name) => names.includes(name));
+  const image = (values) => device.image("rgba32float", 3, 2, new Float32Array(values));
+  const [picture, level, coarser] = texels.map(image);
+  const read = [];
+  for (const name of names) {
+    const into = device.target("rgba32float", 3, 2);
+    made.runIn("added", null, { picture, level: picture }, [into]);
+    made.runIn(name, [1, 0, 2, 1], { picture, level, coarser }, [into]);
+    read.push(Array.from(await device.read(into)));
+  }
+  device.close();
+  return read;
+}"""
+
+
+@pytest.mark.parametrize("kind", BACK_ENDS)
+def test_layers_are_put_in_front_of_a_part_of_a_picture(
+    kind: str, modules: Callable[..., Any]
+) -> None:
+    page = modules({"devices/device": ("openDevice",), "drawing/program": ("Program",)})
+    given = json.loads(json.dumps(program(layers=LAYERED)))
+    picture, level, through = np.random.default_rng(3).random((3, 2, 3, 4)).astype(np.float32)
+    texels = [one.ravel().tolist() for one in (picture, level, through)]
+    read = page.evaluate(_LAYER, [kind, given["plan"], given["shaders"], texels])
+    for got, layer in zip(
+        np.reshape(read, (3, 2, 3, 4)),
+        (level + through * picture, level + picture - through * picture, level + picture),
+        strict=True,
+    ):
+        wanted = 2.0 * picture
+        wanted[0, 1:] = layer[0, 1:]
+        assert_allclose(got[..., :3], wanted[..., :3], rtol=1e-6)
 
 
 @pytest.mark.parametrize("kind", ["webgpu", "webgl2"])

@@ -89,7 +89,8 @@ def export_page(
         Initial view values by path; without any, those of the first viewpoint, or of the scene.
         [parameter.unit]
     quality : str
-        ``preview``, ``default`` or ``fine``; replaced by ``preview`` above 5 MB.
+        ``preview``, ``default`` or ``fine``; replaced by ``preview`` if the page has more than 5 MB
+        even without stars.
     wavelengths : str
         Number of wavelengths, ``three`` or ``four``; replaced by ``three`` if the page has more
         than 5 MB at ``preview``.
@@ -114,6 +115,8 @@ def export_page(
         solutions = subject.solved(count, level, cache=cache, **report)
         data = subject.data(solutions, title, values, count, **report)
         length = len(page_text(title, data).encode()) + LEAST_PICTURE
+        if length > LARGEST and data["picture"].pop("star_sky", None):
+            length = len(page_text(title, data).encode()) + LEAST_PICTURE
         if length <= LARGEST:
             break
     if length > LARGEST:
