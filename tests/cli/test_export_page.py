@@ -37,7 +37,7 @@ def test_page_is_one_file_below_3_mb_with_the_view_that_was_asked_for(
     assert data["values"]["display.automatic"] is False
 
 
-def test_page_too_large_with_four_wavelengths_has_three(
+def test_page_too_large_has_no_stars_and_then_three_wavelengths(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # Pluto's sun has no formula for dates, so its page has no control of them.
@@ -45,16 +45,18 @@ def test_page_too_large_with_four_wavelengths_has_three(
     words = ["export-page", "pluto", "--quality", "preview", "-o", str(place)]
     assert main(words) == 0
     assert "four wavelengths" in capsys.readouterr().out
-    size = place.stat().st_size
     assert "view.clock" not in page_data(place)["values"]
-
-    picture = re.search(r'<img class="airlight-first".*</div>', place.read_text())
-    assert picture is not None
-    reserved = size - len(picture[0]) + LEAST_PICTURE
-    monkeypatch.setattr("airlight.viewer.browser.page.LARGEST", reserved - 100)
-    assert main(words) == 0
-    assert "three wavelengths" in capsys.readouterr().out
-    assert place.stat().st_size < size
+    assert "star_sky" in page_data(place)["picture"]
+    for wavelengths in ("four", "three"):
+        size = place.stat().st_size
+        picture = re.search(r'<img class="airlight-first".*</div>', place.read_text())
+        assert picture is not None
+        reserved = size - len(picture[0]) + LEAST_PICTURE
+        monkeypatch.setattr("airlight.viewer.browser.page.LARGEST", reserved - 100)
+        assert main(words) == 0
+        assert f"{wavelengths} wavelengths" in capsys.readouterr().out
+        assert place.stat().st_size < size
+        assert "star_sky" not in page_data(place)["picture"]
 
     monkeypatch.setattr("airlight.viewer.browser.page.LARGEST", 100_000)
     assert main(words) == 2
