@@ -5,7 +5,7 @@ it is folded. The coarsest ones are folded to bands and cells with clear sky bet
 the clouds, finer ones to puffs between narrow gaps. The places of an octave are displaced by the
 coarser ones, which draws puffs out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis
 et al. 1997, JAS 54, 241), so that clouds above a threshold have all sizes. Edges are soft in some
-regions, as those of veils, and hard in others.
+regions, as those of veils, which are smoother and drawn out further, and hard in others.
 """
 
 from __future__ import annotations
@@ -51,15 +51,20 @@ PUFFED_SKEWNESS: Final = 1.328
 GATHERED_SKEWNESS: Final = -1.454
 #: Standard deviations beyond which the correction of the skewness stays. [1]
 FARTHEST: Final = 2.5
-#: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
+#: Displacement of places by coarser octaves, over the width of a cell and their sum, and its growth
+#: with the softness of edges, by eye. [1]
 WARPED: Final = 0.1
+WISPS: Final = 0.4
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
 #: and change of its logarithm with noise of its own, by eye. [1]
 EDGE: Final = 1.8
-VARIED: Final = 6.0
+VARIED: Final = 5.0
+#: Limits of what edges add to the ratio of contrasts: soft clouds are smooth. By eye. [1]
+SMOOTHEST: Final = 0.8
+ROUGHEST: Final = 1.1
 #: Share of the coarsest octave of puffs without clouds, and its growth with their cover; twice that
 #: of the next one, up to 1. By eye. [1]
-SMALL: Final = 0.5
+SMALL: Final = 0.2
 GROWING: Final = 1.5
 #: Ratio of the heights of tops over that of the contrasts, of an octave and the next coarser one:
 #: light is scattered from slope to slope within some hundred metres. By eye. [1]
@@ -122,7 +127,7 @@ def turning_place(whole, beyond, scale):
 
 
 @kernel
-def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
+def cloud_grain(place, footprint, cover, cell, whole, part, way, edge, whole_grain):
     """``CloudGrain`` of a place.
 
     Its skewness g, of the sum of octaves, is removed to first order (Cornish & Fisher 1938, Rev.
@@ -135,21 +140,24 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
         Cover of the map there: few clouds are small ones. [1]
     way : Vec3
         Direction of the ascent, in the planet's frame. [1]
+    edge : float
+        ``CloudGrain.edge`` if known. [1]
     whole_grain : bool
-        Whether edge and ascent are asked for; the edge is ``EDGE`` otherwise.
+        Whether edge and ascent are asked for; the edge remains otherwise.
     place, footprint, cell, whole, part :
         Arguments of ``ground_detail``.
     """
     beyond_x, beyond_y = part.x + place.x / cell, part.y + place.y / cell
     beyond_z = part.z + place.z / cell
-    edge = EDGE
     if whole_grain:
         scale = float(SOFTNESS)
         x, along_x = turning_place(whole.x, beyond_x, scale)
         y, along_y = turning_place(whole.y, beyond_y, scale)
         z, along_z = turning_place(whole.z, beyond_z, scale)
-        edge *= exp(VARIED * gradient_noise(x, y, z))
+        edge = EDGE * exp(VARIED * gradient_noise(x, y, z))
     scale = float(COARSEST)
+    warped = WARPED + WISPS * max(1.0 - edge / EDGE, 0.0)
+    fall = FALL * min(max(sqrt(sqrt(edge / EDGE)), SMOOTHEST), ROUGHEST)
     total, variance, third, share = 0.0, 0.0, 0.0, 1.0
     ascent, smooth, coarse = 0.0, 1.0, SMALL + GROWING * cover
     for octave in range(OCTAVES):
@@ -161,7 +169,7 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
             x, along_x = turning_place(whole.x, beyond_x, scale)
             y, along_y = turning_place(whole.y, beyond_y, scale)
             z, along_z = turning_place(whole.z, beyond_z, scale)
-            moved, inverse = WARPED * total, 1.0 / (cell * scale)
+            moved, inverse = warped * total, 1.0 / (cell * scale)
             x, y, z, noise, growth = x + moved, y - moved, z + moved, 0.0, 0.0
             if whole_grain and octave >= GROUPS:
                 along = Vec3(along_x * way.x, along_y * way.y, along_z * way.z)
@@ -177,7 +185,7 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, whole_grain):
             ascent += shown * smooth * heaped * inverse / FOLDED_DEVIATION
             variance += shown * shown
             third += skewness * shown * shown * shown
-        share *= FALL
+        share *= fall
         if octave >= GROUPS:
             smooth *= SMOOTH
         scale *= 0.5

@@ -38,6 +38,12 @@ SHOAL: Final = 0.25
 EDGED: Final = 0.8
 #: Ratio of the normal quantile to the logit, within 1 % of probability. [1]
 _LOGISTIC: Final = 1.702
+#: Cover of thin clouds, at the edges of thicker ones; difference between the shares of places with
+#: thin and with thick ones, over that of a half; and width of edges over that of thick parts, by
+#: eye. [1]
+THIN: Final = 0.4
+NESTED: Final = 1.55
+GRADUAL: Final = 0.4
 #: Width of the coast where it is seen from near, 29 m on Earth. [texel]
 SHARPEST: Final = 1.0 / 256.0
 #: Rows of the map that defines the cells where the planet has none.
@@ -269,12 +275,37 @@ def shoal(share):
 
 
 @kernel
-def grained_cover(cover, width, noise, variance, edge):
-    """Cover of a cloud layer with noise between texels: clouds and gaps whose mean is the map's.
+def above_threshold(cover, sharp, noise, variance):
+    """Share of clouds at a place, of mean ``cover``. [1]
 
     Normal noise n of variance σ² above a threshold, with an edge of the width 1/g, has the mean
     cover c for the threshold -√(1 + g² σ²) Φ⁻¹(c)/g; the normal distribution Φ is replaced by the
-    logistic one. None and full cover are kept. [1]
+    logistic one.
+
+    Parameters
+    ----------
+    cover : float
+        Mean, between 0 and 1. [1]
+    sharp : float
+        Reciprocal of the width of edges, g. [1]
+    noise, variance : float
+        Noise and its variance. [1]
+
+    Examples
+    --------
+    >>> round(above_threshold(0.3, 0.0, 1.0, 1.0), 9)
+    0.3
+    """
+    level = sqrt(1.0 + sharp * sharp * variance) * log(cover / (1.0 - cover))
+    return 1.0 / (1.0 + exp(min(max(-level - _LOGISTIC * sharp * noise, -60.0), 60.0)))
+
+
+@kernel
+def grained_cover(cover, width, noise, variance, edge):
+    """Cover of a cloud layer with noise between texels: clouds and gaps whose mean is the map's.
+
+    Clouds are thin at their edges, which are sharp, and thicken towards cores: the sum of a wide
+    and of a narrow threshold. None and full cover are kept. [1]
 
     Parameters
     ----------
@@ -293,8 +324,10 @@ def grained_cover(cover, width, noise, variance, edge):
     if cover <= 0.0 or cover >= 1.0:
         return min(max(cover, 0.0), 1.0)
     sharp = edge * (1.0 - width)
-    level = sqrt(1.0 + sharp * sharp * variance) * log(cover / (1.0 - cover))
-    return 1.0 / (1.0 + exp(min(max(-level - _LOGISTIC * sharp * noise, -60.0), 60.0)))
+    apart = NESTED * cover * (1.0 - cover)
+    base = above_threshold(cover + (1.0 - THIN) * apart, sharp, noise, variance)
+    core = above_threshold(cover - THIN * apart, GRADUAL * sharp, noise, variance)
+    return THIN * base + (1.0 - THIN) * core
 
 
 @kernel

@@ -40,7 +40,7 @@ CLOUD_VALUES: Final = 13
 THICKNESS: Final = 3300.0
 #: Height of tops in a standard deviation of folded noise of eight texels, of few clouds, and
 #: the share of it that full cover loses, by eye. [m], [1]
-HEAPED: Final = 2000.0
+HEAPED: Final = 2600.0
 LEVELLED: Final = 0.5
 #: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
 #: eye. [1]
@@ -166,11 +166,12 @@ def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer,
                 place = components(way, observer.ground_x, observer.ground_y, observer.ground_z)
                 place, cell = plus(spot, place), view.detail_cell
                 grain = cloud_grain(
-                    place, blur, cover, cell, view.whole, view.part, star.way, towards == 0
+                    place, blur, cover, cell, view.whole, view.part, star.way, edge, towards == 0
                 )
                 edge = grain.edge if towards == 0 else edge
                 grained = grained_cover(cover, width, grain.noise, grain.variance, edge)
-                ascent += HEAPED * (1.0 - LEVELLED * cover) * grain.ascent
+                heaped = HEAPED * (1.0 - LEVELLED * cover) * min(edge / EDGE, 1.0)
+                ascent += heaped * grain.ascent
                 if towards == 0:
                     color[9] = grained
                 else:
