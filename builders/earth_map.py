@@ -13,12 +13,13 @@ The first picture paints the sea by its depth, from nearly black to light blue, 
 keeps colour at half its resolution, so that a coast told by colour has teeth and land has pink and
 green blotches of some pixels. Here the coast is that of Natural Earth; lakes, and the sea near the
 ice of the poles, are told by colour. Land beside water has the colour of the nearest land further
-inside, as there its own is mixed with the water's. Differences of colour of the first picture
-follow those of luma (He, Sun & Tang 2013, IEEE TPAMI 35, 1397, the guided filter).
+inside, as there its own is mixed with the water's. Differences of colour between near places
+follow those of luma (He, Sun & Tang 2013, IEEE TPAMI 35, 1397, the guided filter), but on fields.
 """
 
 from __future__ import annotations
 
+import io
 import json
 import sys
 from pathlib import Path
@@ -39,8 +40,10 @@ from airlight.image.xyz import luminance
 from airlight.physics.optics.water import mean_specular
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
-#: Quality of the JPEG, with colour at full resolution; with 84 coasts have pastel blotches.
-QUALITY = 91
+#: Qualities of luma and of chroma in the JPEG, with colour at full resolution: with less chroma
+#: coasts have pastel blotches.
+QUALITY: Final = 91
+CHROMA_QUALITY: Final = 97
 #: Linear sRGB of the light out of clear sea, relative to white: Gordon et al. (1988), JGR 93,
 #: 10909, ρ = 0.54 · π/4 · 0.33 · b/a with absorption and scattering by water and 0.1 mg/m³ of
 #: chlorophyll; 0.019 at 443 nm, 0.0115 at 490, 0.003 at 555, 0.0003 at 670. Its red, -0.0008, is 0.
@@ -67,9 +70,10 @@ GREEN: Final = (1.1, 1.5)
 #: Classes of fields, and of fields among other plants, of the IGBP in MODIS' map. (Friedl &
 #: Sulla-Menashe 2015, doi:10.5067/MODIS/MCD12C1.006)
 FIELDS: Final = (12, 14)
-#: Colour of crops for a luminance of 1, linear sRGB: green over red 1.7 and blue over green 0.38,
-#: within what that canopy has; and its share in that of fields, whose soil is seen too: by eye. [1]
-CROPS = np.array([0.677, 1.151, 0.437])
+#: Colour of fields for a luminance of 1, linear sRGB: green over red 1.4 and blue over green 0.42,
+#: between that canopy and ripe crops and bare soil, which lie among green fields in every season;
+#: and its share in that of land of fields: by eye. [1]
+CROPS = np.array([0.796, 1.1144, 0.468])
 GROWN: Final = 0.9
 #: Luminances between which fields are bare. [1]
 BARE: Final = (0.13, 0.25)
@@ -82,12 +86,14 @@ CHOICE: Final = 2.0
 WIND = 5.0
 #: Half the side of the squares in which chroma follows luma [pixel], and variance of luma below
 #: which it is even there.
-BLOTCH: Final = 3
-EVEN: Final = 60.0
+BLOTCH: Final = 6
+EVEN: Final = 200.0
 #: Steps of the share of water, which make the file small.
 STEPS = 31
 #: Samples of the coast per pixel along each axis.
 SAMPLES = 4
+#: Standard deviation of the means that the coast has. [pixel]
+SMOOTHED: Final = 0.5
 #: Latitudes beyond which ice covers the sea, and Natural Earth has no ice shelves. [deg]
 ICE = (-60.0, 74.0)
 #: Distance from the coast within which it alone tells water from land. [pixel]
@@ -142,7 +148,11 @@ def sea_share(file: Path, height: int, width: int) -> NDArray[np.float32]:
             for turn in (-image.width, 0, image.width):
                 if (x + turn).max() > 0.0 and (x + turn).min() < image.width:
                     draw.polygon(list(zip(x + turn, y, strict=True)), fill=255 if k else 0)
-    return np.asarray(image.reduce(SAMPLES), np.float32) / 255.0
+    # the contour of a half between the shares of squares is wavy, that of wider means is straight
+    shares = gaussian_filter(
+        np.asarray(image, np.float32), SMOOTHED * SAMPLES, mode=("nearest", "wrap"), truncate=3.0
+    )
+    return shares.reshape(height, SAMPLES, width, SAMPLES).mean(axis=(1, 3)) / 255.0
 
 
 def water_share(pixels: NDArray[np.uint8], coast: Path) -> NDArray[Any]:
@@ -223,10 +233,19 @@ def ycc(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.asarray(Image.fromarray(pixels).convert("YCbCr"))
 
 
+def quantization(quality: int) -> dict[int, list[int]]:
+    """Tables of luma and chroma of JPEG files of a quality."""
+    file = io.BytesIO()
+    Image.new("RGB", (8, 8)).save(file, "JPEG", quality=quality)
+    with Image.open(file) as picture:
+        return dict(picture.quantization)  # type: ignore[attr-defined]
+
+
 def save(linear: NDArray[Any], file: Path) -> None:
     """Save linear colours as sRGB, 4:4:4, as coasts would lose the colour of their water."""
     encoded = (255.0 * srgb_encode(linear) + 0.5).astype(np.uint8)
-    Image.fromarray(encoded).save(file, quality=QUALITY, subsampling=0, optimize=True)
+    tables = [quantization(QUALITY)[0], quantization(CHROMA_QUALITY)[1]]
+    Image.fromarray(encoded).save(file, qtables=tables, subsampling=0, optimize=True)
 
 
 def main() -> None:
@@ -241,7 +260,7 @@ def main() -> None:
     water = water_share(pixels, Path(sys.argv[3]))
     wet = (water > 0.0) | (colored_water(pixels) > 0.0)
     dry = ~binary_dilation(wet, np.ones((3, 3), bool))
-    colors_of_land = greenest(without_blotches(land_colors(pixels, dry)), land_colors(autumn, dry))
+    colors_of_land = without_blotches(greenest(land_colors(pixels, dry), land_colors(autumn, dry)))
     linear = srgb_decode(np.arange(256) / 255.0)[colors_of_land]
     height = len(pixels)
     linear = with_crops(linear, field_share(Path(sys.argv[4]), *pixels.shape[:2]))

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from airlight.render.pixels.coast import MapSpot, edged_color
+from airlight.render.pixels.coast import RIVER, MapSpot, edged_color, river_share
 from airlight.scene.ground_place import map_color
 
 ROWS = 16
@@ -34,7 +34,7 @@ def profile(water: int) -> tuple[np.ndarray, np.ndarray]:
         color = np.zeros(25)
         map_color(view.texels, ROWS, 2 * ROWS, 1, 0.0, longitude, 0.0, color, 0)
         before = color[0]
-        edged_color(MapSpot(0.0, longitude, 0.05), view, color)
+        edged_color(MapSpot(0.0, longitude, 0.05, 0.0), view, color)
         found.append((before, color[0]))
     interpolated, sharp = np.transpose(found)
     return interpolated, sharp
@@ -70,8 +70,33 @@ def test_edges_go_from_the_colour_of_one_texel_to_that_of_another() -> None:
             map_color(view.texels, ROWS, 2 * ROWS, 1, *place, 0.0, color, 0)
             beside.append(color[:3].copy())
         edged_color(
-            MapSpot(latitude, longitude, 0.05), view, color := np.append(beside[0], [0.0] * 22)
+            MapSpot(latitude, longitude, 0.05, 0.0), view, color := np.append(beside[0], [0.0] * 22)
         )
         change = color[:3] - beside[0]
         ways = [one - other for one in beside for other in beside if one is not other]
         assert min(np.linalg.norm(np.cross(change, way)) for way in ways) < 1e-9
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.2, 0.5 * pi])
+def test_a_river_runs_in_the_middle_of_a_green_valley_between_deserts(turn: float) -> None:
+    # A parabola across a straight valley, whose least value is known.
+    def arid(east: float, north: float) -> float:
+        across = np.cos(turn) * east + np.sin(turn) * north
+        return 0.05 + 0.15 * across * across
+
+    def share(east: float, north: float, width: float) -> float:
+        steps = ((0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0))
+        return river_share(*(arid(east + x, north + y) for x, y in steps), width)
+
+    width, places = 0.01, np.linspace(-0.3, 0.3, 601)
+    shares = [share(np.cos(turn) * at, np.sin(turn) * at, width) for at in places]
+    assert share(0.0, 0.0, width) == 1.0
+    # half of the river's width on both sides, but for the twist between texels
+    assert np.mean(shares) * 0.6 == pytest.approx(2.0 * RIVER, rel=0.2)
+    assert share(0.0, 0.0, 1.0) == pytest.approx(2.0 * RIVER)
+
+
+def test_neither_woods_nor_deserts_nor_coasts_have_rivers() -> None:
+    assert river_share(0.02, 0.05, 0.02, 0.05, 0.02, 0.1) == 0.0
+    assert river_share(0.25, 0.26, 0.25, 0.26, 0.25, 0.1) == 0.0
+    assert river_share(0.2, 0.2, 0.2, 0.2, 0.2, 0.1) == 0.0

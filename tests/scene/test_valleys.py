@@ -19,6 +19,7 @@ from airlight.scene.valleys import (
     SMOOTH,
     Phasor,
     Valleys,
+    dunes,
     farmland,
     gullies,
     lattice_phasor,
@@ -34,7 +35,7 @@ def directions(random: np.random.Generator) -> tuple[np.ndarray, np.ndarray, np.
 
 
 def places(count: int, footprint: float, steep: float = 0.05) -> np.ndarray:
-    """``Valleys``, and ``farmland``, at random places on random slopes, shape (count, 5)."""
+    """``Valleys``, and ``farmland``, at random places on random slopes, shape (count, 6)."""
     random, found = np.random.default_rng(1), []
     for _ in range(count):
         up, way, other = directions(random)
@@ -51,6 +52,9 @@ def test_valleys_and_fields_keep_mean_light_and_mean_reflectance(footprint: floa
     # Ascents and tones are changes to first order: 3 standard errors of 6000 places, and of the
     # tone of six octaves the error of its fitted constant.
     found = places(6000, footprint)
+    tones, stated = found[:, 3], found[0, 4]
+    assert tones.var() == pytest.approx(stated, rel=0.15)
+    found = np.delete(found, 4, axis=1)
     errors = 3.0 * found.std(axis=0) / math.sqrt(6000.0)
     errors[2] += 6.0 * 0.002
     assert np.all(np.abs(found.mean(axis=0)) < errors)
@@ -133,3 +137,20 @@ def test_wide_valleys_are_more_conspicuous_than_narrow_ones() -> None:
     share = np.var(wide) / np.var(narrow)
     assert share > 1.5 / OCTAVES
     assert_allclose(share, 1.0 - PALER**2, atol=0.1)
+
+
+def test_dunes_run_from_north_to_south_and_keep_the_mean() -> None:
+    # The mean of 4000 places within 3 standard errors.
+    random, tones, changes = np.random.default_rng(6), [], []
+    for _ in range(4000):
+        whole = Vec3(*np.floor(random.uniform(0.0, WHOLE_PERIOD, 3)))
+        here, *beside = (
+            dunes(Vec3(*(0.02 * COARSEST * way)), 20.0, whole, 0.3)
+            for way in np.vstack([np.zeros(3), np.eye(3)])
+        )
+        tones.append(here)
+        changes.append(np.array(beside) - here)
+    assert abs(np.mean(tones)) < 3.0 * np.std(tones) / math.sqrt(4000.0)
+    east, _, north = np.std(changes, axis=0)
+    assert east > 5.0 * north
+    assert dunes(Vec3(0.0, 0.0, 0.0), COARSEST, Vec3(5.0, 6.0, 7.0), 0.0) == 0.0

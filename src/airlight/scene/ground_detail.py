@@ -29,7 +29,7 @@ WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
 PLAIN_CONTRAST: Final = 0.04
 PLAIN_FALL: Final = 1.0
 #: Standard deviation of the displacement by the coarsest octave. [texel]
-DISPLACED: Final = 0.12
+DISPLACED: Final = 0.09
 #: Ratio of the displacements of an octave and the next coarser one. [1]
 DISPLACED_FALL: Final = 0.6
 #: Width of shallow water along a coast. [texel]

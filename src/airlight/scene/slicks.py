@@ -22,15 +22,15 @@ from airlight.scene.ground_detail import STEP
 OCTAVES: Final = 6
 COARSEST: Final = 16 * STEP ** (GROUND_OCTAVES - 1)
 #: Shares of folded and of plain noise: the sum of their squares is 1.
-SLICK: Final = 0.8
-GUST: Final = 0.6
+SLICK: Final = 0.6
+GUST: Final = 0.8
 #: Standard deviation of the logarithm of the mean-square slope by the coarsest octave, and ratio to
 #: that of the next finer one, by eye; an oil slick has half of the slope or less (Cox & Munk 1954).
 #: [1]
 CONTRAST: Final = 0.11
 FALL: Final = 0.85
 #: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
-WARPED: Final = 0.45
+WARPED: Final = 0.25
 #: Square of the facet's slope over the mean-square slope from which on the glint is neglected. [1]
 STEEPEST: Final = 12.0
 

@@ -1,4 +1,4 @@
-"""Valleys and fields between the resolution of maps and that of the texture of land, from above.
+"""Valleys, fields and dunes between the resolution of maps and the texture of land, from above.
 
 Decoration: smooth relief of cells of two texels of the map (15 km on Earth) and, at each half of
 that size, gullies: waves across the slope of all coarser relief, whose crests run down it and meet
@@ -21,6 +21,7 @@ from airlight.geometry.gradient_noise import (
     noise_gradient,
     quintic,
     shuffled,
+    smooth_noise,
 )
 from airlight.geometry.vectors import Vec3, cross, dot, plus, scaled
 from airlight.kernel import kernel
@@ -42,11 +43,16 @@ CUT: Final = 0.3
 CANCELLED: Final = 0.02
 #: Mean of the cube of how low a place is between crests, of 40 000 places. [1]
 NARROW: Final = 0.291
-#: Number of sizes of fields, the largest of a quarter of a texel, ratio of their contrasts, and
-#: least width of their edges, by eye. [1], [cell]
-SIZES: Final = 3
-SMALLER: Final = 0.85
+#: Number of sizes of fields, the largest of half a texel, ratio of their contrasts, least width of
+#: their edges, and displacement of the largest by coarser noise, by eye. [1], [cell]
+SIZES: Final = 4
+SMALLER: Final = 0.95
 EDGE: Final = 0.15
+TURNED: Final = 1.0
+#: Number of sizes of dunes, the widest of a quarter of a texel, length over width, and bend. [1]
+DUNES: Final = 3
+DRAWN: Final = 16.0
+BENT: Final = 0.6
 
 
 class Phasor(NamedTuple):
@@ -225,24 +231,51 @@ def patch_noise(x, y, z, edge):
 
 @kernel
 def farmland(finest, footprint, whole, bend):
-    """Tone of fields of several sizes, and their hue: sums of mean 0. [1]
+    """Tone of fields of several sizes, its variance, and their hue: sums of mean 0. [1]
 
     Parameters
     ----------
     finest, footprint, whole :
         Arguments of ``hills``.
     bend : float
-        Displacement, which turns the lines of the lattice. [cell]
+        Noise of coarser cells, which turns the lines of the lattice. [1]
     """
-    tone, hue, scale, loud = 0.0, 0.0, 0.25 * COARSEST, 1.0
+    tone, variance, hue, scale, loud = 0.0, 0.0, 0.0, 0.5 * COARSEST, 1.0
+    turn = TURNED * bend
     for _size in range(SIZES):
         shown = loud * min(0.6 * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             at = lattice_place(finest, whole, scale)
             edge = min(max(2.0 * footprint / scale, EDGE), 1.0)
-            here = shown * patch_noise(at.x + bend, at.y - bend, at.z + 0.5 * bend, edge)
+            here = shown * patch_noise(at.x + turn, at.y - turn, at.z + 0.5 * turn, edge)
             tone += here
+            even = 1.0 - edge / 3.0
+            variance += shown * shown * even * even * even / 3.0
             hue = here - hue
         loud *= SMALLER
         scale *= 0.5
-    return tone, hue
+        turn = -turn
+    return tone, variance, hue
+
+
+@kernel
+def dunes(finest, footprint, whole, bend):
+    """Tone of dunes that run along the axis of the planet, of mean 0. [1]
+
+    Linear dunes of the Sahara and of Arabia are a kilometre or two apart and tens of them long,
+    and run mostly from north to south.
+
+    Parameters
+    ----------
+    finest, footprint, whole, bend :
+        Arguments of ``farmland``.
+    """
+    tone, scale = 0.0, 0.25 * COARSEST
+    for _size in range(DUNES):
+        shown = min(0.6 * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            at = lattice_place(finest, whole, scale)
+            along = lattice_place(finest, whole, DRAWN * scale)
+            tone += shown * smooth_noise(at.x + BENT * bend, at.y - BENT * bend, along.z)
+        scale *= 0.5
+    return tone

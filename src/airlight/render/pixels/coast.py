@@ -1,12 +1,12 @@
-"""Edges of detailed ground between the texels of the map, coasts, and shallow water."""
+"""Edges of detailed ground between the texels of the map, coasts, shallow water, and rivers."""
 
 from __future__ import annotations
 
-from math import pi
+from math import pi, sqrt
 from typing import Final, NamedTuple
 
 from airlight.image.texels import CHANNELS
-from airlight.kernel import inlined
+from airlight.kernel import inlined, kernel
 from airlight.scene.ground_detail import edged, moved_coast, sharper_share, shoal
 from airlight.scene.ground_place import map_color
 
@@ -17,6 +17,13 @@ SHALLOW: Final = 0.12
 SHALLOW_RED: Final = 0.03
 #: Growth of the width of edges with the share of water beside them. [texel]
 COASTAL: Final = 2.0
+#: Red reflectance over blue from which on land counts as arid, arid land on both sides of a river,
+#: share of it in its valley, and half of the width of the river, 440 m on Earth: by eye. [1],
+#: [texel]
+TAN: Final = 1.2
+ARID: Final = 0.09
+GREENER: Final = 0.9
+RIVER: Final = 0.06
 #: Elements of ``color`` that are filled later: values beside a place, and extremes of them.
 _BESIDE: Final = 12
 _LEAST: Final = _BESIDE + CHANNELS
@@ -32,16 +39,52 @@ class MapSpot(NamedTuple):
         Coordinates at which the map is read. [rad]
     width : float
         Width of the pixel, at most 1. [texel]
+    river : float
+        Share of a river in the pixel. [1]
     """
 
     latitude: float
     longitude: float
     width: float
+    river: float
+
+
+@kernel
+def river_share(here, north, east, south, west, width):
+    """Share of a pixel in the river of a green valley between deserts. [1]
+
+    Decoration: the river runs where the valley is the greenest across it, from whose place the
+    slope over the curvature is the distance.
+
+    Parameters
+    ----------
+    here, north, east, south, west : float
+        Red reflectance less ``TAN`` times the blue one there and a texel away. [1]
+    width : float
+        Width of the pixel. [texel]
+
+    Examples
+    --------
+    >>> river_share(0.05, 0.2, 0.06, 0.2, 0.06, 0.05), river_share(0.1, 0.1, 0.1, 0.1, 0.1, 0.05)
+    (1.0, 0.0)
+    """
+    up, over = north + south - 2.0 * here, east + west - 2.0 * here
+    slope, sides = north - south, min(north, south)
+    if over > up:
+        slope, sides = east - west, min(east, west)
+    bend = max(up, over)
+    if sides < ARID or here > GREENER * sides:
+        return 0.0
+    # across a valley that does not run along a texel's side
+    distance = 0.5 * abs(slope) / bend * sqrt(bend / (bend + max(min(up, over), 0.0)))
+    fed = min((GREENER * sides - here) / (0.2 * sides), 1.0)
+    inside = min(max((RIVER - distance) / width + 0.5, 0.0), min(2.0 * RIVER / width, 1.0))
+    return fed * inside
 
 
 @inlined
 def edged_color(spot, view, color):
-    """Colours with edges between texels, in the first three of ``color``. [1]
+    """Colours with edges between texels, in the first three of ``color``, and share of a river. [1]
 
     They change from that of the least red to that of the reddest texel beside: each channel by
     itself would have edges of other hues. Not at coasts, where the land's colour comes from the
@@ -52,7 +95,8 @@ def edged_color(spot, view, color):
     spot, view, color :
         Arguments of ``detailed_land``.
     """
-    wet = color[WATER]
+    wet, here = color[WATER], color[0] - TAN * color[2]
+    first, second, third, fourth = 0.0, 0.0, 0.0, 0.0
     for c in range(WATER):
         color[_LEAST + c] = color[c]
         color[_MOST + c] = color[c]
@@ -64,6 +108,8 @@ def edged_color(spot, view, color):
             spot.latitude + north, spot.longitude + beside - north, 0.0, color, _BESIDE,
         )  # fmt: skip
         wet = max(wet, color[_BESIDE + WATER])
+        first, second, third = second, third, fourth
+        fourth = color[_BESIDE] - TAN * color[_BESIDE + 2]
         dark, bright = color[_BESIDE] < color[_LEAST], color[_BESIDE] > color[_MOST]
         for c in range(WATER):
             if dark:
@@ -75,6 +121,9 @@ def edged_color(spot, view, color):
     share = (edged(red, color[_LEAST], color[_MOST], width) - red) / span
     for c in range(WATER):
         color[c] = max(color[c] + share * (color[_MOST + c] - color[_LEAST + c]), 0.0)
+    if wet > 0.0:
+        return 0.0
+    return river_share(here, first, second, third, fourth, spot.width)
 
 
 @inlined
@@ -94,6 +143,7 @@ def land_and_water(red, green, blue, share, shore, spot, view, color):
     """
     coast, width = moved_coast(share, shore), spot.width
     wet, shallow = sharper_share(coast, width), (1.0 - width) * shoal(coast)
+    wet = max(wet, spot.river)
     color[0] = red + wet * (view.water.x + SHALLOW_RED * shallow * red - red)
     color[1] = green + wet * (view.water.y + SHALLOW * shallow * green - green)
     color[2] = blue + wet * (view.water.z + SHALLOW * shallow * blue - blue)

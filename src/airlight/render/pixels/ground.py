@@ -170,7 +170,7 @@ def ground_color(ray, sine, angle, observer, frame, color):
     latitude, longitude = latitude_longitude(
         components(end, observer.ground_x, observer.ground_y, observer.ground_z)
     )
-    seen = MapSpot(latitude, longitude, 1.0)
+    seen = MapSpot(latitude, longitude, 1.0, 0.0)
     if view.mapped:
         level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
         if view.detailed:
@@ -179,13 +179,15 @@ def ground_color(ray, sine, angle, observer, frame, color):
             latitude + displacement(width, noise.north, view.map_rows),
             longitude + displacement(width, noise.east, view.map_rows),
             width,
+            0.0,
         )
         map_color(
             view.texels, view.map_rows, view.map_columns, view.map_levels,
             seen.latitude, seen.longitude, level, color, 0,
         )  # fmt: skip
         if width < 1.0 and color[3] < NEARLY_WATER:
-            edged_color(seen, view, color)
+            river = edged_color(seen, view, color)
+            seen = MapSpot(seen.latitude, seen.longitude, width, river)
     mu_s = 0.0
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom

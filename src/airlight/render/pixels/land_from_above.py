@@ -8,8 +8,9 @@ from typing import Final
 from airlight.geometry.vectors import Vec3, cross, dot, plus, scaled
 from airlight.kernel import inlined
 from airlight.render.pixels.relief import height_at
-from airlight.scene.ground_place import latitude_longitude
-from airlight.scene.valleys import farmland, valleys
+from airlight.scene.ground_detail import above_threshold
+from airlight.scene.ground_place import latitude_longitude, map_value
+from airlight.scene.valleys import dunes, farmland, valleys
 
 #: Slope of the map's heights from which on land is rugged; height over cells of the smooth relief
 #: in plains, and its ratio to the slope of rugged land, by eye. [1]
@@ -18,16 +19,36 @@ PLAIN: Final = 0.0025
 MOUNTAIN: Final = 5.3
 #: Contrast of valleys and of fields over that of the grain of the map, by eye. [1]
 VALLEYS: Final = 1.2
-FIELDS: Final = 2.0
+FIELDS: Final = 2.6
+#: What bare land adds to the contrast of valleys: their sediment is bright. [1]
+WADIS: Final = 1.8
 #: Contrast of valleys in plains over that in rugged land. [1]
 SMOOTH: Final = 0.12
-#: Change of the ratio of red to green by fields. [1]
-HUE: Final = 0.2
+#: Changes of the ratio of red to green by fields, alike and unlike their tone: ripe and bare ones
+#: are bright. By eye. [1]
+RIPE: Final = 0.06
+HUE: Final = 0.08
+#: Share of fields that rugged land lacks. [1]
+STEEPER: Final = 0.7
+#: Share of built land over the map's light of cities, its limits, and reciprocal of the width of
+#: its edges, by eye. [1]
+LAMPS: Final = 0.7
+LEAST_TOWN: Final = 0.02
+LARGEST_TOWN: Final = 0.6
+SHARP: Final = 4.0
+#: Contrast of built land over that of the grain of the map, and change of the ratio of red to green
+#: by it on green land. [1]
+BUILT: Final = 3.0
+BUILT_HUE: Final = 0.25
 #: Green reflectances of closed woods, which have few fields, and of fields. [1]
 WOODED: Final = 0.03
 TILLED: Final = 0.06
 #: Least share of fields on land that is not of crops. [1]
 WILD: Final = 0.25
+#: Red reflectances of stones and of sand with dunes, and contrast of these, by eye. [1]
+STONY: Final = 0.32
+SANDY: Final = 0.45
+HEAPED: Final = 1.4
 #: What snow takes from the contrast of valleys. [1]
 SNOWED: Final = 0.6
 
@@ -59,7 +80,7 @@ def map_slope(place, bottom, view):
 
 @inlined
 def land_from_above(place, finest, blur, way, uneven, leaf, snow, frame, color):
-    """Ascent towards the star [1], and changes of reflectance and hue of valleys and fields.
+    """Ascent towards the star [1], and changes of reflectance and hue by valleys, fields and towns.
 
     Parameters
     ----------
@@ -86,8 +107,23 @@ def land_from_above(place, finest, blur, way, uneven, leaf, snow, frame, color):
     steep = PLAIN + MOUNTAIN * length * rough
     found = valleys(finest, blur, view.whole, place, way, slope, steep)
     tone = VALLEYS * (SMOOTH + (1.0 - SMOOTH) * rough) * (1.0 - SNOWED * snow) * found.tone
+    tone *= 1.0 + WADIS * (1.0 - leaf) * max(0.3 + found.height, 0.0)
     tilled = min(max((color[1] - WOODED) / (TILLED - WOODED), WILD), 1.0)
-    tilled *= uneven * (1.0 - rough) * (1.0 - snow)
-    field, hue = farmland(finest, blur, view.whole, found.height)
+    tilled *= uneven * (1.0 - STEEPER * rough) * (1.0 - snow)
+    field, variance, hue = farmland(finest, blur, view.whole, found.height)
     tone += FIELDS * tilled * (WILD + (1.0 - WILD) * leaf) * field
-    return found.ascent, tone, HUE * tilled * leaf * hue
+    hue = tilled * leaf * (HUE * hue + RIPE * field)
+    sandy = min(max((color[0] - STONY) / (SANDY - STONY), 0.0), 1.0)
+    sandy *= (1.0 - rough) * (1.0 - snow) * (1.0 - leaf)
+    if sandy > 0.0:
+        tone += HEAPED * sandy * dunes(finest, blur, view.whole, found.height)
+    latitude, longitude = latitude_longitude(place)
+    town = LAMPS * map_value(
+        view.over_texels, view.over_rows, view.over_columns, 0, latitude, longitude, 0
+    )
+    if town > LEAST_TOWN and variance > 0.0:
+        town = min(town, LARGEST_TOWN)
+        built = above_threshold(town, SHARP, field, variance) - town
+        tone += BUILT * built * (1.0 - snow)
+        hue += BUILT_HUE * leaf * built
+    return found.ascent, tone, hue
