@@ -70,10 +70,10 @@ GREEN: Final = (1.1, 1.5)
 #: Classes of fields, and of fields among other plants, of the IGBP in MODIS' map. (Friedl &
 #: Sulla-Menashe 2015, doi:10.5067/MODIS/MCD12C1.006)
 FIELDS: Final = (12, 14)
-#: Colour of fields for a luminance of 1, linear sRGB: green over red 1.4 and blue over green 0.42,
+#: Colour of fields for a luminance of 1, linear sRGB: green over red 1.5 and blue over green 0.42,
 #: between that canopy and ripe crops and bare soil, which lie among green fields in every season;
 #: and its share in that of land of fields: by eye. [1]
-CROPS = np.array([0.796, 1.1144, 0.468])
+CROPS = np.array([0.751, 1.127, 0.473])
 GROWN: Final = 0.9
 #: Luminances between which fields are bare. [1]
 BARE: Final = (0.13, 0.25)
@@ -93,7 +93,7 @@ STEPS = 31
 #: Samples of the coast per pixel along each axis.
 SAMPLES = 4
 #: Standard deviation of the means that the coast has. [pixel]
-SMOOTHED: Final = 0.5
+SMOOTHED: Final = 0.4
 #: Latitudes beyond which ice covers the sea, and Natural Earth has no ice shelves. [deg]
 ICE = (-60.0, 74.0)
 #: Distance from the coast within which it alone tells water from land. [pixel]
