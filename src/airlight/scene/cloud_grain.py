@@ -14,10 +14,12 @@ from math import exp, floor, sqrt
 from typing import Final, NamedTuple
 
 from airlight.geometry.gradient_noise import (
+    DEVIATION,
     GRADIENT_DEVIATION,
     PERIOD,
     gradient_noise,
     sloping_gradient_noise,
+    smooth_noise,
 )
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
@@ -66,6 +68,12 @@ ROUGHEST: Final = 1.1
 #: of the next one, up to 1. By eye. [1]
 SMALL: Final = 0.2
 GROWING: Final = 1.5
+#: Octaves of veils from eight texels down, length over width, ratio of the contrasts of an octave
+#: and the next coarser one, and displacement by coarser ones, by eye. [1]
+VEILS: Final = 7
+DRAWN: Final = 4.0
+THREADED: Final = 0.75
+BENT: Final = 0.5
 #: Ratio of the heights of tops over that of the contrasts, of an octave and the next coarser one:
 #: light is scattered from slope to slope within some hundred metres. By eye. [1]
 SMOOTH: Final = 0.6
@@ -196,3 +204,29 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, edge, whole_gra
         total -= skewed * deviation * (far * far - 1.0)
         variance *= 1.0 - 2.0 * skewed * skewed
     return CloudGrain(total, variance, edge, ascent)
+
+
+@kernel
+def veil_grain(place, footprint, cell, whole, part):
+    """Noise of veils, which are drawn out along parallels, and its variance. [1]
+
+    Parameters
+    ----------
+    place, footprint, cell, whole, part :
+        Arguments of ``ground_detail``.
+    """
+    beyond_x, beyond_y = part.x + place.x / cell, part.y + place.y / cell
+    beyond_z = part.z + place.z / cell
+    total, variance, scale, share = 0.0, 0.0, float(COARSEST), 1.0
+    for _octave in range(VEILS):
+        shown = share * min(0.5 * cell * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            bent = BENT * total
+            x, _ = turning_place(whole.x, beyond_x, DRAWN * scale)
+            y, _ = turning_place(whole.y, beyond_y, DRAWN * scale)
+            z, _ = turning_place(whole.z, beyond_z, scale)
+            total += shown * smooth_noise(x + bent, y - bent, z + bent) / DEVIATION
+            variance += shown * shown
+        share *= THREADED
+        scale *= 0.5
+    return total, variance

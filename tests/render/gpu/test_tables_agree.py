@@ -522,6 +522,7 @@ WHOLE = {
         "tops_light", "land_from_above", "map_slope", "valleys", "gullies", "lattice_phasor",
         "rotated", "farmland", "patch_noise", "noise_gradient", "land_and_water", "edged",
         "edged_color", "shoal", "above_threshold", "river_share", "dunes",
+        "river", "arid_at", "veil_grain", "veil_cover",
     ),
     "test_clouds.py::test_a_device_solves_for_the_mean_ground": (
         "_spread", "_sky_factor", "_under_clouds", "_under_cloudy_sky", "mean_reflected",

@@ -17,13 +17,17 @@ SHALLOW: Final = 0.12
 SHALLOW_RED: Final = 0.03
 #: Growth of the width of edges with the share of water beside them. [texel]
 COASTAL: Final = 2.0
-#: Red reflectance over blue from which on land counts as arid, arid land on both sides of a river,
-#: share of it in its valley, and half of the width of the river, 440 m on Earth: by eye. [1],
-#: [texel]
+#: Red reflectance over blue from which on land counts as arid; how arid land is on both sides of a
+#: river and around it at most in its valley, and share of that of the sides there; level of the map
+#: of what is around; blue over green of rocks, which are no valleys; and half of the width of the
+#: river, 440 m on Earth: by eye. [1], [2 texels]
 TAN: Final = 1.2
 ARID: Final = 0.09
+GREEN: Final = 0.14
 GREENER: Final = 0.9
-RIVER: Final = 0.06
+AROUND: Final = 3.0
+GREY: Final = 0.62
+RIVER: Final = 0.03
 #: Elements of ``color`` that are filled later: values beside a place, and extremes of them.
 _BESIDE: Final = 12
 _LEAST: Final = _BESIDE + CHANNELS
@@ -59,7 +63,7 @@ def river_share(here, north, east, south, west, width):
     Parameters
     ----------
     here, north, east, south, west : float
-        Red reflectance less ``TAN`` times the blue one there and a texel away. [1]
+        Results of ``arid_at`` there and a texel of its level away. [1]
     width : float
         Width of the pixel. [texel]
 
@@ -84,7 +88,7 @@ def river_share(here, north, east, south, west, width):
 
 @inlined
 def edged_color(spot, view, color):
-    """Colours with edges between texels, in the first three of ``color``, and share of a river. [1]
+    """Colours with edges between texels, in the first three of ``color``. [1]
 
     They change from that of the least red to that of the reddest texel beside: each channel by
     itself would have edges of other hues. Not at coasts, where the land's colour comes from the
@@ -95,8 +99,7 @@ def edged_color(spot, view, color):
     spot, view, color :
         Arguments of ``detailed_land``.
     """
-    wet, here = color[WATER], color[0] - TAN * color[2]
-    first, second, third, fourth = 0.0, 0.0, 0.0, 0.0
+    wet = color[WATER]
     for c in range(WATER):
         color[_LEAST + c] = color[c]
         color[_MOST + c] = color[c]
@@ -108,8 +111,6 @@ def edged_color(spot, view, color):
             spot.latitude + north, spot.longitude + beside - north, 0.0, color, _BESIDE,
         )  # fmt: skip
         wet = max(wet, color[_BESIDE + WATER])
-        first, second, third = second, third, fourth
-        fourth = color[_BESIDE] - TAN * color[_BESIDE + 2]
         dark, bright = color[_BESIDE] < color[_LEAST], color[_BESIDE] > color[_MOST]
         for c in range(WATER):
             if dark:
@@ -121,9 +122,50 @@ def edged_color(spot, view, color):
     share = (edged(red, color[_LEAST], color[_MOST], width) - red) / span
     for c in range(WATER):
         color[c] = max(color[c] + share * (color[_MOST + c] - color[_LEAST + c]), 0.0)
-    if wet > 0.0:
-        return 0.0
-    return river_share(here, first, second, third, fourth, spot.width)
+
+
+@inlined
+def arid_at(latitude, longitude, level, view, color):
+    """Red reflectance of a level of the map less ``TAN`` times the blue one. [1]
+
+    Parameters
+    ----------
+    latitude, longitude : float
+        Coordinates. [rad]
+    level : float
+        Level of the map.
+    view, color :
+        Arguments of ``detailed_land``.
+    """
+    map_color(
+        view.texels, view.map_rows, view.map_columns, view.map_levels,
+        latitude, longitude, level, color, _BESIDE,
+    )  # fmt: skip
+    return color[_BESIDE] - TAN * color[_BESIDE + 2]
+
+
+@inlined
+def river(spot, view, color):
+    """Share of a pixel in a river, whose valley is seen between texels of twice the size. [1]
+
+    Parameters
+    ----------
+    spot, view, color :
+        Arguments of ``detailed_land``.
+    """
+    lat, lon, around, found = spot.latitude, spot.longitude, 0.0, 0.0
+    grey = color[2] > GREY * color[1]
+    if color[WATER] <= 0.0 and not grey and color[0] - TAN * color[2] < GREEN:
+        around = arid_at(lat, lon, AROUND, view, color)
+    if around > ARID:
+        step = 2.0 * pi / view.map_rows
+        here = arid_at(lat, lon, 1.0, view, color)
+        north = arid_at(lat + step, lon, 1.0, view, color)
+        east = arid_at(lat, lon + step, 1.0, view, color)
+        south = arid_at(lat - step, lon, 1.0, view, color)
+        west = arid_at(lat, lon - step, 1.0, view, color)
+        found = river_share(here, north, east, south, west, 0.5 * spot.width)
+    return found
 
 
 @inlined

@@ -21,7 +21,7 @@ from airlight.physics.optics.cox_munk import mean_square_slope, mirror_slope
 from airlight.physics.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.physics.optics.rpv import land_diffuse, land_direct, unsaturated
 from airlight.physics.optics.water import water_reflectances
-from airlight.render.pixels.coast import MapSpot, edged_color
+from airlight.render.pixels.coast import MapSpot, edged_color, river
 from airlight.render.pixels.ground_angles import ground_angles, ground_cosine
 from airlight.render.pixels.ground_clouds import (
     CLOUD_VALUES,
@@ -186,8 +186,9 @@ def ground_color(ray, sine, angle, observer, frame, color):
             seen.latitude, seen.longitude, level, color, 0,
         )  # fmt: skip
         if width < 1.0 and color[3] < NEARLY_WATER:
-            river = edged_color(seen, view, color)
-            seen = MapSpot(seen.latitude, seen.longitude, width, river)
+            flowing = river(seen, view, color)
+            edged_color(seen, view, color)
+            seen = MapSpot(seen.latitude, seen.longitude, width, flowing)
     mu_s = 0.0
     if view.detailed:
         mu_s = (end.x * observer.sun_x + end.z * observer.sun_z) / tables.bottom

@@ -23,8 +23,8 @@ from airlight.physics.optics.reflection import brdf_diffuse
 from airlight.physics.optics.water import brdf_diffuse as water_diffuse
 from airlight.render.pixels.relief import LOWEST
 from airlight.render.pixels.star_azimuth import star_azimuth
-from airlight.scene.cloud_grain import EDGE, STEP_OF_COVER, cloud_grain
-from airlight.scene.ground_detail import grained_cover, pixel_width
+from airlight.scene.cloud_grain import EDGE, STEP_OF_COVER, cloud_grain, veil_grain
+from airlight.scene.ground_detail import above_threshold, grained_cover, pixel_width
 from airlight.scene.ground_place import latitude_longitude, map_channel, map_value
 from airlight.scene.land_texture import texture_footprint
 
@@ -45,6 +45,12 @@ LEVELLED: Final = 0.5
 #: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
 #: eye. [1]
 SHADING: Final = 0.5
+#: Share of veils in the cover of clouds, least one that has texture, reciprocal of the width of
+#: their edges, and level of the map around which they lie, by eye. [1]
+VEILED: Final = 0.15
+LEAST_VEIL: Final = 0.002
+VEIL_EDGE: Final = 0.65
+AROUND: Final = 3.0
 #: Cover through which no shadow is seen, and finest texture of shadows over that of clouds. [1]
 HIDDEN: Final = 0.9
 SOFTER: Final = 2.0
@@ -98,14 +104,40 @@ def cover_near(latitude, longitude, level, view):
 
 
 @inlined
+def veil_cover(latitude, longitude, place, blur, thin, view):
+    """Cover of veils around clouds, whose mean is a share of that of the map. [1]
+
+    Parameters
+    ----------
+    latitude, longitude : float
+        Geocentric coordinates. [rad]
+    place, blur : Vec3, float
+        Place and footprint, as of ``cloud_grain``. [m]
+    thin : float
+        Share of veils in the cover. [1]
+    view : ViewUniforms
+        Camera with its maps.
+    """
+    around = map_channel(
+        view.over_texels, view.over_rows, view.over_columns, view.over_levels,
+        latitude, longitude, AROUND, CHANNELS - 1,
+    )  # fmt: skip
+    veil = thin * around
+    if veil > LEAST_VEIL:
+        noise, variance = veil_grain(place, blur, view.detail_cell, view.whole, view.part)
+        veil = above_threshold(veil, VEIL_EDGE, noise, variance)
+    return veil
+
+
+@inlined
 def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer, frame, color):
     """Clouds on a line of sight and on the path from its end to the star.
 
     Of detailed ground, the texture of the clouds casts shadows, and their tops are shaded by the
     slope of the texture and of the map towards the star. A mean over many places of cover, beam or
     light of the tops is that without texture; the light below clouds grows where they hide their
-    own shadows. Refraction between ground and layer is neglected, and clouds cast no shadows on
-    one another.
+    own shadows. Thin veils lie around them, without shadows. Refraction between ground and layer is
+    neglected, and clouds cast no shadows on one another.
 
     Parameters
     ----------
@@ -148,6 +180,8 @@ def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer,
             level,
             CHANNELS - 1,
         )
+        thin = VEILED * (1.0 - width) if towards == 0 else 0.0
+        cover *= (1.0 - thin) / (1.0 - thin * cover)
         color[9 + towards] = cover
         wanted = view.detailed and cover > STEP_OF_COVER
         if towards == 1:
@@ -178,6 +212,12 @@ def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer,
                     color[BEAM] = grained / cover
             if towards == 0:
                 color[TOPS] = tops_light(mu_s, ascent)
+        if thin > 0.0:
+            place = components(way, observer.ground_x, observer.ground_y, observer.ground_z)
+            veil = veil_cover(latitude, longitude, plus(spot, place), blur, thin, view)
+            total = veil + (1.0 - veil) * color[9]
+            color[TOPS] = 1.0 + (color[TOPS] - 1.0) * color[9] / max(total, 1e-6)
+            color[9] = total
         blur *= SOFTER
     if observer.r <= view.cloud_radius:
         color[9] = 0.0
