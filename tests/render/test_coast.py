@@ -82,11 +82,12 @@ def test_a_river_runs_in_the_middle_of_a_green_valley_between_deserts(turn: floa
     # A parabola across a straight valley, whose least value is known.
     def arid(east: float, north: float) -> float:
         across = np.cos(turn) * east + np.sin(turn) * north
-        return 0.05 + 0.15 * across * across
+        return float(0.05 + 0.15 * across * across)
 
     def share(east: float, north: float, width: float) -> float:
         steps = ((0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0))
-        return river_share(*(arid(east + x, north + y) for x, y in steps), width)
+        found: float = river_share(*(arid(east + x, north + y) for x, y in steps), width)
+        return found
 
     width, places = 0.01, np.linspace(-0.3, 0.3, 601)
     shares = [share(np.cos(turn) * at, np.sin(turn) * at, width) for at in places]

@@ -43,7 +43,10 @@ WAY = Vec3(0.48, -0.6, 0.64)
 
 def grain_at(place: np.ndarray, footprint: float, cover: float = 0.5) -> CloudGrain:
     """Texture at a place. [m]"""
-    return cloud_grain(Vec3(*place), footprint, cover, CELL, WHOLE, PART, WAY, EDGE, True)
+    grain: CloudGrain = cloud_grain(
+        Vec3(*place), footprint, cover, CELL, WHOLE, PART, WAY, EDGE, True
+    )
+    return grain
 
 
 @pytest.mark.parametrize("footprint", [10.0, 300.0, 1500.0, 3000.0])
@@ -166,14 +169,15 @@ def test_veils_are_drawn_out_along_parallels_and_have_the_cover_that_is_asked_fo
     places = np.random.default_rng(8).uniform(-300.0, 300.0, (4000, 3)) * TEXEL
 
     def veil(place: np.ndarray) -> tuple[float, float]:
-        return veil_grain(Vec3(*place), 300.0, CELL, WHOLE, PART)
+        found: tuple[float, float] = veil_grain(Vec3(*place), 300.0, CELL, WHOLE, PART)
+        return found
 
-    found = np.array([veil(place) for place in places])
-    noise, variance = found.T
+    veils = np.array([veil(place) for place in places])
+    noise, variance = veils.T
     assert noise.mean() == pytest.approx(0.0, abs=0.1)
     assert noise.var() == pytest.approx(variance[0], rel=0.1)
     for cover in (0.02, 0.1, 0.3):
-        covers = [above_threshold(cover, 1.0, *one) for one in found]
+        covers = [above_threshold(cover, 1.0, *one) for one in veils]
         assert np.mean(covers) == pytest.approx(cover, abs=0.025)
     east, north = (
         np.std([veil(place + 0.1 * TEXEL * way)[0] for place in places[:500]] - noise[:500])
