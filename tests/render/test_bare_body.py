@@ -7,7 +7,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import vectorized
-from airlight.render.pixels.bare_body import crater_light, sphere_distance
+from airlight.render.pixels.bare_body import sphere_distance
+from airlight.render.pixels.bare_ground import crater_light
 
 
 def test_a_line_meets_a_sphere_where_a_point_of_it_has_unit_distance() -> None:
@@ -38,7 +39,7 @@ def test_only_near_ground_has_craters_of_mean_light() -> None:
         return np.array(
             [
                 crater_light(
-                    Vec3(*one), Vec3(*-one), Vec3(*light), width, 0.1, 0.079, 1.7374e6, 1024.0
+                    Vec3(*one), Vec3(*-one), Vec3(*light), 1.0, width, 0.1, 0.079, 1.7374e6, 1024.0
                 )
                 for one, light in zip(places, lights, strict=True)
             ]

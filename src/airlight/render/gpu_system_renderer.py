@@ -167,7 +167,7 @@ class GpuSystemRenderer:
             rgb[rows] = self._strip(lights, camera, window, count, orders)
             if progress is not None:
                 progress(rows.stop, camera.rows, "rendering")
-        past = self._past(lights)
+        past = self._past(lights, camera)
         if system.stars:
             star = lights.source(lights.stars[0], system.eye)
             add_sky(rgb, camera, system.camera_axes, past, star, self._weights)
@@ -326,7 +326,7 @@ class GpuSystemRenderer:
             scenes, size, orders=orders, disc=False, window=part
         )
 
-    def _past(self, lights: SceneLights) -> SeenPast:
+    def _past(self, lights: SceneLights, camera: Camera) -> SeenPast:
         system = lights.system
         items = [
             AirAround(
@@ -339,7 +339,7 @@ class GpuSystemRenderer:
             else body
             for body in sorted(system.bodies, key=system.power)
         ]
-        return SeenPast(system, items, lights.wavelengths)
+        return SeenPast(system, items, lights.wavelengths, camera.pixel_angle)
 
     def _sky_layer(self, lights: SceneLights, camera: Camera) -> PictureLayer:
         """Catalogue and Milky Way, which the CPU renders anew when the view changes."""
@@ -348,7 +348,8 @@ class GpuSystemRenderer:
         if self._sky[0] != key:
             rgb = np.zeros((camera.rows, camera.columns, 3), np.float32)
             star = lights.source(lights.stars[0], system.eye)
-            add_sky(rgb, camera, system.camera_axes, self._past(lights), star, self._weights)
+            past = self._past(lights, camera)
+            add_sky(rgb, camera, system.camera_axes, past, star, self._weights)
             self._sky = key, self._background.uploaded(rgb)
         texture = self._sky[1]
         return PictureLayer(

@@ -30,7 +30,7 @@ from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.bare_bodies import body_map, crater_density, map_mean
 from airlight.render.clouds.cloud_time import CloudTime
 from airlight.render.corona import OUTERMOST, corona
-from airlight.render.pixels.bare_body import crater_lights, map_colors
+from airlight.render.pixels.bare_ground import crater_lights, map_colors
 from airlight.render.planet_renderer import AtmosphereLayer, atmosphere_layer
 from airlight.render.render_scene import CPU, color_wavelengths
 from airlight.render.scene_lights import SceneLights
@@ -38,6 +38,7 @@ from airlight.render.seen_past import SeenPast
 from airlight.render.solve_planet import solve_planets
 from airlight.render.star_points import add_sky
 from airlight.scene import Camera, Scene
+from airlight.scene.craters import REGIONAL
 from airlight.scene.directions import camera_angles, level_axes, zenith_azimuth
 from airlight.scene.frame import Frame
 from airlight.scene.ground_detail import NOMINAL_ROWS
@@ -228,7 +229,7 @@ class _BodyTracer:
     ) -> None:
         self.lights, self.camera, self.items, self.samples = lights, camera, items, samples
         self.system, self.wavelengths = lights.system, lights.wavelengths
-        self.past = SeenPast(self.system, items, self.wavelengths)
+        self.past = SeenPast(self.system, items, self.wavelengths, camera.pixel_angle)
         self.eye, self.axes = self.system.eye, self.system.camera_axes
         #: Transmittance of the camera's filter for unpolarised light, of surfaces and stars. [1]
         self.received = 1.0 if camera.polariser is None else 0.5
@@ -320,8 +321,10 @@ class _BodyTracer:
                     continue
                 angle = _angle_between(rays, offset / distance) - math.asin(radius / distance)
                 if isinstance(item, Body):
-                    inside |= shown & (angle < margin + bend)
-                    edge |= shown & (np.abs(angle) < margin + bend * (k > 0))
+                    raised = self.past.raised_limb(item)
+                    inside |= shown & (angle < margin + bend + raised)
+                    if raised == 0.0:  # relief knows how much of a pixel it covers
+                        edge |= shown & (np.abs(angle) < margin + bend * (k > 0))
                 elif k > 0:
                     inside |= shown & (angle < margin + bend)
         for light in self.lights.stars:
@@ -353,16 +356,15 @@ class _BodyTracer:
 
     def _hit(self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
         """Add the reflected radiance of an airless body; rays end there."""
-        met, length = self.past.meets(body, rays)
+        met, length, cover, leaving = self.past.meets(body, rays)
         open_ = through[met].max(axis=1) > 0.0
-        met, length = met[open_], length[open_]
+        met, length, cover, leaving = met[open_], length[open_], cover[open_], leaving[open_]
         if met.size == 0:
             return
         radius = self.system.radius(body)
         normal = (self.eye + length[:, None] * rays[met] - body.centre) / radius
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
         points = body.centre + radius * normal
-        leaving = -np.einsum("nk,nk->n", normal, rays[met])
         texture, green, rows = self._texture(body, normal, length, leaving)
         density, axes = crater_density(body), self.system.axes(body).T
         width = self.camera.pixel_angle * length / radius
@@ -374,15 +376,15 @@ class _BodyTracer:
             factor = body.surface_factor(normal, towards, -rays[met], size)
             if density > 0.0:
                 own = (np.ascontiguousarray(one @ axes) for one in (normal, rays[met], towards))
-                crater_lights(*own, width, green, density, radius, float(rows), factor)
+                crater_lights(*own, leaving, width, green, density, radius, float(rows), factor)
             lit = np.flatnonzero(factor > 0.0)
             if lit.size == 0:
                 continue
-            light_here = through[met[lit]] * albedo * factor[lit, None]
+            light_here = through[met[lit]] * albedo * (cover * factor)[lit, None]
             if light.star is not None:
                 light_here = light_here * self.lights.unshadowed(light, points[lit], body)
             out[met[lit]] += (light_here @ source.colors()) * texture[lit]
-        through[met] = 0.0
+        through[met] *= 1.0 - cover[:, None]
 
     def _texture(
         self, body: Body, normal: FloatArray, length: FloatArray, leaving: FloatArray
@@ -398,9 +400,10 @@ class _BodyTracer:
         places = np.ascontiguousarray(normal @ self.system.axes(body).T)
         size = picture.rows, picture.columns, len(picture.levels)
         map_colors(picture.flat, *size, places, level, colors)
-        green = np.ascontiguousarray(colors[:, 1])
+        coarse = np.empty_like(colors)
+        map_colors(picture.flat, *size, places, np.maximum(level, REGIONAL), coarse)
         mean = map_mean(picture, body, self.wavelengths)
-        return np.asarray(colors[:, :3] / mean), green, picture.rows
+        return np.asarray(colors[:, :3] / mean), coarse[:, 1].copy(), picture.rows
 
     def _disc(self, light: Light, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
         """Add the limb-darkened disc and the corona of a star."""

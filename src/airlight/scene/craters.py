@@ -5,23 +5,21 @@ c D^-2; the c of the lunar maria is 0.079 (Trask 1966, JPL Tech. Rep. 32-800, 25
 10^6 km², D in metres). Beyond a diameter it falls as D^-3, near the production of new ones
 (Neukum, Ivanov & Hartmann 2001, Space Sci. Rev. 96, 55): on the maria some 300 m, in the highlands
 tens of kilometres (Hartmann 1984, Icarus 60, 56). Each cell of a lattice has at most one crater, of
-the diameters between those of the next finer and its own lattice; cells are on the face of a cube,
-distances on the ground. Slopes are those of a bowl with the depth and rim of a fresh crater (Pike
-1977, in Impact and Explosion Cratering, 489), which ages to a shallow one without rim, as by
-diffusion (Fassett & Thomson 2014, JGR Planets 119, 2255); old ones are the most. Wide ones have
-level floors, terraces and central peaks, and are shallower (Pike 1980, Icarus 43, 1). Fresh bowls
-are in the shadow of their rims, and near rims hide what is behind them. Soil of fresh ones is
-brighter, in rays. Seen from above, mean sunlight and mean reflectance remain.
+the diameters between those of the next finer and its own lattice; cells are on the face of a
+cube, distances on the ground. Old ones, which are shallow, are the most: half of those of the Moon
+narrower than 250 m have less than 0.6 of the depth of fresh ones (Stopar et al. 2017, Icarus 298,
+34). Seen from above, mean sunlight and mean reflectance remain.
 """
 
 from __future__ import annotations
 
-from math import floor, log2, pi, sin, sqrt
+from math import floor, pi, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import in_period, plane_noise, shuffled
+from airlight.geometry.gradient_noise import in_period, shuffled
 from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import kernel
+from airlight.scene.crater_shapes import BRIGHT, EJECTA, RAYED, REACH, crater_tone, pit_light
 from airlight.scene.ground_detail import along_lattice
 
 #: Number of lattices, and cells of the coarsest over the finest of ``ground_detail``: with the
@@ -36,41 +34,34 @@ MARE: Final = 300.0
 HIGHLAND: Final = 2e4
 DARK: Final = 0.065
 LIGHT: Final = 0.095
-#: Depth below the rim's foot and height of the rim of a fresh crater over its diameter. [1]
-DEPTH: Final = 0.16
-RIM: Final = 0.036
-#: Radius at which the rim's slope ends, over the crater's. [1]
-EJECTA: Final = 1.6
-#: Diameters between which craters get level floors [m], and radius of the floor, over the crater's,
-#: of those wider; radius and steepest slope of their peaks, and contrast of three terraces, by eye.
-SIMPLE: Final = 10e3
-COMPLEX: Final = 22e3
-FLOOR: Final = 0.5
-PEAK: Final = 0.18
-STEEP: Final = 0.5
-TERRACED: Final = 0.5
+#: Level of a map by which highlands are told from maria: shadows of craters are not broken. [1]
+REGIONAL: Final = 3.0
 #: Largest tangent of the star's zenith angle: rims shade one another below. [1]
 LOWEST: Final = 6.0
 #: Share of craters that are shallower, as if flooded. [1]
 FLOODED: Final = 0.25
+#: Largest share of the radius by which a rim is out of round, by eye. [1]
+UNROUND: Final = 0.12
+#: Mean change of the reflectance by a crater over its cell, with the mean of the fourth power of
+#: the freshness. [1]
+MEAN: Final = BRIGHT * pi * REACH**2 / 3.0 / 9.0 * (1.0 - 0.8 * FLOODED)
 #: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
 #: as ellipses. [1]
 FLATTENED: Final = 0.3
 #: Least cosine of the zenith angle of a line of sight that meets bowls as deep as they are. [1]
 FLATTEST: Final = 0.05
-#: Largest share of the radius by which a rim is out of round, by eye. [1]
-UNROUND: Final = 0.12
-#: Radius at which bright soil ends [cell], change of the reflectance in the middle of a fresh
-#: crater, whose soil is immature, contrast of its rays, their width over the distance [1], and
-#: diameter below which all of it fades [m], by eye; mean change over cells with a crater, with that
-#: of the cube of the freshness [1].
-REACH: Final = 0.48
-WIDER: Final = EJECTA * (1.0 + 1.4143 * UNROUND)
-BRIGHT: Final = 0.6
-RAYS: Final = 0.8
-RAY: Final = 2.5
-RAYED: Final = 100.0
-MEAN: Final = BRIGHT * pi * REACH**2 / 3.0 / 10.0 * (1.0 - 0.75 * FLOODED)
+#: Of craters that wind fills: power of the diameter, below that at which craters are in
+#: equilibrium, by which they are fewer: on Mars some 400 000 are wider than 1 km, 2 000 than 50 km
+#: (Robbins & Hynek 2012, JGR 117, E05004). [1]
+ERODED: Final = 0.8
+#: Largest change of the reflectance of their floors, where wind leaves dark sand or bright dust,
+#: and width of its edge over the radius, by eye. [1]
+SANDY: Final = 0.2
+SHORE: Final = 0.35
+#: Width of the narrowest craters that are shown. [pixel]
+NARROWEST: Final = 2.2
+#: Share of cells below which a lattice is left out. [1]
+RARE: Final = 2e-3
 
 
 class Crater(NamedTuple):
@@ -78,18 +69,14 @@ class Crater(NamedTuple):
 
     Attributes
     ----------
-    x, y : float
-        Centre, from the corner of the cell. [cell]
     radius : float
-        Radius; 0 without a crater. [cell]
+        Radius. [cell]
     fresh : float
         Freshness, from 0 to 1, of which small values are the most. [1]
     along, across : float
         Numbers that ``shuffled`` makes its second harmonics.
     """
 
-    x: float
-    y: float
     radius: float
     fresh: float
     along: float
@@ -112,148 +99,26 @@ class Cratered(NamedTuple):
 
 
 @kernel
-def crater_of(i, j, lattice, share):
-    """``Crater`` of a cell.
+def crater_of(column, number, first, second, share):
+    """``Crater`` of a cell that has one.
 
     Parameters
     ----------
-    i, j : float
-        Cell, modulo the period of noise.
-    lattice : int
-        Number of the lattice, below ``LATTICES``.
+    column, number : float
+        Numbers that ``shuffled`` makes of the column and of the cell; the cell has a crater if the
+        second is below 289 times ``share``.
+    first, second : float
+        Numbers of its centre, 0 to 288. [cell/289]
     share : float
         Share of cells with a crater. [1]
     """
-    column = shuffled(i + 20.0 * lattice)
-    number = shuffled(column + j)
-    first = shuffled(number + column)
-    second = shuffled(first + j)
-    third = shuffled(second + number)
-    radius = 0.0
-    if number < 289.0 * share:
-        # the inverse of D^-2 between both diameters
-        radius = 0.5 * WIDEST / sqrt(1.0 + 3.0 * shuffled(third + i) / 288.0)
+    third = shuffled(second + column)
+    # the inverse of D^-2 between both diameters
+    radius = 0.5 * WIDEST / sqrt(1.0 + 3.0 * shuffled(third + number) / 288.0)
     even = third / 288.0
-    fresh = even * even * even
     # where the share varies, no crater ends suddenly
-    fresh *= min(max(289.0 * share - number, 0.0) / (FLOODED * 289.0 * share), 1.0)
-    return Crater(first / 289.0, second / 289.0, radius, fresh, third + column, third + second)
-
-
-@kernel
-def level_floor(diameter):
-    """Radius of the level floor of a crater over its radius. [1]
-
-    Parameters
-    ----------
-    diameter : float
-        Diameter. [m]
-
-    Examples
-    --------
-    >>> level_floor(5e3), level_floor(22e3)
-    (0.0, 0.5)
-    """
-    if diameter <= SIMPLE:
-        return 0.0
-    return FLOOR * min(log2(diameter / SIMPLE) / log2(COMPLEX / SIMPLE), 1.0)
-
-
-@kernel
-def crater_slope(distance, fresh, level):
-    """Slope of a crater away from its centre. [1]
-
-    Of a fresh one a parabola from the floor to the rim, and ejecta; of an old one, with the depth z
-    and the ratio t of the distance to ``EJECTA``, that of -z (1 - t²)³.
-
-    Parameters
-    ----------
-    distance : float
-        Distance from the centre over the radius. [1]
-    fresh : float
-        Freshness; the depth of an old crater is in proportion to it. [1]
-    level : float
-        Result of ``level_floor``. [1]
-
-    Examples
-    --------
-    >>> crater_slope(0.0, 1.0, 0.0), round(crater_slope(0.5, 1.0, 0.0), 3)
-    (0.0, 0.392)
-    >>> crater_slope(0.4, 1.0, 0.5), abs(crater_slope(2.0, 1.0, 0.0))
-    (0.0, 0.0)
-    """
-    left = max(1.0 - distance * distance / (EJECTA * EJECTA), 0.0)
-    worn = (1.0 - level) * 12.0 * DEPTH / (EJECTA * EJECTA) * distance * left * left
-    wall = max(distance - level, 0.0) / (1.0 - level)
-    sharp = 4.0 * (DEPTH + RIM) * wall
-    if distance > 1.0:
-        left = max((EJECTA - distance) / (EJECTA - 1.0), 0.0)
-        sharp = -6.0 * RIM * left / (distance * distance * distance * distance)
-    elif level > 0.0:
-        sharp *= 1.0 + TERRACED * level / FLOOR * sin(6.0 * pi * wall)
-        if distance < PEAK:
-            sharp -= STEEP * level / FLOOR * sin(pi / PEAK * distance)
-    return fresh * (fresh * sharp + (1.0 - fresh) * worn)
-
-
-@kernel
-def shadowed(towards, square, fresh, level, tangent, blur):
-    """Share of a place within the rim of a crater to which the rim casts its shadow. [1]
-
-    The line towards the star leaves the circle of the rim after s = √(b² + 1 - r²) - b; the
-    place lies in shadow if it is lower than s over the tangent of the star's zenith angle.
-
-    Parameters
-    ----------
-    towards, square : float
-        Component b of the place towards the star, times ``tangent``, and the square of its distance
-        r from the centre, over the radius and its square. [1]
-    fresh, level, tangent : float
-        Freshness, ``level_floor``, and tangent of the star's zenith angle. [1]
-    blur : float
-        Width of the pixel over the radius. [1]
-
-    Examples
-    --------
-    >>> shadowed(2.5, 0.25, 1.0, 0.0, 5.0, 0.01), shadowed(-0.5, 0.25, 1.0, 0.0, 1.0, 0.01)
-    (1.0, 0.0)
-    """
-    # no wall is steeper than the line
-    if square >= 1.0 or 4.0 * (DEPTH + RIM) * fresh * fresh * tangent <= 1.0:
-        return 0.0
-    wall = max(sqrt(square) - level, 0.0) / (1.0 - level)
-    deep = 2.0 * (DEPTH + RIM) * (1.0 - level) * (1.0 - wall * wall) * fresh * fresh
-    along = towards / tangent
-    lower = tangent * deep - sqrt(along * along + 1.0 - square) + along
-    return min(max(lower / (4.0 * blur + 0.02), 0.0), 1.0)
-
-
-@kernel
-def sunk(along, flat, square, fresh):
-    """Depth over the radius at which a line of sight meets a bowl. [1]
-
-    With the tangent f of the line's zenith angle, k h² f² + (2 k b + 1) h = k (1 - r²) for a depth
-    k (1 - r²). Of an old one k has half of its depth, which lies outside.
-
-    Parameters
-    ----------
-    along, flat : float
-        Component b away from the observer of the place at which the line passes the rim's level,
-        times f, over the radius; and f². [1]
-    square : float
-        Square of the distance r of that place from the centre, over that of the radius. [1]
-    fresh : float
-        Freshness. [1]
-
-    Examples
-    --------
-    >>> round(sunk(0.0, 0.0, 0.0, 1.0), 3), round(sunk(0.0, 25.0, 0.0, 1.0), 3)
-    (0.392, 0.155)
-    """
-    deep = fresh * (DEPTH + (DEPTH + 2.0 * RIM) * fresh)
-    middle = 1.0 + 2.0 * deep * along
-    root = sqrt(middle * middle + 4.0 * deep * deep * flat * (1.0 - square))
-    return 2.0 * deep * (1.0 - square) / max(middle + root, 1e-6)
+    fresh = even * even * min((289.0 * share - number) / (FLOODED * 289.0 * share), 1.0)
+    return Crater(radius, fresh, third + first, third + second)
 
 
 @kernel
@@ -269,7 +134,29 @@ def highland(green):
 
 
 @kernel
-def craters(place, whole, up, way, footprint, cell, density, high, ray):
+def crater_share(diameter, density, high, weathered):
+    """Craters of a lattice per cell, on level ground. [1]
+
+    Parameters
+    ----------
+    diameter : float
+        That of its narrowest craters. [m]
+    density, high, weathered :
+        Arguments of ``craters``.
+
+    Examples
+    --------
+    >>> [round(crater_share(diameter, 0.1, 0.0, False), 3) for diameter in (100.0, 600.0)]
+    [0.833, 0.417]
+    """
+    several = density * 3.0 / (WIDEST * WIDEST)
+    if weathered:
+        return several * min((diameter / HIGHLAND) ** ERODED, 1.0)
+    return several * min(MARE * (HIGHLAND / MARE) ** high / diameter, 1.0)
+
+
+@kernel
+def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
     """``Cratered`` of a place.
 
     Parameters
@@ -279,8 +166,8 @@ def craters(place, whole, up, way, footprint, cell, density, high, ray):
     up, way : Vec3
         Vertical, and horizontal direction towards the star, times the tangent of its zenith angle,
         at most ``LOWEST``; ``faced``. [1]
-    footprint : float
-        Width of the pixel: craters narrower than three of it are left out. [finest cell]
+    width : float
+        Width of the pixel across the line of sight. [finest cell]
     cell : float
         Size of the finest cells. [m]
     density : float
@@ -290,64 +177,65 @@ def craters(place, whole, up, way, footprint, cell, density, high, ray):
     ray : Vec3
         Horizontal direction away from the observer, times the tangent of the zenith angle of the
         line of sight, ``faced``. [1]
+    weathered : bool
+        Whether wind fills craters, which have level floors and no rays.
     """
     light, tone, scale = 1.0, 0.0, COARSEST
     narrowest = 0.5 * WIDEST
-    several = density * 3.0 / (WIDEST * WIDEST) / max(abs(up.z), 0.5)
     tangent, flat = sqrt(dot(way, way)), dot(ray, ray)
-    turn = MARE * (HIGHLAND / MARE) ** high
+    longer = width * sqrt(1.0 + flat)
+    footprint = max(sqrt(width * longer), FLATTENED * longer)
     tilt_x, tilt_y = up.x / up.z, up.y / up.z
     for lattice in range(LATTICES):
-        shown = min(narrowest * scale / (3.0 * footprint) - 1.0, 1.0)
+        shown = min(narrowest * scale / (NARROWEST * footprint) - 1.0, 1.0)
+        share = 0.0
         if shown > 0.0:
-            share = min(several * min(turn / (narrowest * scale * cell), 1.0), 1.0)
-            young = shown * min(narrowest * scale * cell / RAYED, 1.0)
+            share = crater_share(narrowest * scale * cell, density, high, weathered)
+            share /= max(abs(up.z), 0.5)
+        if share > RARE:
+            young = 0.0
+            if not weathered:
+                young = shown * min(narrowest * scale * cell / RAYED, 1.0)
             tone -= young * share * MEAN
             x = along_lattice(whole.x, place.x, 1.0 / scale)
             y = along_lattice(whole.y, place.y, 1.0 / scale)
             corner_x, corner_y = floor(x - 0.5), floor(y - 0.5)
+            x -= corner_x
+            y -= corner_y
             for neighbour in range(4):
-                i = corner_x + (neighbour - 2 * (neighbour // 2))
-                j = corner_y + (neighbour // 2)
-                one = crater_of(in_period(i), in_period(j), lattice, share)
-                at_x, at_y = x - i - one.x, y - j - one.y
-                away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
-                square = dot(away, away)
-                bright = young * BRIGHT * one.fresh * one.fresh * one.fresh
-                reach = REACH if bright > 0.05 else min(WIDER * one.radius, REACH)
-                if one.radius > 0.0 and square < reach * reach and square > 1e-12:
-                    if square < one.radius * one.radius and flat > 0.0:
-                        inverse = 1.0 / one.radius
-                        edge = (one.radius - sqrt(square)) * scale / footprint
-                        met = sunk(
-                            dot(away, ray) * inverse, flat, square * inverse * inverse, one.fresh
-                        )
-                        met *= one.radius * min(edge, 1.0)
-                        at_x, at_y = at_x + met * ray.x, at_y + met * ray.y
+                i = neighbour - 2.0 * (neighbour // 2)
+                j = 1.0 * (neighbour // 2)
+                column = shuffled(in_period(corner_x + i) + 20.0 * lattice)
+                number = shuffled(column + in_period(corner_y + j))
+                if number < 289.0 * share:
+                    first = shuffled(number + column)
+                    at_x = x - i - first / 289.0
+                    if abs(at_x) < REACH:
+                        second = shuffled(first + number)
+                        at_y = y - j - second / 289.0
                         away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
-                        square = max(dot(away, away), 1e-12)
-                    distance = sqrt(square)
-                    bulge = (shuffled(one.along) / 144.0 - 1.0) * (at_x * at_x - at_y * at_y)
-                    bulge += (shuffled(one.across) / 72.0 - 2.0) * at_x * at_y
-                    radius = (1.0 + UNROUND * bulge / square) * one.radius
-                    within = distance / radius
-                    if within < EJECTA:
-                        blur = footprint / (scale * one.radius)
-                        level = level_floor(2.0 * one.radius * scale * cell)
-                        steep = 0.5 * crater_slope(max(within - 0.5 * blur, 0.0), one.fresh, level)
-                        steep += 0.5 * crater_slope(within + 0.5 * blur, one.fresh, level)
-                        towards = dot(away, way)
-                        dark = shadowed(
-                            towards / radius, within * within, one.fresh, level, tangent, blur
-                        )
-                        facing = max(1.0 - steep * towards / distance, 0.0)
-                        light *= 1.0 + shown * (facing * (1.0 - dark) - 1.0)
-                    thin = 1.0 - square / (REACH * REACH)
-                    if bright > 0.05 and thin > 0.0:
-                        streak, _growth_x, _growth_y = plane_noise(
-                            99.0 * one.x + RAY * at_x / distance,
-                            99.0 * one.y + RAY * at_y / distance,
-                        )
-                        tone += bright * thin * thin * (1.0 + RAYS * streak * min(within, 1.0))
+                        square = dot(away, away)
+                        if square < REACH * REACH and square > 1e-12:
+                            one = crater_of(column, number, first, second, share)
+                            distance = sqrt(square)
+                            bulge = shuffled(one.along) / 144.0 - 1.0
+                            bulge *= at_x * at_x - at_y * at_y
+                            aslant = shuffled(one.across) / 144.0 - 1.0
+                            bulge += 2.0 * aslant * at_x * at_y
+                            radius = (1.0 + UNROUND * bulge / square) * one.radius
+                            within = distance / radius
+                            if within < EJECTA:
+                                seen = pit_light(
+                                    away, distance, radius, one.fresh, way, tangent, ray, flat,
+                                    width / scale, scale * cell, weathered,
+                                )  # fmt: skip
+                                light *= 1.0 + shown * (seen - 1.0)
+                            bright = one.fresh * one.fresh
+                            bright *= young * BRIGHT * bright
+                            if weathered and within < 1.0:
+                                edge = min((1.0 - within) / SHORE, 1.0)
+                                tone += shown * SANDY * aslant * edge
+                            if bright > 0.03:
+                                tone += bright * crater_tone(at_x, at_y, distance, within, first)
         scale *= 0.5
     return Cratered(light, tone)

@@ -6,33 +6,28 @@ resolves the ground from its surface, and its disc from any distance.
 
 from __future__ import annotations
 
-from math import asin, pi, sqrt
+from math import asin, sqrt
 from typing import Annotated, Final, NamedTuple
 
 import numpy as np
 
 from airlight.geometry.sun_disc import mean_incidence
-from airlight.geometry.vectors import Vec3, components, cross, dot, minus, plus, scaled
-from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.geometry.vectors import Vec3, components, cross, dot, minus, scaled
+from airlight.kernel import inlined, kernel
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.physics.optics.bare_surface import surface_factor
-from airlight.render.pixels.land import HILLY, LEAST
+from airlight.render.pixels.bare_ground import crater_light
+from airlight.render.pixels.bare_relief import HIGHEST, Met, relief_met, relief_shown
 from airlight.render.pixels.pixel import ViewUniforms
 from airlight.render.pixels.sky_view_lut import Observer
 from airlight.render.pixels.star_disc import camera_direction, leaving_air
-from airlight.scene.craters import FLATTENED, FLATTEST, LOWEST, craters, highland
-from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell
+from airlight.scene.craters import REGIONAL, highland
+from airlight.scene.ground_detail import NOMINAL_ROWS
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level
-from airlight.scene.hills import COARSEST, hills
-from airlight.scene.land_texture import face_of, faced, texture_footprint, texture_light
 from airlight.solver.moments.march_tables import MarchTables
 
 #: Power of the observer's point below which it decides between hit and miss. [radius²]
 _NEAR: Final = 3.0
-#: Contrast of the land that hills mottle, by eye, and its ratio at a scale to that at four times
-#: the scale, that of the packaged map of the Moon. [1]
-MOTTLED: Final = 0.1
-FALL: Final = 0.7
 #: Distance from the limb within which pixels are supersampled. [pixel]
 _EDGE: Final = 1.5
 
@@ -205,8 +200,33 @@ def body_ray(px, py, frame, columns):
 
 
 @inlined
+def surface_color(point, length, leaving, least, frame, color):
+    """Colour of the map at a point of the surface. [1]
+
+    Parameters
+    ----------
+    point : Vec3
+        Unit vector from the centre. [1]
+    length, leaving : float
+        Distance of the point [radius], and cosine of emergence [1].
+    least : float
+        Least level of the map. [1]
+    frame : BodyFrame
+        What the pixels read.
+    color : array, shape (4,)
+        Receives linear sRGB. [1]
+    """
+    view, body = frame.camera, frame.body
+    own = components(point, body.body_x, body.body_y, body.body_z)
+    latitude, longitude = latitude_longitude(own)
+    level = max(map_level(view.pixel_angle, length, leaving, 1.0, 1.0 * view.map_rows), least)
+    rows, columns, levels = view.map_rows, view.map_columns, view.map_levels
+    map_color(view.texels, rows, columns, levels, latitude, longitude, level, color, 0)
+
+
+@inlined
 def limb_samples(ray, frame):
-    """Samples per side of a pixel: more than one only near the limb.
+    """Samples per side of a pixel: more than one only near the limb of a sphere.
 
     Parameters
     ----------
@@ -218,21 +238,71 @@ def limb_samples(ray, frame):
     body, side = frame.body, 1
     miss = cross(ray, body.body_centre)
     across, reach = sqrt(dot(miss, miss)), sqrt(body.body_power + 1.0)
-    if abs(across - 1.0) < _EDGE * frame.camera.pixel_angle * reach:
+    if abs(across - 1.0) < _EDGE * frame.camera.pixel_angle * reach and not raised(frame):
         side = body.body_samples
     return side
 
 
 @inlined
-def body_coverage(px, py, frame, columns):
+def raised(frame):
+    """Whether the body is seen with its relief.
+
+    Parameters
+    ----------
+    frame : BodyFrame
+        What the pixels read.
+    """
+    body = frame.body
+    shown = relief_shown(body.body_power, body.body_radius, frame.camera.pixel_angle)
+    return shown > 0.0 and body.body_craters > 0.0
+
+
+@inlined
+def body_met(ray, frame, color):
+    """``Met`` of a line of sight.
+
+    Parameters
+    ----------
+    ray : Vec3
+        Direction. [1]
+    frame : BodyFrame
+        What the pixels read.
+    color : array, shape (4,)
+        Workspace: map.
+    """
+    body = frame.body
+    miss, along = cross(ray, body.body_centre), dot(ray, body.body_centre)
+    across = sqrt(dot(miss, miss))
+    if not raised(frame):
+        length = sphere_distance(along, across, body.body_power)
+        return Met(length, 1.0, sqrt(max((1.0 - across) * (1.0 + across), 0.0)))
+    if along <= 0.0 or across > 1.0 + HIGHEST / body.body_radius:
+        return Met(-1.0, 0.0, 1.0)
+    high, rows = 1.0, 1.0 * NOMINAL_ROWS
+    if body.body_mapped:
+        rows = 1.0 * frame.camera.map_rows
+        length = along - sqrt(max((1.0 - across) * (1.0 + across), 0.0))
+        end = minus(scaled(ray, length), body.body_centre)
+        end = scaled(end, 1.0 / sqrt(dot(end, end)))
+        surface_color(end, length, 1.0, REGIONAL, frame, color)
+        high = highland(color[1])
+    return relief_met(
+        ray, body.body_centre, body.body_power, body.body_x, body.body_y, body.body_z,
+        body.body_radius, rows, frame.camera.pixel_angle, high,
+    )  # fmt: skip
+
+
+@inlined
+def body_coverage(px, py, frame, columns, color):
     """Fraction of a pixel that the body covers. [1]
 
     Parameters
     ----------
     px, py, frame, columns :
         Arguments of ``body_ray``.
+    color : array, shape (4,)
+        Workspace: map.
     """
-    body = frame.body
     side = limb_samples(body_ray(px, py, frame, columns), frame)
     step, count = 1.0 / side, 0.0
     for sample in range(side * side):
@@ -240,10 +310,9 @@ def body_coverage(px, py, frame, columns):
         across = sample - side * down
         x, y = px + (across + 0.5) * step - 0.5, py + (down + 0.5) * step - 0.5
         ray = body_ray(x, y, frame, columns)
-        miss = cross(ray, body.body_centre)
-        along = dot(ray, body.body_centre)
-        if sphere_distance(along, sqrt(dot(miss, miss)), body.body_power) >= 0.0:
-            count += 1.0
+        met = body_met(ray, frame, color)
+        if met.length >= 0.0:
+            count += met.cover
     return count * step * step
 
 
@@ -271,9 +340,8 @@ def body_light(px, py, frame, columns, color):
         across = sample - side * down
         x, y = px + (across + 0.5) * step - 0.5, py + (down + 0.5) * step - 0.5
         ray = body_ray(x, y, frame, columns)
-        miss = cross(ray, body.body_centre)
-        along = dot(ray, body.body_centre)
-        length = sphere_distance(along, sqrt(dot(miss, miss)), body.body_power)
+        met = body_met(ray, frame, color)
+        length = met.length
         if length >= 0.0:
             end = minus(scaled(ray, length), body.body_centre)
             point = scaled(end, 1.0 / sqrt(dot(end, end)))
@@ -282,16 +350,18 @@ def body_light(px, py, frame, columns, color):
             lit = mean_incidence(dot(point, light), body.light_radius)
             if lit > 0.0:
                 factor = surface_factor(body.body_law, lit, max(leaving, 0.0), -dot(light, ray))
-                factor *= step * step
+                factor *= met.cover * step * step
                 mapped = 1.0
                 if body.body_mapped:
-                    surface_color(point, length, leaving, frame, color)
+                    surface_color(point, length, leaving, REGIONAL, frame, color)
                     mapped = color[1]
+                    surface_color(point, length, leaving, 0.0, frame, color)
                 if body.body_craters > 0.0:
                     factor *= crater_light(
                         components(point, body.body_x, body.body_y, body.body_z),
                         components(ray, body.body_x, body.body_y, body.body_z),
                         components(light, body.body_x, body.body_y, body.body_z),
+                        met.leaving,
                         frame.camera.pixel_angle * length,
                         mapped,
                         body.body_craters,
@@ -314,128 +384,3 @@ def body_light(px, py, frame, columns, color):
                 green += color[1]
                 blue += color[2]
     return red, green, blue
-
-
-@inlined
-def surface_color(point, length, leaving, frame, color):
-    """Colour of the map at a point of the surface. [1]
-
-    Parameters
-    ----------
-    point : Vec3
-        Unit vector from the centre. [1]
-    length, leaving : float
-        Distance of the point [radius], and cosine of emergence [1].
-    frame : BodyFrame
-        What the pixels read.
-    color : array, shape (4,)
-        Receives linear sRGB. [1]
-    """
-    view, body = frame.camera, frame.body
-    own = components(point, body.body_x, body.body_y, body.body_z)
-    latitude, longitude = latitude_longitude(own)
-    level = map_level(view.pixel_angle, length, leaving, 1.0, 1.0 * view.map_rows)
-    rows, columns, levels = view.map_rows, view.map_columns, view.map_levels
-    map_color(view.texels, rows, columns, levels, latitude, longitude, level, color, 0)
-
-
-@kernel
-def crater_light(own, ray, light, width, green, density, radius, rows):
-    """Light of a place of a body without air, by craters and hills, over that without them. [1]
-
-    Those of near ground alone: pixels wider than half a texel of the map have none.
-
-    Parameters
-    ----------
-    own, ray, light : Vec3
-        Unit vectors in the body-fixed frame: place, line of sight, and towards the light. [1]
-    width : float
-        Width of the pixel at the distance of the place. [radius]
-    green : float
-        Green reflectance of the map. [1]
-    density : float
-        Craters wider than D per area D². [1]
-    radius : float
-        Radius of the body. [m]
-    rows : float
-        Rows of the map.
-    """
-    leaving, mu = max(-dot(own, ray), FLATTEST), dot(own, light)
-    wide = width / leaving
-    wide = max(texture_footprint(wide, leaving), FLATTENED * wide)
-    shown = min(2.0 - 4.0 * wide * rows / pi, 1.0)
-    if shown <= 0.0:
-        return 1.0
-    cell = finest_cell(radius, rows)
-    cells, face = radius / cell, face_of(own)
-    level = minus(light, scaled(own, mu))
-    sine = max(sqrt(dot(level, level)), 1e-6)
-    way = scaled(level, min(1.0 / max(mu, 1e-3), LOWEST / sine))
-    beyond = scaled(plus(ray, scaled(own, -dot(own, ray))), 1.0 / leaving)
-    pits = craters(
-        faced(scaled(own, cells), face),
-        Vec3(0.0, 0.0, 0.0),
-        faced(own, face),
-        faced(way, face),
-        wide * cells,
-        cell,
-        density,
-        highland(green),
-        faced(beyond, face),
-    )
-    hill = hills(
-        scaled(own, cells),
-        wide * cells,
-        1e9,
-        Vec3(0.0, 0.0, 0.0),
-        scaled(level, 1.0 / sine),
-        True,
-        cell,
-        FALL,
-    )
-    steep = LEAST * COARSEST * cell * (1.0 + (HILLY - 1.0) * highland(green)) * hill.ascent
-    tone = max(1.0 + pits.tone + MOTTLED * hill.tone, 0.1)
-    return 1.0 + shown * (pits.light * texture_light(mu, steep) * tone - 1.0)
-
-
-@compiled_loop
-def crater_lights(places, rays, lights, width, green, density, radius, rows, out):
-    """``crater_light`` at n points.
-
-    Parameters
-    ----------
-    places, rays, lights : array, shape (n, 3)
-        Arguments of ``crater_light``. [1]
-    width, green : array, shape (n,)
-        Arguments of ``crater_light``.
-    out : array, shape (n,)
-        Is multiplied by the results. [1]
-    """
-    for k in range(out.size):
-        out[k] *= crater_light(
-            Vec3(places[k, 0], places[k, 1], places[k, 2]),
-            Vec3(rays[k, 0], rays[k, 1], rays[k, 2]),
-            Vec3(lights[k, 0], lights[k, 1], lights[k, 2]),
-            width[k], green[k], density, radius, rows,
-        )  # fmt: skip
-
-
-@compiled_loop
-def map_colors(texels, rows, columns, levels, places, level, out):
-    """``map_color`` at n points.
-
-    Parameters
-    ----------
-    texels, rows, columns, levels :
-        Arguments of ``map_color``.
-    places : array, shape (n, 3)
-        Unit vectors in the body-fixed frame. [1]
-    level : array, shape (n,)
-        Levels of the map. [1]
-    out : array, shape (n, 4)
-        Receives the colours. [1]
-    """
-    for k in range(level.size):
-        own = Vec3(places[k, 0], places[k, 1], places[k, 2])
-        latitude, longitude = latitude_longitude(own)
-        map_color(texels, rows, columns, levels, latitude, longitude, level[k], out[k], 0)

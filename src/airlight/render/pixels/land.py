@@ -6,15 +6,15 @@ from math import cos, pi, sqrt
 from typing import Final
 
 from airlight.geometry.gradient_noise import smooth_noise
-from airlight.geometry.vectors import Vec3, components, dot, minus, plus, scaled
+from airlight.geometry.vectors import Vec3, components, plus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.render.pixels.coast import land_and_water
+from airlight.render.pixels.cratered_land import highlands, land_craters
 from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.land_from_above import land_from_above
 from airlight.render.pixels.longer_columns import lengthen
 from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import height_at
-from airlight.scene.craters import FLATTENED, FLATTEST, LOWEST, craters, highland
 from airlight.scene.ground_detail import unmixed
 from airlight.scene.ground_place import latitude_longitude, map_color
 from airlight.scene.hills import COARSEST, CROWNS, canopy, hills, woods
@@ -29,6 +29,7 @@ from airlight.scene.land_texture import (
     textured,
 )
 from airlight.scene.rocks import rocks
+from airlight.scene.rolling_ground import rolling
 
 #: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
 NEARLY_WATER: Final = 0.999
@@ -349,7 +350,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             leaf = leafiness(color[0], color[1], snow)
         pitted, bare = view.craters > 0.0, 0.0  # where craters last there is no wind
         if pitted:
-            bare = highland(color[1]) if view.mapped else 1.0
+            bare = highlands(spot, view)
         blur = texture_footprint(footprint, cosine) / cell
         # the star's azimuth is the observer's first axis
         way = Vec3(observer.ground_x.x, observer.ground_y.x, observer.ground_z.x)
@@ -360,12 +361,16 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         near = near_hills(observer.optical_altitude, cell, view.pixel_angle)
         high = risen(reach, observer.optical_altitude, near)
         ascent, tone, hue, wood, height, leaves = 0.0, 0.0, 0.0, 0.0, 0.0, 1.0
-        woody = leaf
+        woody, moved = leaf, Vec3(0.0, 0.0, 0.0)
         if view.relieved and observer.optical_altitude > LOW:
             ascent, tone, hue = land_from_above(
                 middle, finest, blur, way, uneven, leaf, snow, frame, color
             )
             woody = 0.0
+        elif pitted and observer.optical_altitude > LOW:
+            ground = rolling(finest, blur, view.whole, way, bare, cell)
+            ascent, tone = ground.ascent, ground.tone
+            moved = Vec3(ground.aside, ground.along, 0.0)
         elif high > 0.0:
             size = hill_size(middle, frame.tables.bottom, uneven, view)
             size *= 1.0 + (SNOWED - 1.0) * snow + (HILLY - 1.0) * bare
@@ -416,15 +421,10 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         )
         ascent += texture.ascent
         if pitted:
-            wide = max(blur, FLATTENED * footprint / cell)
-            middle = faced(middle, face)
-            low = min(sine / max(mu_s, 1e-3), LOWEST) if mu_s > 0.0 else 0.0
-            beyond = minus(place, scaled(middle, dot(place, middle)))
-            flat = sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, FLATTEST)
-            ray = scaled(beyond, flat / max(sqrt(dot(beyond, beyond)), 1e-3 * cell))
-            pits = craters(
-                finest, whole, middle, scaled(way, low), wide, cell, view.craters, bare, ray
-            )
+            pits = land_craters(
+                place, faced(middle, face), plus(finest, moved), whole, way, mu_s, cosine,
+                view.pixel_angle * reach, bare, view,
+            )  # fmt: skip
             dark = max(1.0 + pits.tone, 0.1)
             open_ground = pits.light
         color[11] = stony.light + stony.open * open_ground * texture_light(mu_s, ascent)

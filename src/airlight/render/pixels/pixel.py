@@ -79,6 +79,7 @@ class ViewUniforms(NamedTuple):
     relieved: bool
     rocks: float
     craters: float
+    weathered: bool
     water: Vec3
     grain: Vec3
     grain_fall: float

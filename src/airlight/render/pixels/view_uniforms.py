@@ -46,6 +46,8 @@ Float32Array = NDArray[np.float32]
 
 #: Values of ``orders``, with their uniforms in the shaders.
 ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
+#: Scattering coefficient below which air has no wind that fills craters. [m⁻¹]
+WINDLESS: Final = 1e-9
 #: Largest number of samples per side of a pixel.
 MAX_SAMPLES: Final = 16
 
@@ -281,6 +283,7 @@ def overlay_uniforms(
             "relieved": float(medium.surface.relief is not None),
             "rocks": medium.surface.rocks,
             "craters": medium.surface.craters,
+            "weathered": float(np.any(medium.scattering > WINDLESS)),
             "cloud_altitude": altitude,
             "cloud_radius": float(radius),
         }

@@ -409,11 +409,11 @@ def body_shader(cover: bool, fixed: Fixed, dialect: ShaderDialect = WGSL) -> Sha
     emitter = Emitter(dialect)
     frame, columns = _body_frame(emitter, fixed)
     vector, name = dialect.type_name(VEC4), "coverage" if cover else "light_of_body"
+    color = emitter.module_array("color", LocalArray(4))
     if cover:
-        made = emitter.add(body_coverage, F32, F32, frame, columns, name="body_in_pixel")
+        made = emitter.add(body_coverage, F32, F32, frame, columns, color, name="body_in_pixel")
         parts = ["seen"] * 4
     else:
-        color = emitter.module_array("color", LocalArray(4))
         made = emitter.add(body_light, F32, F32, frame, columns, color, name="body_in_pixel")
         own = [FRAME.uniform(f"body_color_{axis}").text for axis in "xyz"]
         parts = [*(f"{dialect.part('seen', i)} * {one}" for i, one in enumerate(own)), "0.0"]

@@ -1,0 +1,235 @@
+"""Shapes of craters: slopes, shadows, what a line of sight meets, and rays; not data.
+
+Slopes are those of a bowl with the depth and rim of a fresh crater (Pike 1977, in Impact and
+Explosion Cratering, 489), which ages to a shallow one without rim, as by diffusion (Fassett &
+Thomson 2014, JGR Planets 119, 2255). Wide ones have level floors, terraces and central peaks, and
+are shallower (Pike 1980, Icarus 43, 1). Fresh bowls are in the shadow of their rims, and near rims
+hide what is behind them. Soil of fresh ones is brighter, in rays. Wind fills those of bodies with
+air.
+"""
+
+from __future__ import annotations
+
+from math import log2, pi, sin, sqrt
+from typing import Final
+
+from airlight.geometry.gradient_noise import plane_noise
+from airlight.geometry.vectors import Vec3, dot
+from airlight.kernel import kernel
+
+#: Depth below the rim's foot and height of the rim of a fresh crater over its diameter. [1]
+DEPTH: Final = 0.16
+RIM: Final = 0.036
+#: Radius at which the rim's slope ends, over the crater's. [1]
+EJECTA: Final = 1.6
+#: Diameters between which craters get level floors [m], and radius of the floor, over the crater's,
+#: of those wider; radius and steepest slope of their peaks, and contrast of three terraces, by eye.
+SIMPLE: Final = 10e3
+COMPLEX: Final = 22e3
+FLOOR: Final = 0.5
+PEAK: Final = 0.18
+STEEP: Final = 0.5
+TERRACED: Final = 0.5
+#: Radius at which bright soil ends [cell], change of the reflectance in the middle of a fresh
+#: crater, whose soil is immature, contrast of its rays, their width over the distance [1], and
+#: diameter below which all of it fades [m], by eye.
+REACH: Final = 0.48
+BRIGHT: Final = 0.6
+RAYS: Final = 0.8
+RAY: Final = 2.5
+RAYED: Final = 100.0
+#: Radius of the floors of craters that wind fills, and the freshness of the profile of the
+#: freshest and its power for others, by eye. [1]
+FILLED: Final = 0.6
+SHALLOW: Final = 0.8
+WORN: Final = 0.4
+
+
+@kernel
+def level_floor(diameter):
+    """Radius of the level floor of a crater over its radius. [1]
+
+    Parameters
+    ----------
+    diameter : float
+        Diameter. [m]
+
+    Examples
+    --------
+    >>> level_floor(5e3), level_floor(22e3)
+    (0.0, 0.5)
+    """
+    if diameter <= SIMPLE:
+        return 0.0
+    return FLOOR * min(log2(diameter / SIMPLE) / log2(COMPLEX / SIMPLE), 1.0)
+
+
+@kernel
+def crater_slope(distance, fresh, level):
+    """Slope of a crater away from its centre. [1]
+
+    Of a fresh one a parabola from the floor to the rim, and ejecta; of an old one, with the depth z
+    and the ratio t of the distance to ``EJECTA``, that of -z (1 - t²)³.
+
+    Parameters
+    ----------
+    distance : float
+        Distance from the centre over the radius. [1]
+    fresh : float
+        Freshness; the depth of an old crater is in proportion to it. [1]
+    level : float
+        Result of ``level_floor``. [1]
+
+    Examples
+    --------
+    >>> crater_slope(0.0, 1.0, 0.0), round(crater_slope(0.5, 1.0, 0.0), 3)
+    (0.0, 0.392)
+    >>> crater_slope(0.4, 1.0, 0.5), abs(crater_slope(2.0, 1.0, 0.0))
+    (0.0, 0.0)
+    """
+    left = max(1.0 - distance * distance / (EJECTA * EJECTA), 0.0)
+    worn = (1.0 - level) * 12.0 * DEPTH / (EJECTA * EJECTA) * distance * left * left
+    wall = max(distance - level, 0.0) / (1.0 - level)
+    sharp = 4.0 * (DEPTH + RIM) * wall
+    if distance > 1.0:
+        left = max((EJECTA - distance) / (EJECTA - 1.0), 0.0)
+        sharp = -6.0 * RIM * left / (distance * distance * distance * distance)
+    elif level > 0.0:
+        sharp *= 1.0 + TERRACED * level / FLOOR * sin(6.0 * pi * wall)
+        if distance < PEAK:
+            sharp -= STEEP * level / FLOOR * sin(pi / PEAK * distance)
+    return fresh * (fresh * sharp + (1.0 - fresh) * worn)
+
+
+@kernel
+def shadowed(towards, square, fresh, level, tangent, blur):
+    """Share of a place within the rim of a crater to which the rim casts its shadow. [1]
+
+    The line towards the star leaves the circle of the rim after s = √(b² + 1 - r²) - b; the
+    place lies in shadow if it is lower than s over the tangent of the star's zenith angle.
+
+    Parameters
+    ----------
+    towards, square : float
+        Component b of the place towards the star, times ``tangent``, and the square of its distance
+        r from the centre, over the radius and its square. [1]
+    fresh, level, tangent : float
+        Freshness, ``level_floor``, and tangent of the star's zenith angle. [1]
+    blur : float
+        Width of the pixel over the radius. [1]
+
+    Examples
+    --------
+    >>> shadowed(2.5, 0.25, 1.0, 0.0, 5.0, 0.01), shadowed(-0.5, 0.25, 1.0, 0.0, 1.0, 0.01)
+    (1.0, 0.0)
+    """
+    # no wall is steeper than the line
+    if square >= 1.0 or 4.0 * (DEPTH + RIM) * fresh * fresh * tangent <= 1.0:
+        return 0.0
+    wall = max(sqrt(square) - level, 0.0) / (1.0 - level)
+    deep = 2.0 * (DEPTH + RIM) * (1.0 - level) * (1.0 - wall * wall) * fresh * fresh
+    along = towards / tangent
+    lower = tangent * deep - sqrt(along * along + 1.0 - square) + along
+    return min(max(lower / (4.0 * blur + 0.02), 0.0), 1.0)
+
+
+@kernel
+def sunk(along, flat, square, fresh):
+    """Depth over the radius at which a line of sight meets a bowl. [1]
+
+    With the tangent f of the line's zenith angle, k h² f² + (2 k b + 1) h = k (1 - r²) for a depth
+    k (1 - r²). Of an old one k has half of its depth, which lies outside.
+
+    Parameters
+    ----------
+    along, flat : float
+        Component b away from the observer of the place at which the line passes the rim's level,
+        times f, over the radius; and f². [1]
+    square : float
+        Square of the distance r of that place from the centre, over that of the radius. [1]
+    fresh : float
+        Freshness. [1]
+
+    Examples
+    --------
+    >>> round(sunk(0.0, 0.0, 0.0, 1.0), 3), round(sunk(0.0, 25.0, 0.0, 1.0), 3)
+    (0.392, 0.155)
+    """
+    deep = fresh * (DEPTH + (DEPTH + 2.0 * RIM) * fresh)
+    middle = 1.0 + 2.0 * deep * along
+    root = sqrt(middle * middle + 4.0 * deep * deep * flat * (1.0 - square))
+    return 2.0 * deep * (1.0 - square) / max(middle + root, 1e-6)
+
+
+@kernel
+def pit_light(away, distance, radius, fresh, way, tangent, ray, flat, width, cell, weathered):
+    """Direct light of a place in a crater over that of level ground. [1]
+
+    A pixel on the rim has the light of both sides of it.
+
+    Parameters
+    ----------
+    away, distance : Vec3, float
+        Place from the centre, and its distance, up to ``EJECTA`` radii. [cell]
+    radius, fresh : float
+        Radius [cell] and freshness [1].
+    way, ray, weathered :
+        Arguments of ``craters``.
+    tangent, flat : float
+        Length of ``way``, and square of that of ``ray``. [1]
+    width : float
+        Width of the pixel across the line of sight. [cell]
+    cell : float
+        Size of a cell. [m]
+    """
+    within, inverse = distance / radius, 1.0 / distance
+    level, depth = level_floor(2.0 * radius * cell), fresh
+    if weathered:
+        level, depth = FILLED, SHALLOW * fresh**WORN
+    stretched = dot(away, ray) * inverse
+    blur = width * sqrt(1.0 + stretched * stretched) / radius
+    inside = min(max(0.5 + (1.0 - within) / blur, 0.0), 1.0)
+    towards = dot(away, way) * inverse
+    light = 0.0
+    if inside < 1.0:
+        slope = crater_slope(max(within, 1.0 + 0.25 * blur), depth, level)
+        light = (1.0 - inside) * max(1.0 - slope * towards, 0.0)
+    if inside > 0.0:
+        part = min(within, 1.0 - min(0.25 * blur, 0.5))
+        if flat > 0.0:
+            scaled_part = part * inverse
+            met = sunk(stretched * part, flat, part * part, depth)
+            met *= min((1.0 - part) / blur, 1.0)
+            away = Vec3(
+                scaled_part * away.x + met * ray.x,
+                scaled_part * away.y + met * ray.y,
+                scaled_part * away.z + met * ray.z,
+            )
+            part = max(sqrt(dot(away, away)), 1e-6)
+            towards = dot(away, way) / part
+        slope = crater_slope(min(part, 1.0), depth, level)
+        dark = shadowed(towards * part, part * part, depth, level, tangent, blur)
+        light += inside * (1.0 - dark) * max(1.0 - slope * towards, 0.0)
+    return light
+
+
+@kernel
+def crater_tone(at_x, at_y, distance, within, turn):
+    """Change of the reflectance by the rays of a crater, over ``BRIGHT``. [1]
+
+    Parameters
+    ----------
+    at_x, at_y, distance : float
+        Place from the centre, and its distance. [cell]
+    within : float
+        Distance over the radius. [1]
+    turn : float
+        Number of the crater.
+    """
+    thin = 1.0 - distance * distance / (REACH * REACH)
+    if thin <= 0.0:
+        return 0.0
+    streak, _growth_x, _growth_y = plane_noise(
+        turn + RAY * at_x / distance, turn + RAY * at_y / distance
+    )
+    return thin * thin * (1.0 + RAYS * streak * min(within, 1.0))
