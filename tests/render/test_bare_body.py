@@ -9,6 +9,7 @@ from airlight.geometry.vectors import Vec3
 from airlight.kernel import vectorized
 from airlight.render.pixels.bare_body import sphere_distance
 from airlight.render.pixels.bare_ground import crater_light
+from airlight.render.pixels.bare_relief import HIGHEST, relief_met, relief_shown
 
 
 def test_a_line_meets_a_sphere_where_a_point_of_it_has_unit_distance() -> None:
@@ -49,3 +50,36 @@ def test_only_near_ground_has_craters_of_mean_light() -> None:
     assert near.std() > 0.05
     assert abs(near.mean() - 1.0) < 0.01 + 3.0 * near.std() / np.sqrt(near.size)
     assert_array_equal(found(0.51 * np.pi / 1024.0), 1.0)
+
+
+def test_relief_rises_over_the_limb_and_covers_pixels_by_parts() -> None:
+    # 110 km above the Moon lines 5 km above and below its limb miss and meet it; between, the
+    # share of covered pixels falls with the height. The place is within the greatest height.
+    radius, rows, pixel = 1.7374e6, 1536.0, 1e-4
+    reach = 1.0 + 110e3 / radius
+    power = (reach - 1.0) * (reach + 1.0)
+    axes = Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)
+    assert relief_shown(power, radius, pixel) == 1.0
+    covers = []
+    for height in (-6e3, -1e3, 0.0, 1e3, 6e3):
+        sine = (1.0 + height / radius) / reach
+        cosine, found = (1.0 - sine * sine) ** 0.5, []
+        for angle in np.linspace(0.0, 2.0 * np.pi, 200):
+            ray = Vec3(cosine, sine * np.cos(angle), sine * np.sin(angle))
+            centre = Vec3(reach, 0.0, 0.0)
+            met = relief_met(ray, centre, power, *axes, radius, rows, pixel, 1.0)
+            assert met == relief_met(ray, centre, power, *axes, radius, rows, pixel, 1.0)
+            assert np.isfinite(met).all()
+            found.append(met.cover)
+            if met.length >= 0.0:
+                end = np.array(ray) * met.length - np.array(centre)
+                assert abs(np.linalg.norm(end) - 1.0) * radius < HIGHEST + 200.0
+        covers.append(np.mean(found))
+    assert covers[0] == 1.0
+    assert covers[-1] == 0.0
+    assert covers == sorted(covers, reverse=True)
+
+
+def test_a_distant_body_is_a_sphere() -> None:
+    # From the Earth a pixel is as wide as the highest mountains.
+    assert relief_shown(221.0**2, 1.7374e6, 2e-5) == 0.0

@@ -373,7 +373,7 @@ class _BodyTracer:
             source = self.lights.seen_from(light, body)
             towards = self.lights.towards(light, points)
             size = np.full(met.size, source.angular_radius)
-            factor = body.surface_factor(normal, towards, -rays[met], size)
+            factor = body.surface_factor(normal, towards, -rays[met], size, leaving)
             if density > 0.0:
                 own = (np.ascontiguousarray(one @ axes) for one in (normal, rays[met], towards))
                 crater_lights(*own, leaving, width, green, density, radius, float(rows), factor)

@@ -100,7 +100,7 @@ class SeenPast:
     def raised_limb(self, body: Body) -> float:
         """Angle by which relief may rise above the limb of a body; 0 if it is a sphere. [rad]"""
         radius, power = self.system.radius(body), self.system.power(body)
-        shown = relief_shown(power / radius**2, radius, self.pixel_angle)
+        shown = float(relief_shown(power / radius**2, radius, self.pixel_angle))
         if shown == 0.0 or crater_density(body) == 0.0:
             return 0.0
         return 1.1 * shown * HIGHEST / math.sqrt(power)

@@ -41,8 +41,8 @@ RAYED: Final = 100.0
 #: Radius of the floors of craters that wind fills, and the freshness of the profile of the
 #: freshest and its power for others, by eye. [1]
 FILLED: Final = 0.6
-SHALLOW: Final = 0.8
-WORN: Final = 0.4
+SHALLOW: Final = 0.9
+WORN: Final = 0.33
 
 
 @kernel

@@ -47,16 +47,17 @@ UNROUND: Final = 0.12
 MEAN: Final = BRIGHT * pi * REACH**2 / 3.0 / 9.0 * (1.0 - 0.8 * FLOODED)
 #: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
 #: as ellipses. [1]
-FLATTENED: Final = 0.3
+FLATTENED: Final = 0.5
 #: Least cosine of the zenith angle of a line of sight that meets bowls as deep as they are. [1]
 FLATTEST: Final = 0.05
 #: Of craters that wind fills: power of the diameter, below that at which craters are in
 #: equilibrium, by which they are fewer: on Mars some 400 000 are wider than 1 km, 2 000 than 50 km
-#: (Robbins & Hynek 2012, JGR 117, E05004). [1]
+#: (Robbins & Hynek 2012, JGR 117, E05004) [1]; and diameter above which maps have them [m].
 ERODED: Final = 0.8
+LARGEST: Final = 8e4
 #: Largest change of the reflectance of their floors, where wind leaves dark sand or bright dust,
 #: and width of its edge over the radius, by eye. [1]
-SANDY: Final = 0.2
+SANDY: Final = 0.3
 SHORE: Final = 0.35
 #: Width of the narrowest craters that are shown. [pixel]
 NARROWEST: Final = 2.2
@@ -151,6 +152,8 @@ def crater_share(diameter, density, high, weathered):
     """
     several = density * 3.0 / (WIDEST * WIDEST)
     if weathered:
+        if diameter > LARGEST:
+            return 0.0
         return several * min((diameter / HIGHLAND) ** ERODED, 1.0)
     return several * min(MARE * (HIGHLAND / MARE) ** high / diameter, 1.0)
 

@@ -21,15 +21,17 @@ from airlight.scene.hills import lattice_place
 #: 57 km to 110 m.
 OCTAVES: Final = 10
 COARSEST: Final = 1048576.0
-#: Height of an octave over its cells on maria and in highlands [1], and cells above which it grows
-#: no more, by eye [m].
+#: Height of an octave over its cells on maria and in highlands [1], cells above which it grows no
+#: more, by eye, and cells that are as large as texels of maps [m].
 PLAIN: Final = 0.016
 HILLY: Final = 0.05
 WIDEST: Final = 20e3
+LARGEST: Final = 6e4
 #: Roughness of the next octave where this one is 0, its increase to where it is 1, and limits. [1]
 EVEN: Final = 0.95
 ROUGHER: Final = 0.7
-ROUGH: Final = (0.4, 1.4)
+LEAST: Final = 0.4
+MOST: Final = 1.4
 #: Displacement of craters by an octave over its cells. [1]
 MOVED: Final = 0.05
 #: Noise within which there is a ridge, height of ridges over the coarsest cells, and share of the
@@ -78,7 +80,7 @@ def rolling(finest, footprint, whole, way, high, cell):
     rough, scale, line, steep = PLAIN + (HILLY - PLAIN) * high, COARSEST, 0.0, 0.0
     for octave in range(OCTAVES):
         shown = min(0.6 * scale / footprint - 1.0, 1.0)
-        if shown > 0.0:
+        if shown > 0.0 and scale * cell < LARGEST:
             at = lattice_place(finest, whole, scale)
             value, slope = sloping_noise(at.x, at.y, at.z, way)
             size = shown * rough * min(WIDEST / (scale * cell), 1.0)
@@ -89,12 +91,12 @@ def rolling(finest, footprint, whole, way, high, cell):
             turned = aside
             aside = shown * MOVED * scale * value - along
             along = turned
-            rough *= min(max(EVEN + ROUGHER * value, ROUGH[0]), ROUGH[1])
+            rough *= min(max(EVEN + ROUGHER * value, LEAST), MOST)
             if octave < 3:
                 part = 1.0 if octave == 0 else WANDER
                 line += part * value
                 steep += part * slope / scale
-        if octave == 2 and high < 1.0:
+        if octave == 2 and high < 1.0 and COARSEST * cell < LARGEST:
             across = line / RIDGE
             left = max(1.0 - across * across, 0.0) * RISE * (1.0 - high) * COARSEST
             shown = min(max(RIDGE * COARSEST / footprint - 1.0, 0.0), 1.0)
@@ -122,11 +124,11 @@ def rolling_height(finest, footprint, above, high, cell):
     shown, octave = 1.0, 0
     while shown > 0.0 and octave < OCTAVES:
         shown = min(0.6 * scale / footprint - 1.0, 1.0)
-        if shown > 0.0:
+        if shown > 0.0 and scale * cell < LARGEST:
             at = lattice_place(finest, start, scale)
             value = smooth_noise(at.x, at.y, at.z)
             height += shown * rough * min(WIDEST / (scale * cell), 1.0) * value * scale
-            rough *= min(max(EVEN + ROUGHER * value, ROUGH[0]), ROUGH[1])
+            rough *= min(max(EVEN + ROUGHER * value, LEAST), MOST)
             if above - height > 2.0 * rough * scale:
                 height += 0.5 * rough * scale
                 shown = 0.0

@@ -346,16 +346,15 @@ def body_light(px, py, frame, columns, color):
             end = minus(scaled(ray, length), body.body_centre)
             point = scaled(end, 1.0 / sqrt(dot(end, end)))
             light = towards_unit(body.body_light, body.light_parallax, point)
-            leaving = -dot(point, ray)
             lit = mean_incidence(dot(point, light), body.light_radius)
             if lit > 0.0:
-                factor = surface_factor(body.body_law, lit, max(leaving, 0.0), -dot(light, ray))
+                factor = surface_factor(body.body_law, lit, met.leaving, -dot(light, ray))
                 factor *= met.cover * step * step
                 mapped = 1.0
                 if body.body_mapped:
-                    surface_color(point, length, leaving, REGIONAL, frame, color)
+                    surface_color(point, length, met.leaving, REGIONAL, frame, color)
                     mapped = color[1]
-                    surface_color(point, length, leaving, 0.0, frame, color)
+                    surface_color(point, length, met.leaving, 0.0, frame, color)
                 if body.body_craters > 0.0:
                     factor *= crater_light(
                         components(point, body.body_x, body.body_y, body.body_z),

@@ -14,7 +14,7 @@ from airlight.scene.land_texture import face_of, faced, texture_footprint, textu
 from airlight.scene.rolling_ground import rolling
 
 #: Contrast of the land that its noise mottles, by eye. [1]
-MOTTLED: Final = 0.07
+MOTTLED: Final = 0.1
 
 
 @kernel

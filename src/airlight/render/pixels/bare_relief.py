@@ -19,10 +19,12 @@ from airlight.scene.rolling_ground import rolling_height
 HIGHEST: Final = 4.5e3
 LOW: Final = 10e3
 FREE: Final = 40e3
-#: Largest number of steps, slope for which they are short enough, and the least step [pixel].
-STEPS: Final = 64
+#: Largest number of steps, slope for which they are short enough [1], the least first step [pixel],
+#: and ratio of the least successive ones [1].
+STEPS: Final = 80
 SLOPE: Final = 0.3
 LEAST: Final = 0.7
+LONGER: Final = 1.06
 
 
 class Met(NamedTuple):
@@ -93,8 +95,7 @@ def relief_met(ray, centre, power, axis_x, axis_y, axis_z, radius, rows, pixel_a
     end = sqrt(max(top * (2.0 + top) - low, 0.0))
     at = -min(end, along)
     before, gap_before, nearest, found = at, 1e9, 1.0, at
-    met, leaving = False, 0.0
-    step = 0
+    met, leaving, step, least = False, 0.0, 0, LEAST
     while step < STEPS and at <= end and not met:
         square = low + at * at
         altitude = square / (1.0 + sqrt(1.0 + square))
@@ -116,7 +117,8 @@ def relief_met(ray, centre, power, axis_x, axis_y, axis_z, radius, rows, pixel_a
             if gap < nearest * pixel:
                 nearest, found = gap / pixel, at
             before, gap_before = at, gap
-            at += max(gap / (max(-at, 0.0) + SLOPE), LEAST * pixel)
+            at += max(gap / (max(-at, 0.0) + SLOPE), least * pixel)
+            least *= LONGER
         step += 1
     if met:
         return Met(max(along + at, 0.0), 1.0, max(leaving, abs(at)))

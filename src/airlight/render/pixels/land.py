@@ -83,7 +83,9 @@ COMMON: Final = 0.031
 #: Height of hills in highlands with craters over that of others: median slopes of the Moon's are
 #: 7.5° there and 2.0° on the maria (Rosenburg et al. 2011, JGR 116, E02001). [1]
 HILLY: Final = 3.0
-#: Finest texture of hills beyond the horizon, all of whose rows lie at one place, by eye. [pixel]
+#: Contrast of ground where wind moves sand and dust over that of its map, by eye. [1]
+DUSTY: Final = 2.5
+#: Finest texture of hills beyond the horizon, by eye. [pixel]
 BEYOND: Final = 8.0
 
 
@@ -369,7 +371,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             woody = 0.0
         elif pitted and observer.optical_altitude > LOW:
             ground = rolling(finest, blur, view.whole, way, bare, cell)
-            ascent, tone = ground.ascent, ground.tone
+            ascent, tone = ground.ascent, (DUSTY if view.weathered else 1.0) * ground.tone
             moved = Vec3(ground.aside, ground.along, 0.0)
         elif high > 0.0:
             size = hill_size(middle, frame.tables.bottom, uneven, view)
@@ -396,12 +398,14 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         higher = Vec3(place.x * height / (away * cell), place.y * height / (away * cell), 0.0)
         finest = plus(faced(finest, face), higher)
         row, shorter = finest, blur
+        low = observer.optical_altitude
+        # all of a hill beyond the horizon lies at one place
+        distant = low < LOW and reach > 0.9 * sqrt(2.0 * low * frame.tables.bottom)
         if cosine < GRAZING and snow < 0.5:
-            low = observer.optical_altitude
             row = seen_row(place, low, ROW * view.pixel_angle, cell, leaf, whole, part)
             row = plus(row, higher)
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
-            if low < LOW and reach > 0.9 * sqrt(2.0 * low * frame.tables.bottom):
+            if distant:
                 shorter = max(shorter, BEYOND * view.pixel_angle * reach / cell)
         dark, open_ground = 1.0, 1.0
         texture = land_texture(
@@ -426,7 +430,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
                 view.pixel_angle * reach, bare, view,
             )  # fmt: skip
             dark = max(1.0 + pits.tone, 0.1)
-            open_ground = pits.light
+            open_ground = 1.0 if distant else pits.light
         color[11] = stony.light + stony.open * open_ground * texture_light(mu_s, ascent)
         change = stony.bare * texture.tone
         hue += stony.bare * texture.hue

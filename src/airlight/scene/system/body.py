@@ -207,6 +207,7 @@ class Body(TomlModel):
         to_light: FloatArray,
         to_eye: FloatArray,
         angular_radius: FloatArray,
+        leaving: FloatArray | None = None,
     ) -> FloatArray:
         """Radiance reflected by an airless body over irradiance and albedo. [sr⁻¹]
 
@@ -216,19 +217,23 @@ class Body(TomlModel):
             Unit vectors: of the surface, towards the light, and towards the observer.
         angular_radius : array, shape (n,)
             Angular radius of the light; its disc sets gradually. [rad]
+        leaving : array, shape (n,), optional
+            Cosine of emergence from a slope, by default from the surface. [1]
 
         Returns
         -------
         array, shape (n,)
             Factor, to be multiplied by ``Body.albedo``.
         """
-        sine, leaving, cosine = (
+        sine, level, cosine = (
             np.einsum("nk,nk->n", one, other)
             for one, other in ((normal, to_light), (normal, to_eye), (to_light, to_eye))
         )
+        if leaving is None:
+            leaving = np.maximum(level, 0.0)
         lit = np.asarray(vectorized(mean_incidence)(sine, angular_radius))
         number = law_number(self.reflection)
-        factor = vectorized(surface_factor)(number, lit, np.maximum(leaving, 0.0), cosine)
+        factor = vectorized(surface_factor)(number, lit, leaving, cosine)
         return np.where(lit > 0.0, factor, 0.0) / albedo_unit(self.reflection)
 
     def axes(self, faced: FloatArray | None) -> FloatArray:
