@@ -104,7 +104,7 @@ def relief_met(ray, centre, power, axis_x, axis_y, axis_z, radius, rows, pixel_a
         pixel = max(pixel_angle * length, 1e-9)
         height = rolling_height(
             components(point, axis_x, axis_y, axis_z),
-            pixel * cells, altitude * cells / shown, high, radius / cells,
+            2.0 * pixel * cells, altitude * cells / shown, high, radius / cells,
         )  # fmt: skip
         gap = altitude - min(max(shown * height / cells, -top), top)
         if gap <= 0.0:
