@@ -8,7 +8,8 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from airlight.geometry.vectors import Vec3
-from airlight.render.pixels.land import COVER, GROUND, STEEPEST, TOP, leafiness, snowiness
+from airlight.render.pixels.land import COVER
+from airlight.render.pixels.skyline import GROUND, STEEPEST, TOP, leafiness, snowiness
 from airlight.scene.ground_detail import WHOLE_PERIOD, finest_cell
 from airlight.scene.hills import COARSEST, CREST, CROWNS, OCTAVES, TREES, canopy, hills, woods
 
@@ -23,7 +24,7 @@ def places(count: int, footprint: float, distance: float = 1e12) -> np.ndarray:
     for _ in range(count):
         whole = Vec3(*np.floor(random.uniform(0.0, WHOLE_PERIOD, 3)))
         part = Vec3(*random.uniform(size=3))
-        hill = hills(part, footprint, distance, whole, AROUND, True, CELL, 0.7)
+        hill = hills(part, footprint, distance, whole, AROUND, True, CELL, 0.7, -1.0)
         found.append((*hill, woods(part, footprint, whole, hill.tone)))
     return np.array(found)
 
@@ -46,7 +47,7 @@ def test_the_ascent_is_the_derivative_of_the_height() -> None:
     for _ in range(60):
         whole = Vec3(*np.floor(random.uniform(0.0, WHOLE_PERIOD, 3)))
         back, here, ahead = (
-            hills(Vec3(x, 0.0, 0.0), footprint, 1e12, whole, AROUND, True, CELL, 0.7)
+            hills(Vec3(x, 0.0, 0.0), footprint, 1e12, whole, AROUND, True, CELL, 0.7, -1.0)
             for x in (-step, 0.0, step)
         )
         if abs(here.tone) > 2.0 * CREST:
@@ -54,6 +55,15 @@ def test_the_ascent_is_the_derivative_of_the_height() -> None:
             assert_allclose(here.ascent, wanted, atol=1e-4 / (COARSEST * CELL))
             checked += 1
     assert checked > 30
+
+
+def test_hills_that_are_not_asked_for_are_lower() -> None:
+    random = np.random.default_rng(6)
+    for least in random.uniform(-0.1, 0.6, 200):
+        whole = Vec3(*np.floor(random.uniform(0.0, WHOLE_PERIOD, 3)))
+        places = (AROUND, 1.0, 1e12, whole, AROUND, False, CELL, 0.7)
+        whole_height, height = hills(*places, -1.0).height, hills(*places, least).height
+        assert height == whole_height or max(height, whole_height) < least
 
 
 def test_a_low_observer_stands_on_level_ground() -> None:

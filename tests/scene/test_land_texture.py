@@ -33,7 +33,12 @@ CELL = finest_cell(6371e3, 2700)
 
 
 def textures(
-    count: int, footprint: float, leaf: float = 1.0, rows: bool = False, snow: float = 0.0
+    count: int,
+    footprint: float,
+    leaf: float = 1.0,
+    rows: bool = False,
+    snow: float = 0.0,
+    rough: float = 0.0,
 ) -> np.ndarray:
     """Texture at random places, shape (count, 4); seen from above, or in rows."""
     random = np.random.default_rng(1)
@@ -44,7 +49,7 @@ def textures(
         way /= np.linalg.norm(way)
         longer = 1e9 if rows else footprint
         found.append(
-            land_texture(part, part, footprint, longer, whole, Vec3(*way), leaf, snow, True)
+            land_texture(part, part, footprint, longer, whole, Vec3(*way), leaf, snow, True, rough)
         )
     return np.array(found)
 
@@ -54,6 +59,15 @@ def test_texture_keeps_the_mean(leaf: float, snow: float) -> None:
     # The mean of 1200 places is known to 3 standard errors.
     found = textures(1200, 1e-3, leaf, snow=snow)
     assert np.all(np.abs(found.mean(axis=0)) < 3.0 * found.std(axis=0) / math.sqrt(1200.0))
+
+
+@pytest.mark.parametrize("rough", [-1.0, 1.0])
+def test_mounds_and_pits_keep_the_mean_and_have_slopes(rough: float) -> None:
+    # Slopes of a height that is a function of noise; 5° to 20°.
+    even, uneven = textures(3000, 1e-3, 0.0), textures(3000, 1e-3, 0.0, rough=rough)
+    assert np.all(np.abs(uneven.mean(axis=0)) < 3.0 * uneven.std(axis=0) / math.sqrt(3000.0))
+    added = uneven[:, 2] - even[:, 2]
+    assert 0.08 < added.std() < 0.4
 
 
 def test_plants_have_the_stated_contrast_and_slopes() -> None:
@@ -83,7 +97,7 @@ def test_waves_of_sand_have_a_direction_and_sastrugi_have_another() -> None:
             whole = Vec3(*np.floor(random.uniform(0.0, WHOLE_PERIOD, 3)))
             part = Vec3(*random.uniform(size=3))
             for axis, way in enumerate((Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0))):
-                found = land_texture(part, part, 1e-3, 1e-3, whole, way, leaf, snow, True)
+                found = land_texture(part, part, 1e-3, 1e-3, whole, way, leaf, snow, True, 0.0)
                 squares[axis] += found.ascent**2
         ratio = math.sqrt(squares[1] / squares[0])
         assert low < ratio < high

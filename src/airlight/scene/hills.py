@@ -107,7 +107,7 @@ def lattice_place(finest, whole, scale):
 
 
 @kernel
-def hills(finest, footprint, distance, whole, way, sloping, cell, fall):
+def hills(finest, footprint, distance, whole, way, sloping, cell, fall, least):
     """``Hills`` at a place.
 
     Parameters
@@ -126,10 +126,15 @@ def hills(finest, footprint, distance, whole, way, sloping, cell, fall):
         Size of the finest cells. [m]
     fall : float
         Ratio of the contrast of land at a scale to that at four times the scale. [1]
+    least : float
+        Height below which hills are not asked for: their octaves are left out. [1]
     """
     height, ascent, tone, loud, rough = 0.0, 0.0, 0.0, 1.0, 1.0
     scale, bend = COARSEST, 0.0
     for octave in range(OCTAVES):
+        # all finer octaves together are not higher than twice the next
+        if height + 2.0 * HALF * scale / COARSEST < least:
+            break
         shown = min(0.6 * scale / footprint - 1.0, 1.0)
         shown = min(shown, GROWTH * (distance / scale - BEGIN))
         if shown > 0.0:

@@ -4,9 +4,9 @@ Octaves of noise in a plane, since natural scenes have no scale of their own (Ru
 1994, Phys. Rev. Lett. 73, 814: power as the inverse square of the frequency). Each kind of ground
 has a structure of its own: plants are patches; every other octave of bare ground is waves of sand
 with sharp crests, which wander and fade out; snow is drawn out along the wind, as sastrugi. The
-same noise is the height of small relief, whose slopes sunlight shades. At a grazing angle plants
-and crests are seen in rows that hide what is behind them. Means of reflectance and of sunlight
-remain.
+same noise is the height of small relief, whose slopes sunlight shades; stony ground has mounds or
+pits, too. At a grazing angle plants and crests are seen in rows that hide what is behind them.
+Means of reflectance and of sunlight remain.
 """
 
 from __future__ import annotations
@@ -62,6 +62,17 @@ FLAT: Final = 2.5
 FORESHORTENED: Final = 0.12
 #: Largest cells with slopes, but for waves, over the finest of ``ground_detail``: 7 m on Earth.
 HIGHEST: Final = 64.0
+#: Slopes of mounds and pits on stony ground, between octaves, over ``SLOPE``, and the noise below 0
+#: from which they rise or sink. [1]
+UNEVEN: Final = 5.0
+LEVEL: Final = 0.15
+#: Cells of the coarsest mounds, with half of their slopes, and of the steepest over the finest of
+#: ``ground_detail``; how far crests of stony ground's waves wander [rad], and their slopes over
+#: those of others. [1]
+UNEVEN_FROM: Final = 256.0
+STEEPER_FROM: Final = 16.0
+DRIFTS: Final = 2.5
+DRIFTED: Final = 1.5
 #: Steepest slopes, about two and a half standard deviations of all octaves. [1]
 STEEPEST: Final = 0.45
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
@@ -188,7 +199,7 @@ def seen_row(place, altitude, width, cell, leaf, whole, part):
 
 
 @kernel
-def octave_change(place, scale, whole, way, along, wavy):
+def octave_change(place, scale, whole, way, along, wander):
     """Noise of an octave, and its growth along a direction. [1]
 
     Parameters
@@ -201,26 +212,52 @@ def octave_change(place, scale, whole, way, along, wavy):
         Arguments of ``land_texture``.
     along : float
         How much the noise is drawn out. [1]
-    wavy : bool
-        Whether it is waves of sand, of two cells.
+    wander : float
+        How far crests of waves of sand, of two cells, wander; 0 without waves. [rad]
     """
     inverse = 1.0 / scale
-    across = BETWEEN if wavy else 1.0
+    across = BETWEEN if wander > 0.0 else 1.0
     value, slope_x, slope_y = plane_noise(
         along_lattice(whole.x, place.x, inverse / along),
         along_lattice(whole.y, place.y, inverse / across),
     )
     growth = way.x * slope_x / along + way.y * slope_y / across
-    if wavy:
-        phase = pi * along_lattice(whole.y, place.y, inverse) + WANDER * value
+    if wander > 0.0:
+        phase = pi * along_lattice(whole.y, place.y, inverse) + wander * value
         wave, size = sin(phase), min(max(0.4 + 1.5 * value, 0.0), 1.0)
-        growth = (pi * way.y + WANDER * growth) * size * cos(phase) * (1.0 - 2.0 * SHARP * wave)
+        growth = (pi * way.y + wander * growth) * size * cos(phase) * (1.0 - 2.0 * SHARP * wave)
         value = size * (wave + SHARP * (0.5 - wave * wave))
     return value, growth
 
 
 @kernel
-def land_texture(ground, row, footprint, longer, whole, way, leaf, snow, windy):
+def octave_seen(ground, row, footprint, longer, scale, whole, way, along, wander):
+    """Result of ``octave_change``, of the ground or of rows that hide it, blurred by the pixel. [1]
+
+    Parameters
+    ----------
+    ground, row, footprint, longer :
+        Arguments of ``land_texture``.
+    scale, whole, way, along, wander :
+        Arguments of ``octave_change``.
+    """
+    here, growth = 0.0, 0.0
+    shown = min(0.8 * scale / footprint - 1.0, 1.0)
+    if shown > 0.0:
+        flat = min(max(1.2 * scale / longer - 1.0, 0.0), shown)
+        if flat > 0.0:
+            value, change = octave_change(ground, scale, whole, way, along, wander)
+            here += flat * value
+            growth += flat * change
+        if flat < shown:
+            value, change = octave_change(row, scale, whole, way, along, wander)
+            here += (shown - flat) * value
+            growth += (shown - flat) * change
+    return here, growth
+
+
+@kernel
+def land_texture(ground, row, footprint, longer, whole, way, leaf, snow, windy, rough):
     """Result of ``LandTexture`` at a place.
 
     Parameters
@@ -237,34 +274,37 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow, windy):
         Shares of green plants and of snow. [1]
     windy : bool
         Whether sand has waves.
+    rough : float
+        Size of mounds on stony ground over their slope ``UNEVEN``, of pits if negative. [1]
     """
     tone, hue, ascent, shore, scale = 0.0, 0.0, 0.0, 0.0, COARSEST
     sandy, snowy = leaf < GREEN and snow < SNOWY, snow >= SNOWY
     loud = SANDY if sandy else (ICY if snowy else COARSE)
     louder = 0.0 if sandy or snowy else FINER
     drawn = DRAWN if snowy else 1.0
+    crests, steep, part = WANDER, 1.0, 0.5 * rough
+    if rough > 0.0:
+        crests, steep = DRIFTS, DRIFTED
     for octave in range(OCTAVES):
-        shown = min(0.8 * scale / footprint - 1.0, 1.0)
-        if shown > 0.0:
+        if 0.8 * scale > footprint:
             wavy = windy and sandy and octave - 2 * (octave // 2) == 1
             along = CREST if wavy else drawn
-            flat = min(max(1.2 * scale / longer - 1.0, 0.0), shown)
-            here, growth = 0.0, 0.0
-            if flat > 0.0:
-                value, change = octave_change(ground, scale, whole, way, along, wavy)
-                here += flat * value
-                growth += flat * change
-            if flat < shown:
-                value, change = octave_change(row, scale, whole, way, along, wavy)
-                here += (shown - flat) * value
-                growth += (shown - flat) * change
+            here, growth = octave_seen(
+                ground, row, footprint, longer, scale, whole, way, along, crests if wavy else 0.0
+            )
             shore += here * scale
             tone += loud * here
             hue = loud * here - hue  # signs alternate: no colour of its own for bright or dark
             if wavy:
-                ascent += growth
+                ascent += steep * growth
             elif scale <= HIGHEST:
                 ascent += loud * growth
+            if part != 0.0 and scale <= UNEVEN_FROM:
+                here, growth = octave_seen(
+                    ground, row, footprint, longer, 0.5 * scale, whole, way, 1.0, 0.0
+                )
+                ascent += part * UNEVEN * max(here + LEVEL, 0.0) * growth
+                part *= sqrt(2.0) if scale > STEEPER_FROM else sqrt(0.5)
         loud += louder
         scale /= STEP
     return LandTexture(

@@ -2,12 +2,12 @@
 
 The share of the ground below rocks wider than D is k exp(-q D), q = 1.79 + 0.152/k (Golombek & Rapp
 1997, J. Geophys. Res. 102, 4117), with the k of the planet's file. Each cell of a square lattice
-has at most one rock, half of an ellipsoid with faces and pits, of the sizes between those of the
-next finer and its own lattice. A line of sight, or towards the star, visits the cells that it
-crosses below the tops of rocks. Seen from above, mean reflectance and mean sunlight remain. Seen at
-an angle, rocks brighten the ground towards the star and darken it away from it, as half ellipsoids
-do on ground that reflects by Lambert's law, down to 6° of elevation; at flatter angles they are
-lower and do less.
+has at most one rock, convex with faces that have hollows, of the sizes between those of the next
+finer and its own lattice. A line of sight, or towards the star, visits the cells that it crosses
+below the tops of rocks. Seen from above, mean reflectance and mean light of star and sky remain.
+Seen at an angle, rocks brighten the ground towards the star and darken it away from it, as they do
+on ground that reflects by Lambert's law, down to 6° of elevation; at flatter angles they are lower
+and do less.
 """
 
 from __future__ import annotations
@@ -25,38 +25,62 @@ from airlight.scene.ground_detail import STEP, along_lattice
 DECREASE: Final = 1.79
 SPARSER: Final = 0.152
 #: Number of lattices, and size of the finest, to a factor of two. [m]
-LATTICES: Final = 3
-FINEST: Final = 0.33
+LATTICES: Final = 4
+FINEST: Final = 0.083
 #: Diameter of the widest rock of a lattice, and mean area of a cell's rock, whose logarithm of the
-#: diameter is uniform and whose outline is ragged. [cell], [cell²]
+#: diameter is uniform. [cell], [cell²]
 WIDEST: Final = 0.6
-AREA: Final = 0.0815
+AREA: Final = 0.054
 #: Height of a rock over its radius: of the flattest, and what the highest has more. [1]
-FLAT: Final = 0.5
-STEEPER: Final = 0.6
+FLAT: Final = 0.35
+STEEPER: Final = 0.85
 #: Height of the highest rock [cell], and farthest distance from which rocks are looked for [cell],
 #: with the number of cells that are visited.
-HIGHEST: Final = 0.33
+HIGHEST: Final = 0.36
 SPAN: Final = 3.0
 VISITS: Final = 5
 #: Size of the noise of fields of rocks over the finest cells. [1]
-PATCH: Final = 64.0
+PATCH: Final = 256.0
 #: Longest shadow. [cell]
 SHADOW: Final = 2.5
-#: Reflectance of rocks over that of the ground between them. [1]
-DARK: Final = 0.75
+#: How much less red over green rocks are, over what they reflect less than the ground between
+#: them, which is dust: by eye. [1]
+GREY: Final = 0.2
 #: Logarithm of the ratio of diameters on a lattice. [1]
 FOURFOLD: Final = log(4.0)
-#: Faces across a radius, waves of pits in 2π radii, roughness of both, and that of outlines. [1]
-FACETS: Final = 1.6
-PITS: Final = 23.0
-ROUGH: Final = 0.2
-PITTED: Final = 0.25
-RAGGED: Final = 0.2
-#: Direct light that the ground and rocks lose per share of rocks, seen from above, under a star in
-#: the zenith, and its increase with the tangent of the zenith angle; of 20 000 places each. [1]
-LOST: Final = 0.174
-SHADED: Final = 0.189
+#: Number of faces of a rock but for its top, and of them of those at its foot; cosine and sine of
+#: the angle between them, 64°. [1]
+FACES: Final = 10
+SIDES: Final = 6
+TURN_X: Final = 0.43837
+TURN_Y: Final = 0.89879
+#: Nearest and farthest side from the middle, over the radius; what a side leans inwards at least
+#: and more, over the height; the same of the upper faces, and the height at which they are as far
+#: from the middle as sides; tilt of the top. [1]
+NEAREST: Final = 0.54
+FARTHER: Final = 0.37
+LEAN: Final = 0.05
+LEANING: Final = 0.5
+UPPER: Final = 0.5
+UPPER_LEAN: Final = 1.2
+SHOULDER: Final = 0.45
+TILT: Final = 0.6
+#: Share of a ball in the direction of faces, whose edges are worn; waves of hollows in 2π radii,
+#: and their roughness. [1]
+WORN: Final = 0.4
+PITS: Final = 7.0
+PITTED: Final = 0.16
+#: Reflectance of the ground, whose light reaches the sides of rocks; square of twice the light of
+#: the sky on a face that looks away from the sky's side of the star. [1]
+GROUND: Final = 0.15
+DIM: Final = 0.1
+#: Direct light that the ground and rocks lose per share of rocks, seen from above: under a star in
+#: the zenith, and ``SHADED`` t²/(t + ``FROM``) more, with the tangent t of the zenith angle; light
+#: of the sky that they lose; of 400 000 places each. [1]
+LOST: Final = 0.265
+SHADED: Final = 0.295
+FROM: Final = 0.6
+HIDDEN: Final = 0.07
 #: Cosine of the star's zenith angle below which faces are lit as at it. [1]
 LOWEST: Final = 0.1
 
@@ -68,18 +92,39 @@ class Rocks(NamedTuple):
     ----------
     tone : float
         Reflectance over that without rocks. [1]
+    hue : float
+        Relative change of its ratio of red to green. [1]
     open : float
         Share of the direct light on the ground without rocks that remains. [1]
-    light : float
-        Direct light on rocks, over that of level ground. [1]
+    light, sky : float
+        Direct light and light of the sky on rocks, over those of level ground. [1]
     bare : float
         Share of the pixel without rocks. [1]
     """
 
     tone: float
+    hue: float
     open: float
     light: float
+    sky: float
     bare: float
+
+
+class RockMet(NamedTuple):
+    """Where a line leaves a rock.
+
+    Attributes
+    ----------
+    part : float
+        Share of the pixel that the rock covers. [1]
+    face_x, face_y, face_z : float
+        Outward direction of its face, not normalised, of the rock of height 1. [1]
+    """
+
+    part: float
+    face_x: float
+    face_y: float
+    face_z: float
 
 
 @kernel
@@ -96,8 +141,64 @@ def rock_area(narrow, wide, share):
 
 
 @kernel
-def rocks_met(x, y, ray, span, blur, density, sun):
-    """Share of a line that rocks hide, and their direct light over that of level ground. [1]
+def rock_met(x, y, ray, first, second, blur):
+    """``RockMet`` of a line and a convex rock with plane faces, of radius and height 1.
+
+    Parameters
+    ----------
+    x, y : float
+        End of the line on the ground, from the middle. [radius]
+    ray : Vec3
+        Direction from there; its third component over the height. [radius⁻¹]
+    first, second : float
+        Numbers from 0 to 1 of which the faces are made.
+    blur : float
+        Width of the pixel. [radius]
+    """
+    # the line is within the rock from ``enters`` to ``leaves``, above the ground
+    enters, entering = 0.0, ray.z
+    tilt_x, tilt_y = TILT * (first - 0.5), TILT * (second - 0.5)
+    leaving = max(ray.z + tilt_x * ray.x + tilt_y * ray.y, 1e-6)
+    leaves = (0.75 + 0.25 * second - tilt_x * x - tilt_y * y) / leaving
+    face_x, face_y, face_z = tilt_x, tilt_y, 1.0
+    along, aside = first, sqrt(1.0 - first * first)
+    offset, steep = 5.0 * second, 11.0 * second + 3.0 * first
+    offset, steep = offset - floor(offset), steep - floor(steep)
+    for side in range(FACES):
+        left = NEAREST + FARTHER * offset - along * x - aside * y
+        lean = LEAN + LEANING * steep * steep
+        if side >= SIDES:
+            lean = UPPER + UPPER_LEAN * steep
+            left += SHOULDER * lean
+        outwards = along * ray.x + aside * ray.y + lean * ray.z
+        if outwards > 0.0:
+            if left < leaves * outwards:
+                leaves, leaving = left / outwards, outwards
+                face_x, face_y, face_z = along, aside, lean
+        elif left < enters * outwards:
+            outwards = min(outwards, -1e-6)
+            enters, entering = left / outwards, -outwards
+        if enters > leaves + blur * (1.0 / leaving + 1.0 / entering):
+            break
+        along, aside = TURN_X * along - TURN_Y * aside, TURN_Y * along + TURN_X * aside
+        offset += 0.618034 if offset < 0.381966 else -0.381966
+        steep += 0.754878 if steep < 0.245122 else -0.245122
+    # width of the wedge between both planes, in pixels
+    wedge = (leaves - enters) * leaving * entering / ((leaving + entering) * blur)
+    part = min(max(wedge + 0.5, 0.0), 1.0)
+    if part > 0.0:
+        out = max(leaves, 0.0)
+        x, y, high = x + out * ray.x, y + out * ray.y, out * ray.z
+        bend = 3.0 * sin(PITS * (x - high) + 40.0 * second)
+        face_x += WORN * x + PITTED * sin(PITS * (y + 2.0 * high) + 40.0 * first + bend)
+        face_y += WORN * y + PITTED * sin(2.0 * PITS * (x + high) + bend)
+        face_z += WORN * high
+    return RockMet(part, face_x, face_y, face_z)
+
+
+@kernel
+def rocks_met(x, y, ray, span, blur, density, sun, glow):
+    """Share of a line that rocks hide, and their light over that of level ground. [1]
 
     Parameters
     ----------
@@ -113,8 +214,16 @@ def rocks_met(x, y, ray, span, blur, density, sun):
         Share of cells with a rock. [1]
     sun : Vec3
         Direction towards the star. [1]
+    glow : float
+        Light of the sky from the star's side, horizontal over vertical, over the sine of the
+        star's zenith angle. [1]
+
+    Returns
+    -------
+    hidden, light, sky : float
+        Share, and direct light and that of the sky.
     """
-    left, light, went, visits = 1.0, 0.0, 0.0, 0
+    left, light, sky, went, visits = 1.0, 0.0, 0.0, 0.0, 0
     several, low = 289.0 * density, min(span * ray.z / HIGHEST, 1.0)
     start_x, start_y = x + span * ray.x, y + span * ray.y
     i, j = float(floor(start_x)), float(floor(start_y))
@@ -138,35 +247,26 @@ def rocks_met(x, y, ray, span, blur, density, sun):
                 first /= 289.0
                 at_x = x - i - radius - (1.0 - 2.0 * radius) * first
                 at_y = y - j - radius - (1.0 - 2.0 * radius) * second
-                if abs(at_x * ray.y - at_y * ray.x) < radius + 0.5 * blur:
-                    at_x /= radius
-                    at_y /= radius
-                    height = radius * (FLAT + STEEPER * second) * low
-                    way_x, way_y, climb = ray.x / radius, ray.y / radius, ray.z / max(height, 1e-6)
-                    square = way_x * way_x + way_y * way_y + climb * climb
-                    middle = at_x * way_x + at_y * way_y
-                    nearest = max(at_x * at_x + at_y * at_y - middle * middle / square, 0.0)
-                    edge = at_x - at_y - middle * (way_x - way_y + climb) / square
-                    nearest *= 1.0 + RAGGED + RAGGED * sin(6.0 * edge + 40.0 * first)
-                    met = (sqrt(max(1.0 - nearest, 0.0) * square) - middle) / square
-                    part = min(max((1.0 - sqrt(nearest)) * radius / blur + 0.5, 0.0), 1.0)
-                    if met > 0.0 and part > 0.0:
-                        at_x += met * way_x
-                        at_y += met * way_y
-                        along, aside = first, sqrt(1.0 - first * first)
-                        u = along * at_x + aside * at_y
-                        v = along * at_y - aside * at_x
-                        u = (floor(FACETS * u + second) + 0.5 - second) / FACETS
-                        v = (floor(FACETS * v + first) + 0.5 - first) / FACETS
-                        u += ROUGH * sin(5.0 * at_y + 40.0 * first)
-                        v += ROUGH * sin(5.0 * at_x + 40.0 * second)
-                        u += PITTED * sin(PITS * (at_x + met * climb)) * sin(PITS * at_y)
-                        face_x, face_y = along * u - aside * v, aside * u + along * v
-                        face_z = met * climb * radius / max(height, 1e-6)
-                        facing = face_x * sun.x + face_y * sun.y + face_z * sun.z
-                        facing /= sqrt(face_x * face_x + face_y * face_y + face_z * face_z)
-                        light += left * part * max(facing, 0.0) / max(sun.z, LOWEST)
-                        left *= 1.0 - part
+                # heights differ from shapes
+                height = 7.0 * first + 3.0 * second
+                height = radius * (FLAT + STEEPER * (height - floor(height))) * low
+                near, wide = -at_x * ray.x - at_y * ray.y, radius + 0.5 * blur
+                over = (near - wide) * ray.z > height or near < -wide
+                if not over and abs(at_x * ray.y - at_y * ray.x) < wide:
+                    way = Vec3(ray.x / radius, ray.y / radius, ray.z / max(height, 1e-6))
+                    one = rock_met(at_x / radius, at_y / radius, way, first, second, blur / radius)
+                    if one.part > 0.0:
+                        upright = one.face_z * radius / max(height, 1e-6)
+                        across = one.face_x * sun.x + one.face_y * sun.y
+                        size = one.face_x * one.face_x + one.face_y * one.face_y
+                        size = 1.0 / sqrt(size + upright * upright)
+                        facing = max(across + upright * sun.z, 0.0) * size
+                        below = GROUND * (0.5 - 0.5 * upright * size)
+                        light += left * one.part * (facing / max(sun.z, LOWEST) + below)
+                        open_sky = 0.5 + 0.5 * upright * size + glow * across * size
+                        open_sky = 0.5 * (open_sky + sqrt(open_sky * open_sky + DIM))
+                        sky += left * one.part * (open_sky + below)
+                        left *= 1.0 - one.part
         if next_x < next_y:
             went = next_x
             next_x += every_x
@@ -177,11 +277,11 @@ def rocks_met(x, y, ray, span, blur, density, sun):
             next_y += every_y
             j += step_y
         visits += 1
-    return 1.0 - left, light
+    return 1.0 - left, light, sky
 
 
 @kernel
-def rocks(place, whole, ray, sun, pixel, blur, cell, bare, share):
+def rocks(place, whole, ray, sun, glow, pixel, blur, cell, bare, share, stone):
     """``Rocks`` of a pixel.
 
     Parameters
@@ -191,6 +291,8 @@ def rocks(place, whole, ray, sun, pixel, blur, cell, bare, share):
     ray, sun : Vec3
         Horizontal direction towards the observer in the plane of the face, and the ascent of the
         line of sight; direction towards the star. [1]
+    glow : float
+        Argument of ``rocks_met``.
     pixel, blur : float
         Width of the pixel across the line of sight, and its mean on the ground. [finest cell]
     cell : float
@@ -199,8 +301,10 @@ def rocks(place, whole, ray, sun, pixel, blur, cell, bare, share):
         Share of bare ground. [1]
     share : float
         Share of bare ground below rocks. [1]
+    stone : float
+        Reflectance of rocks over that of the ground between them. [1]
     """
-    tone, open_ground, light, below, left = 1.0, 1.0, 0.0, 0.0, 1.0
+    tone, hue, open_ground, light, sky, below, left = 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0
     scale = 4.0 ** floor(0.5 * log2(FINEST / cell) + 0.5)
     if bare * share > 0.0 and 0.4 * WIDEST * scale * STEP ** (LATTICES - 1) > pixel:
         inverse = 1.0 / (PATCH * scale)
@@ -214,23 +318,34 @@ def rocks(place, whole, ray, sun, pixel, blur, cell, bare, share):
         shown = min(0.4 * WIDEST * scale / pixel - 1.0, 1.0) if bare * share > 0.0 else 0.0
         if shown > 0.0:
             wide = WIDEST * scale * cell
-            area = bare * rock_area(wide / STEP, wide, share)
-            density = min(area / AREA, 1.0)
-            below += shown * area
+            density = min(bare * rock_area(wide / STEP, wide, share) / AREA, 1.0)
+            below += shown * density * AREA
             x = along_lattice(whole.x, place.x, 1.0 / scale)
             y = along_lattice(whole.y, place.y, 1.0 / scale)
             span = min(HIGHEST / max(ray.z, 1e-6), SPAN)
-            cover, face = rocks_met(x, y, ray, span, pixel / scale, density, sun)
+            cover, face, open_sky = rocks_met(x, y, ray, span, pixel / scale, density, sun, glow)
             dark = 0.0
-            if cover < 0.98:
+            if cover < 0.98 and sun.z > 0.0:
                 span = min(HIGHEST / up.z, SHADOW)
-                dark, _lit = rocks_met(x, y, up, span, blur / scale, density, sun)
+                dark, _direct, _diffuse = rocks_met(
+                    x, y, up, span, blur / scale, density, sun, glow
+                )
             # the widest rocks hide what the narrow ones are
             between = 1.0 - shown * cover
-            tone = tone * between + shown * cover * DARK
+            tone = tone * between + shown * cover * stone
+            hue = hue * between - GREY * (1.0 - stone) * shown * cover
             light = light * between + shown * face
+            sky = sky * between + shown * open_sky
             open_ground *= between * (1.0 - shown * dark)
             left *= between
         scale *= STEP
-    kept = 1.0 - below * (LOST + SHADED * sine / max(sun.z, 2.0 * LOWEST))
-    return Rocks(tone / (1.0 - below * (1.0 - DARK)), open_ground / kept, light / kept, left)
+    tangent = sine / max(sun.z, 2.0 * LOWEST)
+    kept = 1.0 - below * (LOST + SHADED * tangent * tangent / (tangent + FROM))
+    return Rocks(
+        tone / (1.0 - below * (1.0 - stone)),
+        hue + GREY * (1.0 - stone) * below,
+        open_ground / kept,
+        light / kept,
+        (sky + left) / (1.0 - HIDDEN * below),
+        left,
+    )

@@ -489,7 +489,7 @@ WHOLE = {
         "octave_change", "seen_row", "row_before", "hills", "woods", "canopy", "hill_size",
         "leafiness", "snowiness", "near_hills", "risen", "grown", "land_color", "seen_hill",
         "haze_beyond", "face_of", "faced", "plane_noise", "sloping_noise", "rocks", "rocks_met",
-        "rock_area",
+        "rock_area", "rock_met", "rocky_hills", "octave_seen",
     ),
     "test_ground_detail.py::test_detail_near_the_observer_is_that_of_the_cpu": (
         "ground_detail", "gradient_noise", "corner_slope", "smooth_noise", "lattice_value",

@@ -24,7 +24,6 @@ from airlight.render.clouds.line_of_air import line_of_air
 from airlight.render.clouds.local_sun import local_light, local_slant, sun_place
 from airlight.render.clouds.sight_extent import sight_extents
 from airlight.render.pixels.ground_angles import ground_angles
-from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.pixel import (
     disc_light,
     filtered,
@@ -35,6 +34,7 @@ from airlight.render.pixels.pixel import (
 from airlight.render.pixels.render_cpu import each_pixel
 from airlight.render.pixels.sky_lookup import classify_ray, sky_view_place
 from airlight.render.pixels.sky_view_lut import half_sine_between
+from airlight.render.pixels.skyline import haze_beyond
 from airlight.solver.moments.irradiance import ground_light
 from airlight.solver.moments.march_tables import FACETS, MIRRORED, MarchWorkspace
 from airlight.solver.stokes_frame import star_plane

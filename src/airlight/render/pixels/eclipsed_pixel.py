@@ -19,11 +19,11 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, store
 from airlight.physics.optics.cox_munk import mean_square_slope, mirrored_cosine
 from airlight.render.pixels.deck import shade_deck
-from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.pixel import ground_along, ground_radiance
 from airlight.render.pixels.render_cpu import each_pixel
 from airlight.render.pixels.sky_lookup import classify_ray
 from airlight.render.pixels.sky_view_lut import half_sine_between
+from airlight.render.pixels.skyline import haze_beyond
 from airlight.solver.eclipsed.eclipsed_march import (
     TOTAL,
     Eclipse,

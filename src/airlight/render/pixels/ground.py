@@ -29,7 +29,7 @@ from airlight.render.pixels.ground_clouds import (
     clouded_light,
     keep_clouds,
 )
-from airlight.render.pixels.land import NEARLY_WATER, detailed_land
+from airlight.render.pixels.land import NEARLY_WATER, SKY, detailed_land
 from airlight.render.pixels.oblate import point_below
 from airlight.render.pixels.relief import relief_light
 from airlight.render.pixels.sea_sky import mirror_place
@@ -41,6 +41,7 @@ from airlight.render.pixels.sea_surface import (
     resolved_waves,
     spread_glint,
 )
+from airlight.render.pixels.skyline import LOW
 from airlight.scene.ground_detail import (
     STEP,
     GroundNoise,
@@ -67,7 +68,7 @@ from airlight.solver.moments.march_tables import MIRRORED
 from airlight.solver.moments.source import transmittance_columns
 
 #: Length of the array that ``ground_color`` fills.
-GROUND_VALUES: Final = 12 + CLOUD_VALUES
+GROUND_VALUES: Final = 14 + CLOUD_VALUES
 #: Cosine of the star's zenith angle from which light of the night is lost in its light on the
 #: ground: skyglow of cities is 2e-4 of it, and lamps keep their mean, without a pattern. [1]
 DAYLIGHT: Final = 0.1
@@ -80,6 +81,7 @@ def level_ground(color):
     color[9] = 0.0
     color[10] = 0.0
     color[11] = 1.0
+    color[SKY] = 1.0
 
 
 @inlined
@@ -161,7 +163,8 @@ def ground_color(ray, sine, angle, observer, frame, color):
     # of the straight line: how much a near one is bent is lost in rounding
     noise, width = GroundNoise(0.0, 0.0), 1.0
     place, footprint = ground_spot(reach, end, cosine, observer, view, tables)
-    if view.detailed:
+    # a low observer's ground lies within a texel, whose edges are seen of coasts alone
+    if view.detailed and (tables.ground.wet or observer.optical_altitude > LOW):
         noise = ground_detail(
             place, max(footprint, 0.5 * view.detail_cell * STEP**FINEST_OF_MAP),
             view.detail_cell, view.whole, view.part,
@@ -267,6 +270,7 @@ def ground_reflectances(ray, sine, angle, observer, frame, work, color):
             star_diffuse *= color[11]
             star_specular *= color[11]
             sky_diffuse, sky_specular = brdf_diffuse(tables.ground.law, tables.ground, mu_r)
+            sky_diffuse *= color[SKY]
             if view.detailed and view.mapped and tables.ground.law == 0:
                 star_diffuse *= unsaturated(land_direct(mu_s, mu_r, nu), color[1])
                 sky_diffuse *= unsaturated(land_diffuse(mu_r), color[1])

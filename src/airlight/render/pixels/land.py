@@ -2,22 +2,32 @@
 
 from __future__ import annotations
 
-from math import cos, pi, sqrt
+from math import sqrt
 from typing import Final
 
-from airlight.geometry.gradient_noise import smooth_noise
-from airlight.geometry.vectors import Vec3, components, plus, scaled
+from airlight.geometry.vectors import Vec3, plus, scaled
 from airlight.kernel import inlined, kernel
 from airlight.render.pixels.coast import land_and_water
 from airlight.render.pixels.cratered_land import highlands, land_craters
-from airlight.render.pixels.ground_angles import columns_to_ground
+from airlight.render.pixels.ground_clouds import CLOUD_VALUES
 from airlight.render.pixels.land_from_above import land_from_above
-from airlight.render.pixels.longer_columns import lengthen
 from airlight.render.pixels.oblate import point_below
-from airlight.render.pixels.relief import height_at
+from airlight.render.pixels.skyline import (
+    BEYOND,
+    GROUND,
+    HILLY,
+    LOW,
+    SNOWED,
+    grown,
+    hill_size,
+    leafiness,
+    near_hills,
+    risen,
+    rocky_hills,
+    snowiness,
+)
 from airlight.scene.ground_detail import unmixed
-from airlight.scene.ground_place import latitude_longitude, map_color
-from airlight.scene.hills import COARSEST, CROWNS, canopy, hills, woods
+from airlight.scene.hills import canopy, hills, woods
 from airlight.scene.land_texture import (
     ROW,
     face_of,
@@ -33,34 +43,14 @@ from airlight.scene.rolling_ground import rolling
 
 #: Share of water from which a place has no land to be decorated: sums of weights are rounded. [1]
 NEARLY_WATER: Final = 0.999
-#: Height of the coarsest octave of hills in a plain over its cells, 200 m on Earth, and its ratio
-#: to differences of height between texels of the map of heights. [1]
-LEAST: Final = 0.027
-RUGGED: Final = 3.0
-#: Cells of hilly regions over those of the coarsest octave, and height of hills in the plains
-#: between them over that in hilly ones. [1]
-REGION: Final = 8.0
-PLAIN: Final = 0.2
-#: Altitude over which hills hide nothing; distance of the nearest and of the farthest hills that
-#: do, distance of the nearest per altitude, and largest width of trees' crowns, by eye: their sides
-#: have no detail of their own. [m], [1], [pixel]
-LOW: Final = 1000.0
-NEAR: Final = 250.0
-FAR: Final = 20e3
-AWAY: Final = 12.0
-WIDEST: Final = 24.0
-#: Steepest line of sight that is compared with hills. [1]
-STEEP: Final = 0.05
-#: Number of distances at which heights are compared, and of halvings of the last step.
-STEPS: Final = 20
-HALVINGS: Final = 4
-#: Height of noise that lies on level ground, and highest value. [1]
-GROUND: Final = 0.0
-TOP: Final = 0.6
-#: Largest angle of elevation of hills over their height. [finest cell⁻¹]
-STEEPEST: Final = 6.5e-6
-#: Largest height of the coarsest octave around a low observer. [m]
-HIGHEST: Final = 700.0
+#: Size of pits of airless soil over that of mounds of others, and its contrast over theirs, by eye:
+#: impacts mix it. [1]
+PITTED: Final = -0.6
+SOIL: Final = 0.5
+#: Reflectance of rocks over that of dust, and that of blocks of fresh rock over that of old airless
+#: soil, by eye. [1]
+STONES: Final = 0.75
+BLOCKS: Final = 1.2
 #: Contrast of hills over that of the grain of the map, which is half of that of its land. [1]
 LOUD: Final = 3.0
 #: Green reflectances between which contrast falls, and what is left of it on brighter land: median
@@ -69,8 +59,6 @@ LOUD: Final = 3.0
 DARK: Final = 0.2
 BRIGHT: Final = 0.45
 EVEN: Final = 0.3
-#: Share of hills on snow. [1]
-SNOWED: Final = 0.3
 #: Cosine of the zenith angle of a line of sight below which land is seen in rows. [1]
 GRAZING: Final = 0.35
 #: Reflectance of woods over that of what is between them. [1]
@@ -80,26 +68,17 @@ COVER: Final = 0.394
 #: What mean reflectance loses as woods are where the ground between them would be bright, of 12 000
 #: places with the contrast of the packaged map of Earth. [1]
 COMMON: Final = 0.031
-#: Height of hills in highlands with craters over that of others: median slopes of the Moon's are
-#: 7.5° there and 2.0° on the maria (Rosenburg et al. 2011, JGR 116, E02001). [1]
-HILLY: Final = 3.0
 #: Contrast of ground where wind moves sand and dust over that of its map, by eye. [1]
 DUSTY: Final = 2.5
+#: Index of the light of the sky over that on level ground.
+SKY: Final = 12 + CLOUD_VALUES
+#: Cosine of the star's zenith angle below which the light of the sky comes from the star's side as
+#: at it: horizontal over vertical is 0.8 tan 40°, 1.5 for 60° and 2.1 for 75° to 90°, as rendered
+#: for Mars with dust of optical depth 0.5. Least light of the sky of a slope. [1], [1]
+LOWEST_GLOW: Final = 0.5
+LEAST_SKY: Final = 0.1
 #: Finest texture of hills beyond the horizon, by eye. [pixel]
-BEYOND: Final = 8.0
-
-
-@kernel
-def leafiness(red, green, snow):
-    """Share of green plants, 0 to 1, by the reflectances of a map. [1]"""
-    ratio = green / max(red, 1e-3)
-    return min(max(4.0 * (ratio - 0.85), 0.0), 1.0) * (1.0 - snow)
-
-
-@kernel
-def snowiness(red, blue):
-    """Share of snow, 0 to 1, by the reflectances of a map. [1]"""
-    return min(max(5.0 * (min(red, blue) - 0.3), 0.0), 1.0)
+COARSER: Final = 8.0
 
 
 @kernel
@@ -120,205 +99,6 @@ def unevenness(green, altitude):
     """
     bright = min(max((green - DARK) / (BRIGHT - DARK), 0.0), 1.0)
     return 1.0 - (1.0 - EVEN) * bright * min(max(altitude / LOW - 1.0, 0.0), 1.0)
-
-
-@kernel
-def near_hills(altitude, cell, pixel_angle):
-    """Distance at which hills begin. [m]
-
-    Parameters
-    ----------
-    altitude : float
-        Altitude of the observer. [m]
-    cell, pixel_angle : float
-        ``detail_cell`` [m] and ``pixel_angle`` [rad] of the camera.
-    """
-    narrow = CROWNS * cell / (WIDEST * max(pixel_angle, 1e-7))
-    return max(NEAR, max(AWAY * altitude, narrow))
-
-
-@kernel
-def risen(distance, altitude, near):
-    """Share of the height of hills at a distance: a low observer stands on level ground. [1]"""
-    if altitude > LOW:
-        return 1.0
-    return min(max((distance - near) / (2.0 * near), 0.0), 1.0)
-
-
-@kernel
-def grown(distance, altitude, near):
-    """Share of the height of trees at a distance: a low observer stands on open ground. [1]"""
-    if altitude > LOW:
-        return 1.0
-    return min(max(2.0 * (distance / near - 2.0), 0.0), 1.0)
-
-
-@inlined
-def hill_size(place, bottom, uneven, view):
-    """Height of the coarsest octave of hills, by differences of the map of heights. [m]
-
-    Decoration, by eye: hilly regions and plains of some tens of kilometres.
-
-    Parameters
-    ----------
-    place : Vec3
-        Place from the centre, in the planet's frame, over the radius. [1]
-    bottom : float
-        Radius of the ground. [m]
-    uneven : float
-        Height of hills in plains over that of dark land. [1]
-    view : ViewUniforms
-        Camera with its maps.
-    """
-    size = uneven * LEAST * COARSEST * view.detail_cell
-    if view.relieved:
-        latitude, longitude = latitude_longitude(place)
-        angle = pi / view.over_rows
-        parallel = max(cos(latitude), 0.05)
-        here = height_at(latitude, longitude, 0, view)
-        north = height_at(latitude + angle, longitude, 0, view)
-        east = height_at(latitude, longitude + angle / parallel, 0, view)
-        size += RUGGED * sqrt((north - here) * (north - here) + (east - here) * (east - here))
-    region = bottom / (REGION * COARSEST * view.detail_cell)
-    hilly = 0.6 + 3.0 * smooth_noise(place.x * region, place.y * region, place.z * region)
-    return size * min(max(hilly, PLAIN), 1.0)
-
-
-@inlined
-def land_color(place, view, color):
-    """Map values of a place, into ``color``. [1]
-
-    Parameters
-    ----------
-    place : Vec3
-        Place from the centre, in the planet's frame; any unit.
-    view, color :
-        Arguments of ``detailed_land``.
-    """
-    latitude, longitude = latitude_longitude(place)
-    map_color(
-        view.texels,
-        view.map_rows,
-        view.map_columns,
-        view.map_levels,
-        latitude,
-        longitude,
-        0.0,
-        color,
-        0,
-    )
-
-
-@inlined
-def seen_hill(ray, frame, color):
-    """Line of sight to the level ground below the place where one meets hills.
-
-    A line that meets none remains. Of hills beyond the horizon it ends before that.
-
-    Parameters
-    ----------
-    ray : Vec3
-        Direction in the observer's frame. [1]
-    frame : FrameTables
-        What the pixels read.
-    color : array, shape (GROUND_VALUES,)
-        Workspace.
-
-    Returns
-    -------
-    ray, beyond : Vec3, float
-        Direction, and distance of the hills over that of the ground at its end. [1]
-    """
-    observer, view, tables = frame.observer, frame.camera, frame.tables
-    altitude = observer.optical_altitude
-    sine = sqrt(ray.x * ray.x + ray.y * ray.y)
-    if not view.detailed or observer.outside or altitude > LOW or abs(ray.z) > STEEP * sine:
-        return ray, 1.0
-    horizon = sqrt(2.0 * altitude * tables.bottom)
-    near, edge = near_hills(altitude, view.detail_cell, view.pixel_angle), 0.95 * horizon
-    far = max(FAR, edge)
-    if far < 2.0 * near or (tables.ground.wet and not view.mapped):
-        return ray, 1.0
-    along, climb = Vec3(ray.x / sine, ray.y / sine, 0.0), ray.z / sine
-    if altitude + near * (climb + 0.5 * near / tables.bottom) <= 0.0:
-        return ray, 1.0
-    aside = components(along, observer.ground_x, observer.ground_y, observer.ground_z)
-    up = components(Vec3(0.0, 0.0, 1.0), observer.ground_x, observer.ground_y, observer.ground_z)
-    middle = plus(up, scaled(aside, 0.3 * far / tables.bottom))
-    leaf, snow = 0.0, 0.0
-    if view.mapped:
-        land_color(middle, view, color)
-        if color[3] > 0.5:
-            return ray, 1.0
-        snow = snowiness(color[0], color[2])
-        leaf = leafiness(color[0], color[1], snow)
-    size = min(hill_size(middle, tables.bottom, 1.0, view), HIGHEST) * (1.0 + (SNOWED - 1.0) * snow)
-    cell = view.detail_cell
-    trees = 250.0 * cell * leaf
-    step = (far / near) ** (1.0 / STEPS)
-    before, distance, found, met, halvings = near, near * step, 0.0, 0.0, 0
-    over, under = 1.0, -1.0
-    while distance < far and halvings <= HALVINGS:
-        above = altitude + distance * (climb + 0.5 * distance / tables.bottom)
-        share = risen(distance, altitude, near)
-        height = 0.0
-        wooded = trees * grown(distance, altitude, near)
-        if above > 0.0 and above < size * min(TOP, STEEPEST * distance / cell - GROUND) + wooded:
-            finest = Vec3(
-                view.part.x + distance * aside.x / cell,
-                view.part.y + distance * aside.y / cell,
-                view.part.z + distance * aside.z / cell,
-            )
-            blur = view.pixel_angle * distance / cell
-            hill = hills(
-                finest, blur, distance / cell, view.whole, aside, False, cell, view.grain_fall
-            )
-            height = share * size * max(hill.height - GROUND, 0.0)
-            if above >= height and above < height + wooded:
-                wood = leaf * grown(distance, altitude, near)
-                wood *= woods(finest, blur, view.whole, hill.tone)
-                if wood > 0.0:
-                    crown = canopy(finest, blur, view.whole, wood, aside)
-                    height += cell * crown.height
-        if above <= height:
-            found, met, under = distance, above, above - height
-        else:
-            before, over = distance, above - height
-        if found > 0.0:
-            halvings += 1
-            distance = 0.5 * (before + found)
-        else:
-            distance *= step
-    if met <= 0.0:
-        return ray, 1.0
-    if view.mapped:
-        land_color(plus(up, scaled(aside, found / tables.bottom)), view, color)
-        if color[3] > 0.5:
-            return ray, 1.0
-    # what is seen of a tree from bottom to top lies behind one another
-    found = before + (found - before) * over / max(over - under, 1e-3)
-    end = min(found, edge)
-    down = -altitude / end - 0.5 * end / tables.bottom
-    length = sqrt(1.0 + down * down)
-    return Vec3(along.x / length, along.y / length, down / length), found / end
-
-
-@inlined
-def haze_beyond(ray, sine, beyond, frame, work):
-    """Carry light of a line of sight on to hills beyond the ground at its end.
-
-    The air is even along it: the columns grow with the distance, by ``lengthen``.
-
-    Parameters
-    ----------
-    ray, sine, beyond : Vec3, float, float
-        Direction of the line, sine of its zenith angle, and result of ``seen_hill``. [1]
-    frame, work : FrameTables, MarchWorkspace
-        What the pixels read; the workspace has the light of the line, which is changed.
-    """
-    tables = frame.tables
-    columns_to_ground(ray.z, sine, frame.observer, tables, work.columns_total, work.columns_so_far)
-    lengthen(beyond, tables.extinction, frame, work)
 
 
 @inlined
@@ -345,12 +125,15 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
     view = frame.camera
     share = color[3] if view.mapped else 0.0
     if share < NEARLY_WATER:
+        beyond = max(color[BEYOND], 1.0)
+        place, footprint, reach = scaled(place, beyond), beyond * footprint, beyond * reach
         cell, snow, leaf, uneven = view.detail_cell, 0.0, 0.0, 1.0
         if view.mapped:
             snow = snowiness(color[0], color[2])
             uneven = max(unevenness(color[1], observer.optical_altitude), snow)
             leaf = leafiness(color[0], color[1], snow)
-        pitted, bare = view.craters > 0.0, 0.0  # where craters last there is no wind
+        pitted, bare = view.craters > 0.0, 0.0
+        airless = pitted and not view.weathered
         if pitted:
             bare = highlands(spot, view)
         blur = texture_footprint(footprint, cosine) / cell
@@ -374,11 +157,12 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             ascent, tone = ground.ascent, (DUSTY if view.weathered else 1.0) * ground.tone
             moved = Vec3(ground.aside, ground.along, 0.0)
         elif high > 0.0:
-            size = hill_size(middle, frame.tables.bottom, uneven, view)
+            rocky = rocky_hills(view.rocks, observer.optical_altitude)
+            size = hill_size(middle, frame.tables.bottom, uneven, rocky, view)
             size *= 1.0 + (SNOWED - 1.0) * snow + (HILLY - 1.0) * bare
             from_there = reach if observer.optical_altitude < LOW else 1e9
             hill = hills(
-                finest, blur, from_there / cell, view.whole, way, True, cell, view.grain_fall
+                finest, blur, from_there / cell, view.whole, way, True, cell, view.grain_fall, -1.0
             )
             ascent = high * size * hill.ascent
             tone = uneven * hill.tone
@@ -406,22 +190,27 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             row = plus(row, higher)
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
             if distant:
-                shorter = max(shorter, BEYOND * view.pixel_angle * reach / cell)
-        dark, open_ground = 1.0, 1.0
+                shorter = max(shorter, COARSER * view.pixel_angle * reach / cell)
+        dark, open_ground, rough = 1.0, 1.0, 0.0
+        stones = view.rocks > 0.0 and observer.optical_altitude < LOW
+        if stones:
+            rough = PITTED if airless else 1.0
         texture = land_texture(
-            finest, row, shorter, footprint / cell, whole, way, leaf, snow, not pitted
+            finest, row, shorter, footprint / cell, whole, way, leaf, snow, not airless, rough
         )
-        sine = sqrt(max(1.0 - mu_s * mu_s, 0.0))
+        sine, glow = sqrt(max(1.0 - mu_s * mu_s, 0.0)), 1.0 / max(mu_s, LOWEST_GLOW)
         stony = rocks(
             finest,
             whole,
             Vec3(-place.x / away, -place.y / away, observer.optical_altitude / away),
             Vec3(sine * way.x, sine * way.y, mu_s),
+            glow,
             view.pixel_angle * reach / cell,
             blur,
             cell,
             max(1.0 - leaf - snow, 0.0),
             view.rocks,
+            BLOCKS if airless else STONES,
         )
         ascent += texture.ascent
         if pitted:
@@ -432,8 +221,11 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             dark = max(1.0 + pits.tone, 0.1)
             open_ground = 1.0 if distant else pits.light
         color[11] = stony.light + stony.open * open_ground * texture_light(mu_s, ascent)
-        change = stony.bare * texture.tone
-        hue += stony.bare * texture.hue
+        if stones:
+            open_sky = max(1.0 - ascent * glow * sine, LEAST_SKY)
+            color[SKY] = stony.sky + stony.bare * (open_sky - 1.0)
+        change = stony.bare * texture.tone * (SOIL if airless else 1.0)
+        hue += stony.hue + stony.bare * texture.hue
         tone *= LOUD
         dark *= (1.0 - (1.0 - SHADY) * wood) / (1.0 - woody * ((1.0 - SHADY) * COVER + COMMON))
         dark *= stony.tone * leaves

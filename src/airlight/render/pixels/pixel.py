@@ -17,7 +17,6 @@ from airlight.render.pixels.disc_shading import DiscPlace, MoonPhase, darkened, 
 from airlight.render.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.render.pixels.ground_angles import columns_to_ground
 from airlight.render.pixels.haze_removal import kept_haze, removed_haze
-from airlight.render.pixels.land import haze_beyond
 from airlight.render.pixels.longer_columns import lengthen
 from airlight.render.pixels.oblate import displaced_line
 from airlight.render.pixels.polarising_filter import filter_shares
@@ -27,6 +26,7 @@ from airlight.render.pixels.sky_lookup import classify_ray, sky_lookup
 from airlight.render.pixels.sky_view_lut import Observer, half_sine_between
 from airlight.render.pixels.sky_view_window import SkyViewWindow
 from airlight.render.pixels.skyglow import skyglow_color
+from airlight.render.pixels.skyline import haze_beyond
 from airlight.render.pixels.star_disc import star_disc
 from airlight.solver.moments.march_tables import MarchTables
 from airlight.solver.moments.source import transmittance_columns

@@ -15,7 +15,7 @@ from airlight.geometry.spheroid import height_above_limb
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, store
-from airlight.render.pixels.land import seen_hill
+from airlight.render.pixels.skyline import BEYOND, seen_hill
 from airlight.render.pixels.star_disc import camera_direction
 from airlight.scene.projections import PROJECTIONS
 
@@ -45,14 +45,14 @@ def samples_per_side(ray, frame, color):
         Arguments of ``seen_hill``.
     """
     observer, view = frame.observer, frame.camera
-    side, count = view.samples, 0
+    side = view.samples
     sine = sqrt(ray.x * ray.x + ray.y * ray.y)
     if view.edges and ray.z * observer.horizon_mu + sine * observer.horizon_sine > 0.0:
         lower, thickness = -_CORNER, frame.tables.top - frame.tables.bottom
         if -view.pixel_angle * observer.r * observer.horizon_mu > _COARSE * thickness:
             lower -= 1.0
         for corner in range(2):
-            moved = (_CORNER if corner == 1 else lower) * view.pixel_angle
+            moved = (_CORNER if corner == 0 else lower) * view.pixel_angle
             keep = 1.0 - moved * ray.z / max(sine, view.pixel_angle)
             end, _ = seen_hill(Vec3(ray.x * keep, ray.y * keep, ray.z + moved * sine), frame, color)
             level = sqrt(end.x * end.x + end.y * end.y)
@@ -62,9 +62,10 @@ def samples_per_side(ray, frame, color):
                     end, observer.r, observer.ground_z, observer.flattening, frame.tables.bottom
                 )
             if above < 0.0:
-                count += 1
-        if count == 1:
-            side = max(view.samples, EDGE)
+                # below an upper corner on land there is land, too
+                if corner == 1:
+                    side = max(view.samples, EDGE)
+                break
     return side
 
 
@@ -99,6 +100,7 @@ def sample_place(px, py, sample, side, view):
 def light_of_centre(px, py, light, exact, frame, work, color, result):
     """Spectral radiance of a pixel with one sample; arguments of ``sampled_light``."""
     ray, beyond = seen_hill(camera_direction(px, py, frame.camera), frame, color)
+    color[BEYOND] = beyond
     light(px, py, ray, beyond, exact, frame, work, color, result)
 
 
@@ -127,6 +129,7 @@ def sampled_light(px, py, light, exact, frame, work, color, total, result):
         if side > 1:
             sx, sy = sample_place(px, py, sample, side, view)
         ray, beyond = seen_hill(camera_direction(sx, sy, view), frame, color)
+        color[BEYOND] = beyond
         light(sx, sy, ray, beyond, exact, frame, work, color, result)
         if side > 1:
             for at in range(0, tables.lanes, LANES):
