@@ -17,6 +17,7 @@ from airlight.render.gpu.device.flat import read_flat
 from airlight.render.gpu.device.fragment_pass import declared_bindings
 from airlight.render.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.render.gpu.solver import planning as solver_planning
+from airlight.render.gpu.solver import solver
 from airlight.render.gpu.solver.gpu_iteration import pooled_iteration
 from airlight.render.gpu.solver.passes import PASSES, shader
 from airlight.render.gpu.solver.planning import plan_for
@@ -237,9 +238,7 @@ def test_thick_air_is_left_to_the_cpu(device):
 
 def test_a_solution_that_makes_light_is_left_to_the_cpu(device, monkeypatch):
     # The balance of energy is judged by the same function as on the CPU: only its answer is needed.
-    monkeypatch.setattr(
-        "airlight.render.gpu.solver.solver.violates_energy_balance", lambda energy, tolerance: True
-    )
+    monkeypatch.setattr(solver, "violates_energy_balance", lambda energy, tolerance: True)
     with pytest.raises(ThickAir, match="not resolved by the GPU's grid; the CPU solves it"):
         solve_on(device, medium_of("earth"), PREVIEW)
 
