@@ -11,16 +11,16 @@ from airlight.viewer.browser.page import LARGEST, export_page
 PACKAGE = Path(airlight.__file__).parent
 
 
-def test_the_package_is_below_12_5_megabytes() -> None:
+def test_the_package_is_below_13_megabytes() -> None:
     # Sources and data as a wheel has them, without compression.
     # Compiled code is not part of a checkout, see builders/compiled_code.py.
     others = {"__pycache__", "compiled"}
     files = [one for one in PACKAGE.rglob("*") if one.is_file() and others.isdisjoint(one.parts)]
-    assert sum(one.stat().st_size for one in files) < 12.5e6
+    assert sum(one.stat().st_size for one in files) < 13e6
     maps = [one for one in files if one.parent.parts[-2:] == ("scene", "data")]
     kinds = ("albedo.jpg", "water.png", "clouds.jpg", "relief.png", "lights.jpg")
     assert {one.name for one in maps} >= {f"earth-{kind}" for kind in kinds}
-    assert sum(one.stat().st_size for one in maps) < 6e6
+    assert sum(one.stat().st_size for one in maps) < 6.5e6
 
 
 def test_a_page_with_the_earth_s_maps_is_below_4_megabytes(tmp_path: Path) -> None:
