@@ -71,7 +71,7 @@ _WIDEST: Final = 2048
 #: Largest width of a water fraction: coasts of 2048 texels are off by 10 km. [pixel]
 _WIDEST_WATER: Final = 4096
 #: Quality of the JPEG of a ground map, and of that of clouds, which have noise of their own.
-_QUALITY: Final = 86
+_QUALITY: Final = 90
 _CLOUD_QUALITY: Final = 75
 #: Temperatures, even in their reciprocal, in which the logarithm of a black body's light is almost
 #: straight; they span those of the view's control. [K]
