@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -269,18 +270,19 @@ def test_texture_shadows_and_shaded_tops_keep_the_mean_light(
     cloudy: Cloudy, albedo: float, seen: float
 ) -> None:
     # The layer without texture is the limit. Shadows fall 112 km away, three cells of the coarsest
-    # noise, so that no cloud hides its own. Four views of 900 km, with some 500 of its cells each,
-    # err by 1 %, the logistic function by 2 to 3 %. Clouds before bright ground are hardly seen.
+    # noise, so that no cloud hides its own. Views of 900 km, with some 500 of its cells and two of
+    # those of veils each, differ by 5 %: 32 all over the globe err by 1 %. Clouds before bright
+    # ground are hardly seen.
     solution = cloudy(0.5, albedo=albedo, cloud_altitude="30 km")
     camera = Camera(width=96, height=96, field_of_view=96.0, look_zenith=180.0)
     found = []
-    for longitude in (-150.0, -60.0, 30.0, 120.0):
-        scene = Scene(
-            camera=camera, altitude=400e3, sun_zenith=75.0, latitude=20.0, longitude=longitude
-        )
+    for view in range(32):
+        place = {"latitude": 60.0 * math.sin(2.4 * view), "longitude": 11.25 * view - 180.0}
+        scene = Scene(camera=camera, altitude=400e3, sun_zenith=75.0, **place)
         detailed = rgb_of(solution, replace(scene, ground="detailed"))
         plain = rgb_of(solution, scene)
         assert np.std(detailed / plain) > seen
         found.append([detailed.mean(axis=(0, 1)), plain.mean(axis=(0, 1))])
     with_texture, without = np.mean(found, axis=0)
-    assert_allclose(with_texture, without, rtol=0.04)
+    print("YY", with_texture / without)
+    assert_allclose(with_texture, without, rtol=0.03)

@@ -51,8 +51,7 @@ def grain_at(place: np.ndarray, footprint: float, cover: float = 0.5) -> CloudGr
 
 @pytest.mark.parametrize("footprint", [10.0, 300.0, 1500.0, 3000.0])
 def test_clouds_between_texels_have_the_cover_of_the_map(footprint: float) -> None:
-    # The logistic function and noise that is not quite normal err by 2 %, the mean of 4000 places
-    # by 0.7 %.
+    # Noise that is not quite normal errs by 2 %, the mean of 4000 places by 0.7 %.
     places = np.random.default_rng(9).uniform(-60.0, 60.0, (4000, 3)) * TEXEL
     for cover in (0.05, 0.2, 0.5, 0.8, 0.95):
         grains = [grain_at(place, footprint, cover) for place in places]
@@ -165,7 +164,8 @@ def test_slopes_of_tops_do_not_change_the_mean_light(mu_s: float) -> None:
 
 
 def test_veils_are_drawn_out_along_parallels_and_have_the_cover_that_is_asked_for() -> None:
-    # As for clouds the logistic function errs by 2 %, and the mean of 4000 places by 1 %.
+    # The mean of 4000 places errs by 2.5 % of a cover of 0.1, in the tail by more: by as much as
+    # the noise is not normal there.
     places = np.random.default_rng(8).uniform(-300.0, 300.0, (4000, 3)) * TEXEL
 
     def veil(place: np.ndarray) -> tuple[float, float]:
@@ -176,9 +176,9 @@ def test_veils_are_drawn_out_along_parallels_and_have_the_cover_that_is_asked_fo
     noise, variance = veils.T
     assert noise.mean() == pytest.approx(0.0, abs=0.1)
     assert noise.var() == pytest.approx(variance[0], rel=0.1)
-    for cover in (0.02, 0.1, 0.3):
+    for cover, part in ((0.02, 0.12), (0.1, 0.08), (0.3, 0.05)):
         covers = [above_threshold(cover, 1.0, *one) for one in veils]
-        assert np.mean(covers) == pytest.approx(cover, abs=0.025)
+        assert np.mean(covers) == pytest.approx(cover, rel=part)
     east, north = (
         np.std([veil(place + 0.1 * TEXEL * way)[0] for place in places[:500]] - noise[:500])
         for way in (np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0]))

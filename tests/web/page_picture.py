@@ -1,13 +1,29 @@
-"""Picture that an open page draws of a view."""
+"""Page of a planet or a scene in a browser, and the picture that it draws of a view."""
 
 from __future__ import annotations
 
 import base64
 import io
+import json
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from PIL import Image
+
+from airlight.viewer.browser.page import page_text
+from airlight.viewer.browser.page_subject import PlanetPage, ScenePage
+
+
+def opened_subject(
+    subject: PlanetPage | ScenePage, solutions: Any, open_page: Callable[..., Any], folder: Path
+) -> Any:
+    """Page of a subject, written to a folder and opened with WebGL2."""
+    file = folder / "page.html"
+    data = subject.data(solutions, "Page", subject.values({}), "three")
+    file.write_text(page_text("Page", json.loads(json.dumps(data))), encoding="utf-8")
+    return open_page(file, "?device=webgl2")
 
 
 def page_picture(

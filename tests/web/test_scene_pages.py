@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable
 from typing import Any
@@ -10,13 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from page_picture import page_picture
+from page_picture import opened_subject, page_picture
 
 from airlight.errors import ParameterError
 from airlight.image.display import to_display
 from airlight.render.render_system import render_solved_system
 from airlight.render.scene_lights import SceneLights
-from airlight.viewer.browser.page import page_text
 from airlight.viewer.browser.page_subject import ScenePage, page_subject
 from airlight.viewer.parameters.view_parameters import settings_of
 
@@ -104,11 +102,8 @@ def page(
     subject: ScenePage, solutions: Any, kept_open: Callable[..., Any],
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Any:  # fmt: skip
-    """Page of the scene, open in a browser."""
-    place = tmp_path_factory.mktemp("pages") / "two.html"
-    data = subject.data(solutions, "Two planets", subject.values({}), "three")
-    place.write_text(page_text("Two planets", json.loads(json.dumps(data))), encoding="utf-8")
-    return kept_open(place, "?device=webgl2")
+    """Page, open in a browser."""
+    return opened_subject(subject, solutions, kept_open, tmp_path_factory.mktemp("pages"))
 
 
 @pytest.mark.parametrize("name", VIEWS)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
 from typing import Any
@@ -10,14 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from page_picture import page_picture
+from page_picture import opened_subject, page_picture
 
 from airlight.geometry.ephemeris.instant import days_of
 from airlight.geometry.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun, sun_seen
 from airlight.image.display import to_display
 from airlight.render import render
 from airlight.render.star_points import add_catalogue
-from airlight.viewer.browser.page import page_text
 from airlight.viewer.browser.page_subject import PlanetPage, page_subject
 from airlight.viewer.browser.star_sky import planet_sky
 from airlight.viewer.parameters.view_parameters import scene_of, settings_of
@@ -58,10 +56,7 @@ def page(
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Any:  # fmt: skip
     """Page, open in a browser."""
-    place = tmp_path_factory.mktemp("pages") / "earth.html"
-    data = subject.data(solutions, "Earth", subject.values({}), "three")
-    place.write_text(page_text("Earth", json.loads(json.dumps(data))), encoding="utf-8")
-    return kept_open(place, "?device=webgl2")
+    return opened_subject(subject, solutions, kept_open, tmp_path_factory.mktemp("pages"))
 
 
 @pytest.mark.parametrize("name", VIEWS)

@@ -121,8 +121,7 @@ class SeenPast:
             high = np.asarray(vectorized(highland)(colors[:, 1]))
         rows = float(NOMINAL_ROWS if picture is None else picture.rows)
         out = np.empty((len(rays), 3))
-        relief_lines(
-            np.ascontiguousarray(rays), offset, power, np.ascontiguousarray(axes),
-            radius, rows, self.pixel_angle, np.ascontiguousarray(high), out,
-        )  # fmt: skip
+        own = np.ascontiguousarray(rays @ axes.T)
+        high = np.ascontiguousarray(high)
+        relief_lines(own, axes @ offset, power, radius, rows, self.pixel_angle, high, out)
         return out

@@ -162,7 +162,7 @@ def sunk(along, flat, square, fresh):
 
 
 @kernel
-def pit_light(away, distance, radius, fresh, way, tangent, ray, flat, width, cell, weathered):
+def pit_light(away, distance, radius, fresh, way, ray, width, cell, weathered):
     """Direct light of a place in a crater over that of level ground. [1]
 
     A pixel on the rim has the light of both sides of it.
@@ -175,14 +175,12 @@ def pit_light(away, distance, radius, fresh, way, tangent, ray, flat, width, cel
         Radius [cell] and freshness [1].
     way, ray, weathered :
         Arguments of ``craters``.
-    tangent, flat : float
-        Length of ``way``, and square of that of ``ray``. [1]
     width : float
         Width of the pixel across the line of sight. [cell]
     cell : float
         Size of a cell. [m]
     """
-    within, inverse = distance / radius, 1.0 / distance
+    within, inverse, flat = distance / radius, 1.0 / distance, dot(ray, ray)
     level, depth = level_floor(2.0 * radius * cell), fresh
     if weathered:
         level, depth = FILLED, SHALLOW * fresh**WORN
@@ -208,7 +206,7 @@ def pit_light(away, distance, radius, fresh, way, tangent, ray, flat, width, cel
             part = max(sqrt(dot(away, away)), 1e-6)
             towards = dot(away, way) / part
         slope = crater_slope(min(part, 1.0), depth, level)
-        dark = shadowed(towards * part, part * part, depth, level, tangent, blur)
+        dark = shadowed(towards * part, part * part, depth, level, sqrt(dot(way, way)), blur)
         light += inside * (1.0 - dark) * max(1.0 - slope * towards, 0.0)
     return light
 

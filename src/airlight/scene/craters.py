@@ -34,7 +34,8 @@ MARE: Final = 300.0
 HIGHLAND: Final = 2e4
 DARK: Final = 0.065
 LIGHT: Final = 0.095
-#: Level of a map by which highlands are told from maria: shadows of craters are not broken. [1]
+#: Mip level of the map whose reflectance separates highlands from maria; its texels are as wide as
+#: large craters. [1]
 REGIONAL: Final = 3.0
 #: Largest tangent of the star's zenith angle: rims shade one another below. [1]
 LOWEST: Final = 6.0
@@ -185,8 +186,7 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
     """
     light, tone, scale = 1.0, 0.0, COARSEST
     narrowest = 0.5 * WIDEST
-    tangent, flat = sqrt(dot(way, way)), dot(ray, ray)
-    longer = width * sqrt(1.0 + flat)
+    longer = width * sqrt(1.0 + dot(ray, ray))
     footprint = max(sqrt(width * longer), FLATTENED * longer)
     tilt_x, tilt_y = up.x / up.z, up.y / up.z
     for lattice in range(LATTICES):
@@ -223,13 +223,13 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
                             distance = sqrt(square)
                             bulge = shuffled(one.along) / 144.0 - 1.0
                             bulge *= at_x * at_x - at_y * at_y
-                            aslant = shuffled(one.across) / 144.0 - 1.0
-                            bulge += 2.0 * aslant * at_x * at_y
+                            diagonal = shuffled(one.across) / 144.0 - 1.0
+                            bulge += 2.0 * diagonal * at_x * at_y
                             radius = (1.0 + UNROUND * bulge / square) * one.radius
                             within = distance / radius
                             if within < EJECTA:
                                 seen = pit_light(
-                                    away, distance, radius, one.fresh, way, tangent, ray, flat,
+                                    away, distance, radius, one.fresh, way, ray,
                                     width / scale, scale * cell, weathered,
                                 )  # fmt: skip
                                 light *= 1.0 + shown * (seen - 1.0)
@@ -237,7 +237,7 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
                             bright *= young * BRIGHT * bright
                             if weathered and within < 1.0:
                                 edge = min((1.0 - within) / SHORE, 1.0)
-                                tone += shown * SANDY * aslant * edge
+                                tone += shown * SANDY * diagonal * edge
                             if bright > 0.03:
                                 tone += bright * crater_tone(at_x, at_y, distance, within, first)
         scale *= 0.5

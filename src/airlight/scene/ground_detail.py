@@ -36,8 +36,11 @@ DISPLACED_FALL: Final = 0.6
 SHOAL: Final = 0.25
 #: Share of the colours between texels that has the edges of ``edged``, by eye. [1]
 EDGED: Final = 0.8
-#: Ratio of the normal quantile to the logit, within 1 % of probability. [1]
-_LOGISTIC: Final = 1.702
+#: Coefficients b and q of the logit b x (1 + q x²) of the normal distribution at x, within 2e-4 of
+#: probability (Page 1977, J. R. Stat. Soc. C 26, 75), and largest x. [1]
+_LOGIT: Final = 1.5957691
+_CUBIC: Final = 0.044715
+_FARTHEST: Final = 8.0
 #: Cover of thin clouds, at the edges of thicker ones; difference between the shares of places with
 #: thin and with thick ones, over that of a half; and width of edges over that of thick parts, by
 #: eye. [1]
@@ -275,12 +278,39 @@ def shoal(share):
 
 
 @kernel
+def normal_distribution(x):
+    """Share Φ of a normal distribution below x standard deviations. [1]
+
+    Examples
+    --------
+    >>> round(normal_distribution(1.0), 3), round(normal_distribution(-2.0), 4)
+    (0.841, 0.0227)
+    """
+    near = min(max(x, -_FARTHEST), _FARTHEST)
+    return 1.0 / (1.0 + exp(-_LOGIT * near * (1.0 + _CUBIC * near * near)))
+
+
+@kernel
+def normal_quantile(share):
+    """Inverse of ``normal_distribution``, by the sine hyperbolic that solves its cubic. [1]
+
+    Examples
+    --------
+    >>> round(normal_quantile(0.01), 2), round(normal_quantile(normal_distribution(1.5)), 9)
+    (-2.32, 1.5)
+    """
+    size = sqrt(4.0 / (3.0 * _CUBIC))
+    logit = 3.0 / (size * _LOGIT) * log(share / (1.0 - share))
+    third = log(abs(logit) + sqrt(logit * logit + 1.0)) / 3.0
+    return 0.5 * size * (exp(third) - exp(-third)) * (1.0 if logit > 0.0 else -1.0)
+
+
+@kernel
 def above_threshold(cover, sharp, noise, variance):
     """Share of clouds at a place, of mean ``cover``. [1]
 
-    Normal noise n of variance σ² above a threshold, with an edge of the width 1/g, has the mean
-    cover c for the threshold -√(1 + g² σ²) Φ⁻¹(c)/g; the normal distribution Φ is replaced by the
-    logistic one.
+    Φ(g (n - t)) of normal noise n of variance σ² above a threshold t, with an edge of the width
+    1/g, has the mean c for t = -√(1 + g² σ²) Φ⁻¹(c)/g.
 
     Parameters
     ----------
@@ -296,8 +326,8 @@ def above_threshold(cover, sharp, noise, variance):
     >>> round(above_threshold(0.3, 0.0, 1.0, 1.0), 9)
     0.3
     """
-    level = sqrt(1.0 + sharp * sharp * variance) * log(cover / (1.0 - cover))
-    return 1.0 / (1.0 + exp(min(max(-level - _LOGISTIC * sharp * noise, -60.0), 60.0)))
+    level = sqrt(1.0 + sharp * sharp * variance) * normal_quantile(cover)
+    return normal_distribution(level + sharp * noise)
 
 
 @kernel

@@ -287,9 +287,14 @@ def body_met(ray, frame, color):
         surface_color(end, length, 1.0, REGIONAL, frame, color)
         high = highland(color[1])
     return relief_met(
-        ray, body.body_centre, body.body_power, body.body_x, body.body_y, body.body_z,
-        body.body_radius, rows, frame.camera.pixel_angle, high,
-    )  # fmt: skip
+        components(ray, body.body_x, body.body_y, body.body_z),
+        components(body.body_centre, body.body_x, body.body_y, body.body_z),
+        body.body_power,
+        body.body_radius,
+        rows,
+        frame.camera.pixel_angle,
+        high,
+    )
 
 
 @inlined

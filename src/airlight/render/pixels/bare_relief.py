@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.vectors import Vec3, components, cross, dot, minus, scaled
+from airlight.geometry.vectors import Vec3, cross, dot, minus, scaled
 from airlight.kernel import compiled_loop, kernel
 from airlight.scene.ground_detail import finest_cell
 from airlight.scene.rolling_ground import rolling_height
@@ -69,15 +69,13 @@ def relief_shown(power, radius, pixel_angle):
 
 
 @kernel
-def relief_met(ray, centre, power, axis_x, axis_y, axis_z, radius, rows, pixel_angle, high):
+def relief_met(ray, centre, power, radius, rows, pixel_angle, high):
     """``Met`` of a line of sight.
 
     Parameters
     ----------
     ray, centre : Vec3
-        Direction [1], and centre of the body from the observer [radius].
-    axis_x, axis_y, axis_z : Vec3
-        Axes of the body-fixed frame. [1]
+        Direction [1], and centre of the body from the observer [radius]; in the body-fixed frame.
     power, radius, pixel_angle :
         Arguments of ``relief_shown``.
     rows : float
@@ -103,9 +101,8 @@ def relief_met(ray, centre, power, axis_x, axis_y, axis_z, radius, rows, pixel_a
         point = scaled(minus(scaled(ray, length), centre), cells / (1.0 + altitude))
         pixel = max(pixel_angle * length, 1e-9)
         height = rolling_height(
-            components(point, axis_x, axis_y, axis_z),
-            2.0 * pixel * cells, altitude * cells / shown, high, radius / cells,
-        )  # fmt: skip
+            point, 2.0 * pixel * cells, altitude * cells / shown, high, radius / cells
+        )
         gap = altitude - min(max(shown * height / cells, -top), top)
         if gap <= 0.0:
             met = True
@@ -130,25 +127,20 @@ def relief_met(ray, centre, power, axis_x, axis_y, axis_z, radius, rows, pixel_a
 
 
 @compiled_loop
-def relief_lines(rays, centre, power, axes, radius, rows, pixel_angle, high, out):
+def relief_lines(rays, centre, power, radius, rows, pixel_angle, high, out):
     """``relief_met`` of n lines of sight, for ``out`` of shape (n, 3).
 
     Parameters
     ----------
-    rays, centre, axes : array, shape (n, 3), (3,), (3, 3)
-        Directions, centre, and axes as rows.
+    rays, centre : array, shape (n, 3), (3,)
+        Arguments of ``relief_met``.
     power, radius, rows, pixel_angle : float
         Arguments of ``relief_met``.
     high : array, shape (n,)
         Shares of highlands. [1]
     """
     middle = Vec3(centre[0], centre[1], centre[2])
-    axis_x = Vec3(axes[0, 0], axes[0, 1], axes[0, 2])
-    axis_y = Vec3(axes[1, 0], axes[1, 1], axes[1, 2])
-    axis_z = Vec3(axes[2, 0], axes[2, 1], axes[2, 2])
     for k in range(high.size):
         ray = Vec3(rays[k, 0], rays[k, 1], rays[k, 2])
-        met = relief_met(
-            ray, middle, power, axis_x, axis_y, axis_z, radius, rows, pixel_angle, high[k]
-        )
+        met = relief_met(ray, middle, power, radius, rows, pixel_angle, high[k])
         out[k, 0], out[k, 1], out[k, 2] = met.length, met.cover, met.leaving
