@@ -52,7 +52,7 @@ from airlight.physics.optics.reflection import LAWS, Reflection
 from airlight.render.gpu.emit.shader_types import Constant, ShaderTable, StructValue
 from airlight.render.gpu.solver import ray_sums
 from airlight.render.pixels import disc_shading, ground_angles, sky_view_lut, star_disc
-from airlight.scene import ground_place
+from airlight.scene import ground_detail, ground_place
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.cubemap import cube_ray
 from airlight.scene.projections.equirectangular import panorama_ray
@@ -344,6 +344,9 @@ GROUND = [
          rtol=16 * EPS),
     Case(rpv.land_diffuse, (uniform(0.0, 1.0, 64),)),
     Case(rpv.unsaturated, (uniform(0.0, 3.0, 65), UNIT), atol=8 * EPS),
+    # eˣ and its reciprocal, of 2⁻²¹; the sine hyperbolic of a third of log₂, of 2⁻²¹, times 5.5.
+    Case(ground_detail.normal_distribution, (uniform(-6.0, 6.0, 66),), atol=16 * EPS),
+    Case(ground_detail.normal_quantile, (uniform(0.005, 0.995, 67),), atol=64 * EPS),
 ]  # fmt: skip
 
 #: Cosines of a star and of an observer over water, the angle between both planes, and the wind.
