@@ -411,10 +411,6 @@ def ground_map(found: SurfaceMap | None, *, overlay: bool = False) -> dict[str, 
     }
 
 
-def _share_image(shares: NDArray[np.uint8], clouds: bool) -> str:
-    return as_jpeg(shares, _CLOUD_QUALITY) if clouds else lossless(shares)
-
-
 def _within(texels: NDArray[np.uint8], widest: int) -> NDArray[np.uint8]:
     """Texels with at most some columns."""
     return texels if texels.shape[1] <= widest else reduced(texels, widest // 2, widest)

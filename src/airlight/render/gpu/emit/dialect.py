@@ -194,10 +194,6 @@ class ShaderDialect(Dialect):
         """Declaration of a texture."""
 
     @abstractmethod
-    def volume(self, name: str, group: int, binding: int) -> str:
-        """Declaration of a 3-D texture."""
-
-    @abstractmethod
     def uniforms(
         self, name: str, fields: Sequence[str | tuple[str, int]], group: int, binding: int
     ) -> str:

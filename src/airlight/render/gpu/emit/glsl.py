@@ -114,9 +114,6 @@ void main() {
     def texture(self, name: str, group: int, binding: int) -> str:
         return f"uniform highp sampler2D {self.texture_name(name, group, binding)};\n"
 
-    def volume(self, name: str, group: int, binding: int) -> str:
-        return f"uniform highp sampler3D {self.texture_name(name, group, binding)};\n"
-
     def uniforms(
         self, name: str, fields: Sequence[str | tuple[str, int]], group: int, binding: int
     ) -> str:

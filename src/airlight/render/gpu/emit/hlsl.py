@@ -130,9 +130,6 @@ float4 main(uint vertex : SV_VertexID) : SV_Position {
     def texture(self, name: str, group: int, binding: int) -> str:
         return f"Texture2D<float4> {name} : register(t{binding}, space{group});\n"
 
-    def volume(self, name: str, group: int, binding: int) -> str:
-        return f"Texture3D<float4> {name} : register(t{binding}, space{group});\n"
-
     def uniforms(
         self, name: str, fields: Sequence[str | tuple[str, int]], group: int, binding: int
     ) -> str:

@@ -118,9 +118,6 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
     def texture(self, name: str, group: int, binding: int) -> str:
         return f"@group({group}) @binding({binding}) var {name}: texture_2d<f32>;\n"
 
-    def volume(self, name: str, group: int, binding: int) -> str:
-        return f"@group({group}) @binding({binding}) var {name}: texture_3d<f32>;\n"
-
     def uniforms(
         self, name: str, fields: Sequence[str | tuple[str, int]], group: int, binding: int
     ) -> str:
