@@ -20,6 +20,7 @@ All of them interpolate a sky-view LUT, unless an exact frame is requested.
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -349,14 +350,20 @@ class LiveRenderer:
             if self._are_compiled(loops, lambda: self._closing) and self._upload(solution):
                 assert self._gpu is not None
                 if self._device.software and not self._closing:
-                    separate = type(self._gpu)(self._device.duplicate(), self._gpu.sky_view_size)
-                    separate.set_solution(solution, maps=False)
-                    render_small(replace(step, renderer=separate))
+                    self._compile_apart(solution, step)
+                    gc.collect()  # a device of wgpu refers to itself
                 if not self._closing:
                     render_small(replace(step, renderer=self._gpu))
         finally:
             self._compiled = True
             give_back()
+
+    def _compile_apart(self, solution: MomentsSolution, step: LiveFrame) -> None:
+        assert self._device is not None
+        assert self._gpu is not None
+        renderer = type(self._gpu)(self._device.duplicate(), self._gpu.sky_view_size)
+        renderer.set_solution(solution, maps=False)
+        render_small(replace(step, renderer=renderer))
 
 
 def render_small(step: LiveFrame) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -200,16 +201,18 @@ class LiveSystemRenderer:
     def _compile(
         self, solutions: dict[str, MomentsSolution], system: System, step: LiveFrame
     ) -> None:
-        """Compile the shaders in a queue beside the window's; the driver then knows them.
+        """Compile the shaders in a queue beside the window's; the driver then knows them."""
 
-        They contain what the maps of the ground need: both devices have the maps for a while.
-        """
+        def compile_by(renderer: GpuSystemRenderer) -> None:
+            if not self._closing:
+                renderer.set_solutions(solutions)
+                render_small(replace(step, renderer=SystemFrames(renderer, system, False)))
+
         try:
-            separate = GpuSystemRenderer(self._device.duplicate(), self._renderer.sky_view_size)
-            for renderer in (separate, self._renderer):
-                if not self._closing:
-                    renderer.set_solutions(solutions)
-                    render_small(replace(step, renderer=SystemFrames(renderer, system, False)))
+            size = self._renderer.sky_view_size
+            compile_by(GpuSystemRenderer(self._device.duplicate(), size))
+            gc.collect()  # a device of wgpu refers to itself
+            compile_by(self._renderer)
         finally:
             self._compiled = True
             give_back()
