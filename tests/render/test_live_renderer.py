@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import weakref
 from collections.abc import Callable
 
 import numpy as np
@@ -75,3 +76,23 @@ def test_a_still_picture_follows_a_live_one_on_the_same_device(
     list(renderer.live(solution, SCENE, stale=never))
     assert_array_equal(render_solution(solution, SCENE, device).rgb, before)
     assert np.ptp(before) > 0.0
+
+
+def test_the_device_of_a_compilation_is_released(
+    device: Device, solved: Solved, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # with its shaders, more than a hundred megabytes
+    apart: list[weakref.ref[object]] = []
+    duplicate = Device.duplicate
+
+    def remembered(one: Device) -> Device:
+        second = duplicate(one)
+        apart.append(weakref.ref(second.device))
+        return second
+
+    monkeypatch.setattr(Device, "duplicate", remembered)
+    renderer = LiveRenderer(dataclasses.replace(device, software=True))
+    list(renderer.live(solved(load_planet(PLANET), NM, "preview"), SCENE, stale=never))
+    assert renderer._compiling is not None
+    renderer._compiling.join()
+    assert [one() for one in apart] == [None]
