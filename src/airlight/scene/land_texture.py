@@ -42,6 +42,15 @@ BETWEEN: Final = 4.0
 DRAWN: Final = 3.0
 WANDER: Final = 5.0
 SHARP: Final = 0.3
+#: Waves of a second train per one of the first, and how far it turns along a cell of crests [rad],
+#: by eye. [1]
+CLOSER: Final = 1.3
+ASLANT: Final = 0.5
+#: What a coarser octave's noise counts less for drifts of sand on stony ground than the next finer,
+#: and the sum at which drifts begin, and over which waves become high on them. [1]
+OLDER: Final = 0.6
+DRIFT: Final = 0.15
+HIGHER: Final = 0.35
 #: Standard deviation of the reflectance over its mean in one octave of dark land. [1]
 CONTRAST: Final = 0.1
 #: Standard deviation of red over green, and of green over blue, in one octave. [1]
@@ -67,12 +76,10 @@ HIGHEST: Final = 64.0
 UNEVEN: Final = 5.0
 LEVEL: Final = 0.15
 #: Cells of the coarsest mounds, with half of their slopes, and of the steepest over the finest of
-#: ``ground_detail``; how far crests of stony ground's waves wander [rad], and their slopes over
-#: those of others. [1]
+#: ``ground_detail``; slopes of stony ground's waves over those of others. [1]
 UNEVEN_FROM: Final = 256.0
 STEEPER_FROM: Final = 16.0
-DRIFTS: Final = 2.5
-DRIFTED: Final = 1.5
+DRIFTED: Final = 1.2
 #: Steepest slopes, about two and a half standard deviations of all octaves. [1]
 STEEPEST: Final = 0.45
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
@@ -224,9 +231,16 @@ def octave_change(place, scale, whole, way, along, wander):
     growth = way.x * slope_x / along + way.y * slope_y / across
     if wander > 0.0:
         phase = pi * along_lattice(whole.y, place.y, inverse) + wander * value
-        wave, size = sin(phase), min(max(0.4 + 1.5 * value, 0.0), 1.0)
-        growth = (pi * way.y + wander * growth) * size * cos(phase) * (1.0 - 2.0 * SHARP * wave)
-        value = size * (wave + SHARP * (0.5 - wave * wave))
+        size = min(max(0.4 + 1.5 * value, 0.0), 1.0)
+        growth = pi * way.y + wander * growth
+        # two trains of waves, of which one or the other is higher: crests end or fork between them
+        second = CLOSER * phase + ASLANT * along_lattice(whole.x, place.x, inverse)
+        part = min(max(0.5 + 1.2 * (value - 0.1), 0.0), 1.0)
+        wave = (1.0 - part) * sin(phase) + part * sin(second)
+        turn = CLOSER * growth + ASLANT * way.x
+        growth = (1.0 - part) * growth * cos(phase) + part * turn * cos(second)
+        growth *= size * (1.0 - 2.0 * SHARP * wave)
+        value = size * (wave + SHARP * (0.5 - part + part * part - wave * wave))
     return value, growth
 
 
@@ -282,16 +296,23 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow, windy, 
     loud = SANDY if sandy else (ICY if snowy else COARSE)
     louder = 0.0 if sandy or snowy else FINER
     drawn = DRAWN if snowy else 1.0
-    crests, steep, part = WANDER, 1.0, 0.5 * rough
-    if rough > 0.0:
-        crests, steep = DRIFTS, DRIFTED
+    steep, part, drift, before = DRIFTED if rough > 0.0 else 1.0, 0.5 * rough, 0.0, 0.0
     for octave in range(OCTAVES):
         if 0.8 * scale > footprint:
             wavy = windy and sandy and octave - 2 * (octave // 2) == 1
             along = CREST if wavy else drawn
-            here, growth = octave_seen(
-                ground, row, footprint, longer, scale, whole, way, along, crests if wavy else 0.0
-            )
+            here, growth, high = 0.0, 0.0, 1.0
+            if wavy and rough > 0.0:
+                high = min(max((drift - DRIFT) / HIGHER, 0.0), 1.0)
+            if high > 0.0:
+                here, growth = octave_seen(
+                    ground, row, footprint, longer, scale, whole, way, along, WANDER if wavy else 0.0
+                )
+                here *= high
+                growth *= high
+            if not wavy:
+                drift = OLDER * drift + before
+                before = here
             shore += here * scale
             tone += loud * here
             hue = loud * here - hue  # signs alternate: no colour of its own for bright or dark
@@ -307,10 +328,13 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow, windy, 
                 part *= sqrt(2.0) if scale > STEEPER_FROM else sqrt(0.5)
         loud += louder
         scale /= STEP
+    ascent *= SLOPE / SLOPE_DEVIATION
+    if rough > 0.0:
+        ascent /= sqrt(1.0 + ascent * ascent / (STEEPEST * STEEPEST))
     return LandTexture(
         CONTRAST * tone / PLANE_DEVIATION,
         HUE * hue / PLANE_DEVIATION,
-        SLOPE * ascent / SLOPE_DEVIATION,
+        ascent,
         DISPLACED * shore / (float(STEP ** (DETAIL_OCTAVES - 1)) * PLANE_DEVIATION),
     )
 

@@ -12,7 +12,7 @@ and do less.
 
 from __future__ import annotations
 
-from math import exp, floor, log, log2, sin, sqrt
+from math import exp, floor, log, log2, sqrt
 from typing import Final, NamedTuple
 
 from airlight.geometry.gradient_noise import in_period, plane_noise, shuffled
@@ -65,11 +65,21 @@ UPPER: Final = 0.5
 UPPER_LEAN: Final = 1.2
 SHOULDER: Final = 0.45
 TILT: Final = 0.6
-#: Share of a ball in the direction of faces, whose edges are worn; waves of hollows in 2π radii,
-#: and their roughness. [1]
-WORN: Final = 0.4
-PITS: Final = 7.0
-PITTED: Final = 0.16
+#: Share of a ball in the direction of faces, whose edges are worn; cells of fractures and of pits
+#: per radius, how much they tilt faces, and the pixel over a radius beyond which pits are not seen;
+#: thickness that fractures break off at edges, at most [radius]; all by eye. [1]
+WORN: Final = 0.3
+FRACTURES: Final = 2.3
+FRACTURED: Final = 0.45
+PITS: Final = 7.3
+PITTED: Final = 0.22
+UNSEEN: Final = 0.25
+BROKEN: Final = 0.3
+#: Cosine of the angle of faces from the zenith above which dust lies on them, and where it covers
+#: them; least brightness of a rock over the mean of rocks, by eye. [1]
+DUSTY_FROM: Final = 0.55
+DUSTY_TO: Final = 0.95
+DARKEST: Final = 0.75
 #: Reflectance of the ground, whose light reaches the sides of rocks; square of twice the light of
 #: the sky on a face that looks away from the sky's side of the star. [1]
 GROUND: Final = 0.15
@@ -183,21 +193,31 @@ def rock_met(x, y, ray, first, second, blur):
         along, aside = TURN_X * along - TURN_Y * aside, TURN_Y * along + TURN_X * aside
         offset += 0.618034 if offset < 0.381966 else -0.381966
         steep += 0.754878 if steep < 0.245122 else -0.245122
-    # width of the wedge between both planes, in pixels
-    wedge = (leaves - enters) * leaving * entering / ((leaving + entering) * blur)
-    part = min(max(wedge + 0.5, 0.0), 1.0)
-    if part > 0.0:
-        out = max(leaves, 0.0)
+    part, out = 0.0, max(leaves, 0.0)
+    if leaves > enters:
         x, y, high = x + out * ray.x, y + out * ray.y, out * ray.z
-        bend = 3.0 * sin(PITS * (x - high) + 40.0 * second)
-        face_x += WORN * x + PITTED * sin(PITS * (y + 2.0 * high) + 40.0 * first + bend)
-        face_y += WORN * y + PITTED * sin(2.0 * PITS * (x + high) + bend)
+        u, v = x + 0.8 * high + 30.0 * first, y - 0.6 * high + 30.0 * second
+        broken, rise_x, rise_y = plane_noise(FRACTURES * u, FRACTURES * v)
+        length = sqrt(ray.x * ray.x + ray.y * ray.y + ray.z * ray.z)
+        leaves -= BROKEN * max(broken, 0.0) / length
+        # width of the wedge between both planes, in pixels
+        wedge = (leaves - enters) * leaving * entering / ((leaving + entering) * blur)
+        part = min(max(wedge + 0.5, 0.0), 1.0)
+    if part > 0.0:
+        # sides of fractures are plane, too
+        face_x += WORN * x - FRACTURED * min(max(3.0 * rise_x, -1.0), 1.0)
+        face_y += WORN * y - FRACTURED * min(max(3.0 * rise_y, -1.0), 1.0)
         face_z += WORN * high
+        pits = PITTED * (1.0 - blur / UNSEEN)
+        if pits > 0.0:
+            _pit, rise_x, rise_y = plane_noise(PITS * u + broken, PITS * v + broken)
+            face_x -= pits * rise_x
+            face_y -= pits * rise_y
     return RockMet(part, face_x, face_y, face_z)
 
 
 @kernel
-def rocks_met(x, y, ray, span, blur, density, sun, glow):
+def rocks_met(x, y, ray, span, blur, density, sun, glow, dust):
     """Share of a line that rocks hide, and their light over that of level ground. [1]
 
     Parameters
@@ -217,6 +237,8 @@ def rocks_met(x, y, ray, span, blur, density, sun, glow):
     glow : float
         Light of the sky from the star's side, horizontal over vertical, over the sine of the
         star's zenith angle. [1]
+    dust : float
+        What dust on rocks reflects more, over what they do. [1]
 
     Returns
     -------
@@ -262,10 +284,15 @@ def rocks_met(x, y, ray, span, blur, density, sun, glow):
                         size = 1.0 / sqrt(size + upright * upright)
                         facing = max(across + upright * sun.z, 0.0) * size
                         below = GROUND * (0.5 - 0.5 * upright * size)
-                        light += left * one.part * (facing / max(sun.z, LOWEST) + below)
+                        seen = (upright * size - DUSTY_FROM) / (DUSTY_TO - DUSTY_FROM)
+                        seen = DARKEST + (2.0 - 2.0 * DARKEST) * first + dust * min(
+                            max(seen, 0.0), 1.0
+                        )
+                        seen *= left * one.part
+                        light += seen * (facing / max(sun.z, LOWEST) + below)
                         open_sky = 0.5 + 0.5 * upright * size + glow * across * size
                         open_sky = 0.5 * (open_sky + sqrt(open_sky * open_sky + DIM))
-                        sky += left * one.part * (open_sky + below)
+                        sky += seen * (open_sky + below)
                         left *= 1.0 - one.part
         if next_x < next_y:
             went = next_x
@@ -323,12 +350,14 @@ def rocks(place, whole, ray, sun, glow, pixel, blur, cell, bare, share, stone):
             x = along_lattice(whole.x, place.x, 1.0 / scale)
             y = along_lattice(whole.y, place.y, 1.0 / scale)
             span = min(HIGHEST / max(ray.z, 1e-6), SPAN)
-            cover, face, open_sky = rocks_met(x, y, ray, span, pixel / scale, density, sun, glow)
+            cover, face, open_sky = rocks_met(
+                x, y, ray, span, pixel / scale, density, sun, glow, 1.0 / stone - 1.0
+            )
             dark = 0.0
             if cover < 0.98 and sun.z > 0.0:
                 span = min(HIGHEST / up.z, SHADOW)
                 dark, _direct, _diffuse = rocks_met(
-                    x, y, up, span, blur / scale, density, sun, glow
+                    x, y, up, span, blur / scale, density, sun, glow, 0.0
                 )
             # the widest rocks hide what the narrow ones are
             between = 1.0 - shown * cover

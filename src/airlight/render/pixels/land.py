@@ -47,9 +47,10 @@ NEARLY_WATER: Final = 0.999
 #: impacts mix it. [1]
 PITTED: Final = -0.6
 SOIL: Final = 0.5
+DRIFTS: Final = 2.2
 #: Reflectance of rocks over that of dust, and that of blocks of fresh rock over that of old airless
 #: soil, by eye. [1]
-STONES: Final = 0.75
+STONES: Final = 0.6
 BLOCKS: Final = 1.2
 #: Contrast of hills over that of the grain of the map, which is half of that of its land. [1]
 LOUD: Final = 3.0
@@ -224,7 +225,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         if stones:
             open_sky = max(1.0 - ascent * glow * sine, LEAST_SKY)
             color[SKY] = stony.sky + stony.bare * (open_sky - 1.0)
-        change = stony.bare * texture.tone * (SOIL if airless else 1.0)
+        change = stony.bare * texture.tone * (SOIL if airless else (DRIFTS if stones else 1.0))
         hue += stony.hue + stony.bare * texture.hue
         tone *= LOUD
         dark *= (1.0 - (1.0 - SHADY) * wood) / (1.0 - woody * ((1.0 - SHADY) * COVER + COMMON))
