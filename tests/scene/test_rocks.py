@@ -13,6 +13,9 @@ from airlight.geometry.vectors import Vec3
 from airlight.render.pixels.land import STONES
 from airlight.scene.ground_detail import WHOLE_PERIOD
 from airlight.scene.rocks import (
+    DUSTED,
+    DUSTY_FROM,
+    DUSTY_TO,
     FACES,
     FARTHER,
     FINEST,
@@ -84,7 +87,7 @@ def test_rocks_cover_the_published_share_of_the_ground() -> None:
     assert_allclose(rock_area(0.4, 1e9, SHARE), 0.205 * SHARE, rtol=0.01)
     light = seen(10_000, 0.0)[:, 3]
     covered = np.mean(light > 0.0)
-    scale = CELL / STEP
+    scale = CELL / STEP**2
     wanted = rock_area(scale * WIDEST / 4.0, scale * WIDEST * 4.0 ** (LATTICES - 1), SHARE)
     assert 0.5 * FINEST < scale < 2.0 * FINEST
     assert_allclose(covered, wanted, atol=0.1 * wanted + 3.0 * math.sqrt(wanted / 10_000.0))
@@ -92,7 +95,7 @@ def test_rocks_cover_the_published_share_of_the_ground() -> None:
 
 def test_no_rocks_are_shown_that_are_smaller_than_a_pixel_or_on_green_ground() -> None:
     none = (1.0, 0.0, 1.0, 0.0, 1.0, 1.0)
-    assert np.all(seen(50, 0.5, pixel=WIDEST * 4.0 ** (LATTICES - 2)) == none)
+    assert np.all(seen(50, 0.5, pixel=WIDEST * 4.0 ** (LATTICES - 3)) == none)
     assert np.all(seen(50, 0.5, bare=0.0) == none)
 
 
@@ -116,14 +119,14 @@ def test_rocks_hide_more_of_a_line_that_is_flat_and_are_brighter_towards_the_sta
         span, found = min(0.33 / climb, 3.5), []
         for x, y in random.uniform(0.0, 200.0, (2000, 2)):
             sun = Vec3(0.9, 0.0, 0.4359)
-            found.append(rocks_met(x, y, Vec3(1.0, 0.0, climb), span, 0.01, 0.4, sun, 0.0))
+            found.append(rocks_met(x, y, Vec3(1.0, 0.0, climb), span, 0.01, 0.4, sun, 0.0, 0.0))
         hidden.append(np.mean(found, axis=0)[0])
     assert hidden[0] < 0.4 * math.pi / 4.0 * WIDEST**2
     assert hidden[0] < hidden[1] < hidden[2] <= 1.0
     for side in (0.9, -0.9):
         sun = Vec3(side, 0.0, 0.4359)
         met = [
-            rocks_met(x, y, Vec3(1.0, 0.0, 0.12), 2.75, 0.01, 0.4, sun, 0.0)
+            rocks_met(x, y, Vec3(1.0, 0.0, 0.12), 2.75, 0.01, 0.4, sun, 0.0, 0.0)
             for x, y in random.uniform(0.0, 200.0, (1000, 2))
         ]
         faces.append(np.sum(met, axis=0)[1] / np.sum(met, axis=0)[0])
@@ -138,7 +141,7 @@ def stones(random: np.random.Generator, side: float) -> tuple[np.ndarray, np.nda
     found, faces, offsets : array, shapes (n, 4), (n, m, 3), (n, m)
         Middle, radius and height [m]; faces of rocks of radius and height 1, n x ≤ d.
     """
-    narrow, wide = WIDEST * CELL / 16.0, WIDEST * CELL * 4.0 ** (LATTICES - 2)
+    narrow, wide = WIDEST * CELL / 64.0, WIDEST * CELL * 4.0 ** (LATTICES - 3)
     diameters = np.geomspace(narrow, wide, 400)
     middles = np.sqrt(diameters[1:] * diameters[:-1])
     areas = [rock_area(a, b, SHARE) for a, b in itertools.pairwise(diameters)]
@@ -211,8 +214,10 @@ def traced(
         )
         normal *= size[0] / size
         normal /= np.linalg.norm(normal)
-        share = STONES * max(normal @ sun, 0.0) / sun[2]
-        reflected = STONES * GROUND * 0.5 * (1.0 - normal[2])
+        dust = np.clip((normal[2] - DUSTY_FROM) / (DUSTY_TO - DUSTY_FROM), 0.0, 1.0)
+        stone = STONES + (1.0 - STONES) * (dust - DUSTED)
+        share = stone * max(normal @ sun, 0.0) / sun[2]
+        reflected = stone * GROUND * 0.5 * (1.0 - normal[2])
     lit = share > 0.0 and first_met(place, sun, field)[0] == np.inf
     return reflected + (share if lit else 0.0)
 

@@ -21,8 +21,8 @@ from airlight.scene.ground_detail import DISPLACED, STEP, along_lattice
 from airlight.scene.ground_detail import OCTAVES as DETAIL_OCTAVES
 
 #: Number of octaves, and sizes of the cells of the coarsest and of the finest over the finest of
-#: ``ground_detail``: 460 m to 3 cm on Earth.
-OCTAVES: Final = 8
+#: ``ground_detail``: 460 m to 7 mm on Earth.
+OCTAVES: Final = 9
 COARSEST: Final = 4096.0
 #: Octave of ``ground_detail``, from the finest, below which the land has this texture instead.
 FINEST_OF_MAP: Final = 6
@@ -48,9 +48,11 @@ CLOSER: Final = 1.3
 ASLANT: Final = 0.5
 #: What a coarser octave's noise counts less for drifts of sand on stony ground than the next finer,
 #: and the sum at which drifts begin, and over which waves become high on them. [1]
-OLDER: Final = 0.6
-DRIFT: Final = 0.15
-HIGHER: Final = 0.35
+OLDER: Final = 0.4
+DRIFT: Final = -0.05
+HIGHER: Final = 0.4
+#: Contrast of stony ground in an octave over that in the next coarser one, by eye. [1]
+FADING: Final = 0.8
 #: Standard deviation of the reflectance over its mean in one octave of dark land. [1]
 CONTRAST: Final = 0.1
 #: Standard deviation of red over green, and of green over blue, in one octave. [1]
@@ -80,6 +82,11 @@ LEVEL: Final = 0.15
 UNEVEN_FROM: Final = 256.0
 STEEPER_FROM: Final = 16.0
 DRIFTED: Final = 1.2
+#: Slopes of mounds of an octave over those of the next coarser below ``STEEPER_FROM``, and width
+#: of what is seen on stony ground in rows over the pixel: wider things fade, as they would be
+#: streaks, by eye. [1]
+SMOOTHER: Final = 0.85
+EXTENDED: Final = 6.0
 #: Steepest slopes, about two and a half standard deviations of all octaves. [1]
 STEEPEST: Final = 0.45
 #: Cosine of the star's zenith angle below which slopes are lit as at it. [1]
@@ -291,7 +298,7 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow, windy, 
     rough : float
         Size of mounds on stony ground over their slope ``UNEVEN``, of pits if negative. [1]
     """
-    tone, hue, ascent, shore, scale = 0.0, 0.0, 0.0, 0.0, COARSEST
+    tone, hue, ascent, shore, scale, even = 0.0, 0.0, 0.0, 0.0, COARSEST, 1.0
     sandy, snowy = leaf < GREEN and snow < SNOWY, snow >= SNOWY
     loud = SANDY if sandy else (ICY if snowy else COARSE)
     louder = 0.0 if sandy or snowy else FINER
@@ -299,33 +306,45 @@ def land_texture(ground, row, footprint, longer, whole, way, leaf, snow, windy, 
     steep, part, drift, before = DRIFTED if rough > 0.0 else 1.0, 0.5 * rough, 0.0, 0.0
     for octave in range(OCTAVES):
         if 0.8 * scale > footprint:
-            wavy = windy and sandy and octave - 2 * (octave // 2) == 1
-            along = CREST if wavy else drawn
-            here, growth, high = 0.0, 0.0, 1.0
-            if wavy and rough > 0.0:
-                high = min(max((drift - DRIFT) / HIGHER, 0.0), 1.0)
-            if high > 0.0:
+            here, growth, high = 0.0, 0.0, 0.0
+            if windy and sandy and octave - 2 * (octave // 2) == 1:
+                high = 1.0
+                if rough > 0.0:
+                    high = min(max((drift - DRIFT) / HIGHER, 0.0), 1.0)
+            if high < 1.0:
                 here, growth = octave_seen(
-                    ground, row, footprint, longer, scale, whole, way, along, WANDER if wavy else 0.0
+                    ground, row, footprint, longer, scale, whole, way, drawn, 0.0
                 )
-                here *= high
-                growth *= high
-            if not wavy:
+                here *= 1.0 - high
+                growth *= (1.0 - high) * loud if scale <= HIGHEST else 0.0
+            if high > 0.0:
+                wave, change = octave_seen(
+                    ground, row, footprint, longer, scale, whole, way, CREST, WANDER
+                )
+                here += high * wave
+                growth += high * steep * change
+            seen = 1.0
+            if rough > 0.0:
+                even *= FADING
+                seen = max(1.2 * scale / longer - 1.0, EXTENDED * footprint / scale)
+                seen = min(seen, 1.0)
+                here *= seen
+                growth *= seen
+            if octave - 2 * (octave // 2) == 0:
                 drift = OLDER * drift + before
                 before = here
             shore += here * scale
-            tone += loud * here
-            hue = loud * here - hue  # signs alternate: no colour of its own for bright or dark
-            if wavy:
-                ascent += steep * growth
-            elif scale <= HIGHEST:
-                ascent += loud * growth
+            tone += even * loud * here
+            hue = (
+                even * loud * here - hue
+            )  # signs alternate: no colour of its own for bright or dark
+            ascent += growth
             if part != 0.0 and scale <= UNEVEN_FROM:
                 here, growth = octave_seen(
                     ground, row, footprint, longer, 0.5 * scale, whole, way, 1.0, 0.0
                 )
-                ascent += part * UNEVEN * max(here + LEVEL, 0.0) * growth
-                part *= sqrt(2.0) if scale > STEEPER_FROM else sqrt(0.5)
+                ascent += part * UNEVEN * max(here + LEVEL, 0.0) * growth * seen
+                part *= sqrt(2.0) if scale > STEEPER_FROM else SMOOTHER
         loud += louder
         scale /= STEP
     ascent *= SLOPE / SLOPE_DEVIATION

@@ -15,7 +15,7 @@ from __future__ import annotations
 from math import exp, floor, log, log2, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import in_period, plane_noise, shuffled
+from airlight.geometry.gradient_noise import in_period, noise_gradient, plane_noise, shuffled
 from airlight.geometry.vectors import Vec3
 from airlight.kernel import kernel
 from airlight.scene.ground_detail import STEP, along_lattice
@@ -25,12 +25,12 @@ from airlight.scene.ground_detail import STEP, along_lattice
 DECREASE: Final = 1.79
 SPARSER: Final = 0.152
 #: Number of lattices, and size of the finest, to a factor of two. [m]
-LATTICES: Final = 4
-FINEST: Final = 0.083
+LATTICES: Final = 5
+FINEST: Final = 0.0207
 #: Diameter of the widest rock of a lattice, and mean area of a cell's rock, whose logarithm of the
 #: diameter is uniform. [cell], [cell²]
 WIDEST: Final = 0.6
-AREA: Final = 0.054
+AREA: Final = 0.0512
 #: Height of a rock over its radius: of the flattest, and what the highest has more. [1]
 FLAT: Final = 0.35
 STEEPER: Final = 0.85
@@ -40,7 +40,9 @@ HIGHEST: Final = 0.36
 SPAN: Final = 3.0
 VISITS: Final = 5
 #: Size of the noise of fields of rocks over the finest cells. [1]
-PATCH: Final = 256.0
+PATCH: Final = 1024.0
+#: Rocks between those fields over the mean, by eye. [1]
+FEWEST: Final = 0.2
 #: Longest shadow. [cell]
 SHADOW: Final = 2.5
 #: How much less red over green rocks are, over what they reflect less than the ground between
@@ -76,9 +78,11 @@ PITTED: Final = 0.22
 UNSEEN: Final = 0.25
 BROKEN: Final = 0.3
 #: Cosine of the angle of faces from the zenith above which dust lies on them, and where it covers
-#: them; least brightness of a rock over the mean of rocks, by eye. [1]
+#: them, by eye; share of rocks below dust, seen from above, of 300 000 places; least reflectance
+#: of a rock over the mean of rocks, by eye. [1]
 DUSTY_FROM: Final = 0.55
 DUSTY_TO: Final = 0.95
+DUSTED: Final = 0.53
 DARKEST: Final = 0.75
 #: Reflectance of the ground, whose light reaches the sides of rocks; square of twice the light of
 #: the sky on a face that looks away from the sky's side of the star. [1]
@@ -86,11 +90,11 @@ GROUND: Final = 0.15
 DIM: Final = 0.1
 #: Direct light that the ground and rocks lose per share of rocks, seen from above: under a star in
 #: the zenith, and ``SHADED`` t²/(t + ``FROM``) more, with the tangent t of the zenith angle; light
-#: of the sky that they lose; of 400 000 places each. [1]
-LOST: Final = 0.265
-SHADED: Final = 0.295
-FROM: Final = 0.6
-HIDDEN: Final = 0.07
+#: of the sky that they lose; of 300 000 places each. [1]
+LOST: Final = 0.17
+SHADED: Final = 0.323
+FROM: Final = 0.55
+HIDDEN: Final = 0.042
 #: Cosine of the star's zenith angle below which faces are lit as at it. [1]
 LOWEST: Final = 0.1
 
@@ -196,8 +200,9 @@ def rock_met(x, y, ray, first, second, blur):
     part, out = 0.0, max(leaves, 0.0)
     if leaves > enters:
         x, y, high = x + out * ray.x, y + out * ray.y, out * ray.z
-        u, v = x + 0.8 * high + 30.0 * first, y - 0.6 * high + 30.0 * second
-        broken, rise_x, rise_y = plane_noise(FRACTURES * u, FRACTURES * v)
+        # the noise of each rock begins elsewhere
+        u, v, w = x + 100.0 * first, y + 100.0 * second, high
+        broken, rise_x, rise_y, rise_z = noise_gradient(FRACTURES * u, FRACTURES * v, FRACTURES * w)
         length = sqrt(ray.x * ray.x + ray.y * ray.y + ray.z * ray.z)
         leaves -= BROKEN * max(broken, 0.0) / length
         # width of the wedge between both planes, in pixels
@@ -205,14 +210,15 @@ def rock_met(x, y, ray, first, second, blur):
         part = min(max(wedge + 0.5, 0.0), 1.0)
     if part > 0.0:
         # sides of fractures are plane, too
-        face_x += WORN * x - FRACTURED * min(max(3.0 * rise_x, -1.0), 1.0)
-        face_y += WORN * y - FRACTURED * min(max(3.0 * rise_y, -1.0), 1.0)
-        face_z += WORN * high
+        face_x += WORN * x - FRACTURED * min(max(2.0 * rise_x, -1.0), 1.0)
+        face_y += WORN * y - FRACTURED * min(max(2.0 * rise_y, -1.0), 1.0)
+        face_z += WORN * high - 0.5 * FRACTURED * min(max(2.0 * rise_z, -1.0), 1.0)
         pits = PITTED * (1.0 - blur / UNSEEN)
         if pits > 0.0:
-            _pit, rise_x, rise_y = plane_noise(PITS * u + broken, PITS * v + broken)
+            _pit, rise_x, rise_y, rise_z = noise_gradient(PITS * u, PITS * v, PITS * w)
             face_x -= pits * rise_x
             face_y -= pits * rise_y
+            face_z -= 0.5 * pits * rise_z
     return RockMet(part, face_x, face_y, face_z)
 
 
@@ -285,9 +291,8 @@ def rocks_met(x, y, ray, span, blur, density, sun, glow, dust):
                         facing = max(across + upright * sun.z, 0.0) * size
                         below = GROUND * (0.5 - 0.5 * upright * size)
                         seen = (upright * size - DUSTY_FROM) / (DUSTY_TO - DUSTY_FROM)
-                        seen = DARKEST + (2.0 - 2.0 * DARKEST) * first + dust * min(
-                            max(seen, 0.0), 1.0
-                        )
+                        seen = dust * (min(max(seen, 0.0), 1.0) - DUSTED)
+                        seen += DARKEST + (2.0 - 2.0 * DARKEST) * first
                         seen *= left * one.part
                         light += seen * (facing / max(sun.z, LOWEST) + below)
                         open_sky = 0.5 + 0.5 * upright * size + glow * across * size
@@ -338,7 +343,7 @@ def rocks(place, whole, ray, sun, glow, pixel, blur, cell, bare, share, stone):
         field, _rise_x, _rise_y = plane_noise(
             along_lattice(whole.x, place.x, inverse), along_lattice(whole.y, place.y, inverse)
         )
-        bare *= min(max(1.0 + 2.0 * field, 0.0), 2.0)
+        bare *= min(max(1.0 + 2.0 * field, FEWEST), 2.0 - FEWEST)
     sine = max(sqrt(sun.x * sun.x + sun.y * sun.y), 1e-6)
     up = Vec3(sun.x / sine, sun.y / sine, max(sun.z, LOWEST) / sine)
     for _lattice in range(LATTICES):

@@ -47,10 +47,10 @@ NEARLY_WATER: Final = 0.999
 #: impacts mix it. [1]
 PITTED: Final = -0.6
 SOIL: Final = 0.5
-DRIFTS: Final = 2.2
+DRIFTS: Final = 2.0
 #: Reflectance of rocks over that of dust, and that of blocks of fresh rock over that of old airless
 #: soil, by eye. [1]
-STONES: Final = 0.6
+STONES: Final = 0.7
 BLOCKS: Final = 1.2
 #: Contrast of hills over that of the grain of the map, which is half of that of its land. [1]
 LOUD: Final = 3.0
