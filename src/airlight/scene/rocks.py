@@ -30,7 +30,7 @@ FINEST: Final = 0.0207
 #: Diameter of the widest rock of a lattice, and mean area of a cell's rock, whose logarithm of the
 #: diameter is uniform. [cell], [cell²]
 WIDEST: Final = 0.6
-AREA: Final = 0.0512
+AREA: Final = 0.0509
 #: Height of a rock over its radius: of the flattest, and what the highest has more. [1]
 FLAT: Final = 0.35
 STEEPER: Final = 0.85
@@ -61,21 +61,22 @@ TURN_Y: Final = 0.89879
 #: from the middle as sides; tilt of the top. [1]
 NEAREST: Final = 0.54
 FARTHER: Final = 0.37
-LEAN: Final = 0.05
+LEAN: Final = 0.14
 LEANING: Final = 0.5
 UPPER: Final = 0.5
 UPPER_LEAN: Final = 1.2
 SHOULDER: Final = 0.45
 TILT: Final = 0.6
 #: Share of a ball in the direction of faces, whose edges are worn; cells of fractures and of pits
-#: per radius, how much they tilt faces, and the pixel over a radius beyond which pits are not seen;
-#: thickness that fractures break off at edges, at most [radius]; all by eye. [1]
+#: per radius, how much they tilt faces, and finer pits per coarser; pixel beyond which pits are not
+#: seen [cell]; thickness that fractures break off at edges, at most [radius]; all by eye. [1]
 WORN: Final = 0.3
 FRACTURES: Final = 2.3
 FRACTURED: Final = 0.45
 PITS: Final = 7.3
 PITTED: Final = 0.22
-UNSEEN: Final = 0.25
+FINER: Final = 3.3
+UNSEEN: Final = 1.8
 BROKEN: Final = 0.3
 #: Cosine of the angle of faces from the zenith above which dust lies on them, and where it covers
 #: them, by eye; share of rocks below dust, seen from above, of 300 000 places; least reflectance
@@ -91,10 +92,10 @@ DIM: Final = 0.1
 #: Direct light that the ground and rocks lose per share of rocks, seen from above: under a star in
 #: the zenith, and ``SHADED`` t²/(t + ``FROM``) more, with the tangent t of the zenith angle; light
 #: of the sky that they lose; of 300 000 places each. [1]
-LOST: Final = 0.17
-SHADED: Final = 0.323
-FROM: Final = 0.55
-HIDDEN: Final = 0.042
+LOST: Final = 0.198
+SHADED: Final = 0.312
+FROM: Final = 0.85
+HIDDEN: Final = 0.062
 #: Cosine of the star's zenith angle below which faces are lit as at it. [1]
 LOWEST: Final = 0.1
 
@@ -133,12 +134,15 @@ class RockMet(NamedTuple):
         Share of the pixel that the rock covers. [1]
     face_x, face_y, face_z : float
         Outward direction of its face, not normalised, of the rock of height 1. [1]
+    tone : float
+        Reflectance over that of the rock: pits are dark. [1]
     """
 
     part: float
     face_x: float
     face_y: float
     face_z: float
+    tone: float
 
 
 @kernel
@@ -197,7 +201,7 @@ def rock_met(x, y, ray, first, second, blur):
         along, aside = TURN_X * along - TURN_Y * aside, TURN_Y * along + TURN_X * aside
         offset += 0.618034 if offset < 0.381966 else -0.381966
         steep += 0.754878 if steep < 0.245122 else -0.245122
-    part, out = 0.0, max(leaves, 0.0)
+    part, out, tone = 0.0, max(leaves, 0.0), 1.0
     if leaves > enters:
         x, y, high = x + out * ray.x, y + out * ray.y, out * ray.z
         # the noise of each rock begins elsewhere
@@ -213,13 +217,17 @@ def rock_met(x, y, ray, first, second, blur):
         face_x += WORN * x - FRACTURED * min(max(2.0 * rise_x, -1.0), 1.0)
         face_y += WORN * y - FRACTURED * min(max(2.0 * rise_y, -1.0), 1.0)
         face_z += WORN * high - 0.5 * FRACTURED * min(max(2.0 * rise_z, -1.0), 1.0)
-        pits = PITTED * (1.0 - blur / UNSEEN)
-        if pits > 0.0:
-            _pit, rise_x, rise_y, rise_z = noise_gradient(PITS * u, PITS * v, PITS * w)
-            face_x -= pits * rise_x
-            face_y -= pits * rise_y
-            face_z -= 0.5 * pits * rise_z
-    return RockMet(part, face_x, face_y, face_z)
+        fine = PITS
+        for _octave in range(2):
+            pits = PITTED * (1.0 - blur * fine / UNSEEN)
+            if pits > 0.0:
+                pit, rise_x, rise_y, rise_z = noise_gradient(fine * u, fine * v, fine * w)
+                face_x -= pits * rise_x
+                face_y -= pits * rise_y
+                face_z -= 0.5 * pits * rise_z
+                tone += pits * pit
+            fine *= FINER
+    return RockMet(part, face_x, face_y, face_z, tone)
 
 
 @kernel
@@ -292,7 +300,7 @@ def rocks_met(x, y, ray, span, blur, density, sun, glow, dust):
                         below = GROUND * (0.5 - 0.5 * upright * size)
                         seen = (upright * size - DUSTY_FROM) / (DUSTY_TO - DUSTY_FROM)
                         seen = dust * (min(max(seen, 0.0), 1.0) - DUSTED)
-                        seen += DARKEST + (2.0 - 2.0 * DARKEST) * first
+                        seen += one.tone * (DARKEST + (2.0 - 2.0 * DARKEST) * first)
                         seen *= left * one.part
                         light += seen * (facing / max(sun.z, LOWEST) + below)
                         open_sky = 0.5 + 0.5 * upright * size + glow * across * size
