@@ -3,10 +3,10 @@
 Octaves of noise in a plane, since natural scenes have no scale of their own (Ruderman & Bialek
 1994, Phys. Rev. Lett. 73, 814: power as the inverse square of the frequency). Each kind of ground
 has a structure of its own: plants are patches; every other octave of bare ground is waves of sand
-with sharp crests, which wander and fade out; snow is drawn out along the wind, as sastrugi. The
-same noise is the height of small relief, whose slopes sunlight shades; stony ground has mounds or
-pits, too. At a grazing angle plants and crests are seen in rows that hide what is behind them.
-Means of reflectance and of sunlight remain.
+with sharp crests, which wander, fork and fade out, on stony ground only where coarser noise makes
+drifts; snow is drawn out along the wind, as sastrugi. The same noise is the height of small relief,
+whose slopes sunlight shades; stony ground has mounds or pits, too. At a grazing angle plants and
+crests are seen in rows that hide what is behind them. Means of reflectance and of sunlight remain.
 """
 
 from __future__ import annotations

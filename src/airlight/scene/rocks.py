@@ -2,12 +2,12 @@
 
 The share of the ground below rocks wider than D is k exp(-q D), q = 1.79 + 0.152/k (Golombek & Rapp
 1997, J. Geophys. Res. 102, 4117), with the k of the planet's file. Each cell of a square lattice
-has at most one rock, convex with faces that have hollows, of the sizes between those of the next
-finer and its own lattice. A line of sight, or towards the star, visits the cells that it crosses
-below the tops of rocks. Seen from above, mean reflectance and mean light of star and sky remain.
-Seen at an angle, rocks brighten the ground towards the star and darken it away from it, as they do
-on ground that reflects by Lambert's law, down to 6° of elevation; at flatter angles they are lower
-and do less.
+has at most one rock, of the sizes between those of the next finer and its own lattice: a polyhedron
+whose edges are broken off, with fractures, pits, and dust on top. A line of sight, or towards the
+star, visits the cells that it crosses below the tops of rocks. Seen from above, mean reflectance
+and mean light of star and sky remain. Seen at an angle, rocks brighten the ground towards the star
+and darken it away from it, as they do on ground that reflects by Lambert's law, down to 6° of
+elevation; at flatter angles they are lower and do less.
 """
 
 from __future__ import annotations

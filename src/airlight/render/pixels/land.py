@@ -47,6 +47,7 @@ NEARLY_WATER: Final = 0.999
 #: impacts mix it. [1]
 PITTED: Final = -0.6
 SOIL: Final = 0.5
+#: Contrast of stony ground with wind, of dust and sand, over that of others, by eye. [1]
 DRIFTS: Final = 2.0
 #: Reflectance of rocks over that of dust, and that of blocks of fresh rock over that of old airless
 #: soil, by eye. [1]
