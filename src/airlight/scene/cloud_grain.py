@@ -35,8 +35,10 @@ STEP_OF_COVER: Final = 1.0 / 255.0
 #: ``ground_detail``.
 COARSEST: Final = 8 * STEP ** (GROUND_OCTAVES - 1)
 SOFTNESS: Final = 2 * COARSEST
-#: Ratio of the contrasts of an octave and the next coarser one, 2^(-1/3). [1]
+#: Ratio of the contrasts of an octave and the next coarser one, 2^(-1/3), and its growth as cover
+#: falls below a half, by eye: few clouds are small ones in groups. [1]
 FALL: Final = 0.7937
+FEWER: Final = 0.25
 #: Mean and standard deviation of the magnitude of ``gradient_noise``, of a million places. [1]
 FOLDED: Final = 0.1100
 FOLDED_DEVIATION: Final = 0.0772
@@ -59,8 +61,8 @@ WARPED: Final = 0.1
 WISPS: Final = 0.4
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
 #: and change of its logarithm with noise of its own, by eye. [1]
-EDGE: Final = 1.8
-VARIED: Final = 5.0
+EDGE: Final = 1.0
+VARIED: Final = 3.0
 #: Limits of what edges add to the ratio of contrasts: soft clouds are smooth. By eye. [1]
 SMOOTHEST: Final = 0.8
 ROUGHEST: Final = 1.1
@@ -68,15 +70,17 @@ ROUGHEST: Final = 1.1
 #: of the next one, up to 1. By eye. [1]
 SMALL: Final = 0.2
 GROWING: Final = 1.5
-#: Octaves of veils from eight texels down, length over width, ratio of the contrasts of an octave
-#: and the next coarser one, and displacement by coarser ones, by eye. [1]
+#: Octaves of veils from eight texels down, length over width of the coarsest, which doubles with
+#: each second octave, ratio of the contrasts of an octave and the next coarser one, displacement by
+#: coarser ones, and of all across parallels by the coarsest, by eye. [1]
 VEILS: Final = 7
-DRAWN: Final = 4.0
+DRAWN: Final = 2.0
 THREADED: Final = 0.75
-BENT: Final = 0.5
+BENT: Final = 0.3
+TURNED: Final = 0.4
 #: Ratio of the heights of tops over that of the contrasts, of an octave and the next coarser one:
 #: light is scattered from slope to slope within some hundred metres. By eye. [1]
-SMOOTH: Final = 0.6
+SMOOTH: Final = 0.5
 
 
 class CloudGrain(NamedTuple):
@@ -165,7 +169,8 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, edge, whole_gra
         edge = EDGE * exp(VARIED * gradient_noise(x, y, z))
     scale = float(COARSEST)
     warped = WARPED + WISPS * max(1.0 - edge / EDGE, 0.0)
-    fall = FALL * min(max(sqrt(sqrt(edge / EDGE)), SMOOTHEST), ROUGHEST)
+    fall = FALL + FEWER * max(0.5 - cover, 0.0)
+    fall *= min(max(sqrt(sqrt(edge / EDGE)), SMOOTHEST), ROUGHEST)
     total, variance, third, share = 0.0, 0.0, 0.0, 1.0
     ascent, smooth, coarse = 0.0, 1.0, SMALL + GROWING * cover
     for octave in range(OCTAVES):
@@ -218,15 +223,21 @@ def veil_grain(place, footprint, cell, whole, part):
     beyond_x, beyond_y = part.x + place.x / cell, part.y + place.y / cell
     beyond_z = part.z + place.z / cell
     total, variance, scale, share = 0.0, 0.0, float(COARSEST), 1.0
-    for _octave in range(VEILS):
+    along, turn = DRAWN * scale, 0.0
+    for octave in range(VEILS):
         shown = share * min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             bent = BENT * total
-            x, _ = turning_place(whole.x, beyond_x, DRAWN * scale)
-            y, _ = turning_place(whole.y, beyond_y, DRAWN * scale)
+            x, _ = turning_place(whole.x, beyond_x, along)
+            y, _ = turning_place(whole.y, beyond_y, along)
             z, _ = turning_place(whole.z, beyond_z, scale)
-            total += shown * smooth_noise(x + bent, y - bent, z + bent) / DEVIATION
+            total += shown * smooth_noise(x + bent, y - bent, z + bent + turn) / DEVIATION
             variance += shown * shown
+            if octave == 0:
+                turn = TURNED * total
+        turn *= 2.0
+        if octave - 2 * (octave // 2) == 0:
+            along *= 0.5
         share *= THREADED
         scale *= 0.5
     return total, variance

@@ -3,12 +3,12 @@
 Octaves of gradient noise, each half of the previous scale, change the logarithm of the
 mean-square slope: folded noise to narrow slicks, which have fewer waves, plain noise to gusts. The
 places of an octave are displaced by the coarser ones, which draws slicks out to eddies. The glint
-keeps its mean over places to second order in the contrast.
+keeps its mean over places of normal contrast.
 """
 
 from __future__ import annotations
 
-from math import exp
+from math import exp, sqrt
 from typing import Final
 
 from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, gradient_noise
@@ -19,7 +19,7 @@ from airlight.scene.ground_detail import STEP
 
 #: Number of octaves, and cells of the coarsest one, sixteen texels, over the finest of
 #: ``ground_detail``.
-OCTAVES: Final = 6
+OCTAVES: Final = 8
 COARSEST: Final = 16 * STEP ** (GROUND_OCTAVES - 1)
 #: Shares of folded and of plain noise: the sum of their squares is 1.
 SLICK: Final = 0.6
@@ -27,7 +27,7 @@ GUST: Final = 0.8
 #: Standard deviation of the logarithm of the mean-square slope by the coarsest octave, and ratio to
 #: that of the next finer one, by eye; an oil slick has half of the slope or less (Cox & Munk 1954).
 #: [1]
-CONTRAST: Final = 0.11
+CONTRAST: Final = 0.15
 FALL: Final = 0.85
 #: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
 WARPED: Final = 0.25
@@ -67,8 +67,8 @@ def slick_roughness(place, footprint, cell, whole, part):
 def slick_glint(steep, rougher, variance):
     """Glint of a place over that of the mean mean-square slope. [1]
 
-    exp(-a (e^-g - 1) - g) over its mean to second order in g, 1 + (a² - 3a + 1) v/2: the density of
-    slopes of ``cox_munk.glint_factor`` with the mean-square slope e^g s².
+    exp(-a (e^-g - 1) - g) over its mean for normal g, by Gauss-Hermite quadrature of three points:
+    the density of slopes of ``cox_munk.glint_factor`` with the mean-square slope e^g s².
 
     Parameters
     ----------
@@ -85,5 +85,7 @@ def slick_glint(steep, rougher, variance):
     0.9048
     """
     a = min(steep, STEEPEST)
-    mean = 1.0 + 0.5 * variance * (a * a - 3.0 * a + 1.0)
+    far = sqrt(3.0 * variance)
+    calm, rough = -a * (exp(far) - 1.0) + far, -a * (exp(-far) - 1.0) - far
+    mean = (4.0 + exp(calm) + exp(rough)) / 6.0
     return exp(min(-a * (exp(-rougher) - 1.0) - rougher, 3.0)) / mean

@@ -25,6 +25,7 @@ from airlight.geometry.gradient_noise import (
 )
 from airlight.geometry.vectors import Vec3, cross, dot, plus, scaled
 from airlight.kernel import kernel
+from airlight.scene.cloud_grain import turning_place
 from airlight.scene.hills import COARSEST, lattice_place
 
 #: Number of octaves of gullies, from cells of a texel on; cells of the smooth relief.
@@ -49,10 +50,15 @@ SIZES: Final = 4
 SMALLER: Final = 0.95
 EDGE: Final = 0.15
 TURNED: Final = 1.0
-#: Number of sizes of dunes, the widest of a quarter of a texel, length over width, and bend. [1]
+#: Number of sizes of dunes, the widest of a quarter of a texel, length over width, shift by the
+#: smooth relief, over its cells, cells of seas of sand, and noise from which on there are and from
+#: which on all is dunes, by eye. [1]
 DUNES: Final = 3
 DRAWN: Final = 16.0
-BENT: Final = 0.6
+BENT: Final = 0.16
+SEAS: Final = 16.0 * COARSEST
+SHORE: Final = 0.0
+INLAND: Final = 0.35
 
 
 class Phasor(NamedTuple):
@@ -270,12 +276,18 @@ def dunes(finest, footprint, whole, bend):
     finest, footprint, whole, bend :
         Arguments of ``farmland``.
     """
+    x, _ = turning_place(whole.x, finest.x, SEAS)
+    y, _ = turning_place(whole.y, finest.y, SEAS)
+    z, _ = turning_place(whole.z, finest.z, SEAS)
+    sea = smooth_noise(x + 0.1 * bend, y - 0.1 * bend, z + 0.1 * bend)
+    inland = min(max((sea - SHORE) / (INLAND - SHORE), 0.0), 1.0)
     tone, scale = 0.0, 0.25 * COARSEST
     for _size in range(DUNES):
         shown = min(0.6 * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
             at = lattice_place(finest, whole, scale)
             along = lattice_place(finest, whole, DRAWN * scale)
-            tone += shown * smooth_noise(at.x + BENT * bend, at.y - BENT * bend, along.z)
+            bent = BENT * bend * (SMOOTH / scale)
+            tone += shown * smooth_noise(at.x + bent, at.y - bent, along.z)
         scale *= 0.5
-    return tone
+    return inland * tone

@@ -40,14 +40,14 @@ CLOUD_VALUES: Final = 13
 THICKNESS: Final = 3300.0
 #: Height of tops in a standard deviation of folded noise of eight texels, of few clouds, and
 #: the share of it that full cover loses, by eye. [m], [1]
-HEAPED: Final = 2600.0
+HEAPED: Final = 2000.0
 LEVELLED: Final = 0.5
 #: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
 #: eye. [1]
 SHADING: Final = 0.5
 #: Share of veils in the cover of clouds, least one that has texture, reciprocal of the width of
 #: their edges, and level of the map around which they lie, by eye. [1]
-VEILED: Final = 0.15
+VEILED: Final = 0.08
 LEAST_VEIL: Final = 0.002
 VEIL_EDGE: Final = 0.65
 AROUND: Final = 3.0

@@ -48,7 +48,7 @@ WILD: Final = 0.25
 #: Red reflectances of stones and of sand with dunes, and contrast of these, by eye. [1]
 STONY: Final = 0.32
 SANDY: Final = 0.45
-HEAPED: Final = 1.4
+HEAPED: Final = 1.1
 #: What snow takes from the contrast of valleys. [1]
 SNOWED: Final = 0.6
 
@@ -111,7 +111,7 @@ def land_from_above(place, finest, blur, way, uneven, leaf, snow, frame, color):
     tilled = min(max((color[1] - WOODED) / (TILLED - WOODED), WILD), 1.0)
     tilled *= uneven * (1.0 - STEEPER * rough) * (1.0 - snow)
     field, variance, hue = farmland(finest, blur, view.whole, found.height)
-    tone += FIELDS * tilled * (WILD + (1.0 - WILD) * leaf) * field
+    tone += FIELDS * tilled * leaf * field
     hue = tilled * leaf * (HUE * hue + RIPE * field)
     sandy = min(max((color[0] - STONY) / (SANDY - STONY), 0.0), 1.0)
     sandy *= (1.0 - rough) * (1.0 - snow) * (1.0 - leaf)
