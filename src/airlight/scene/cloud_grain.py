@@ -38,30 +38,30 @@ SOFTNESS: Final = 2 * COARSEST
 #: Ratio of the contrasts of an octave and the next coarser one, 2^(-1/3), and its growth as cover
 #: falls below a half, by eye: few clouds are small ones in groups. [1]
 FALL: Final = 0.7937
-FEWER: Final = 0.25
+FEWER: Final = 0.3
 #: Mean and standard deviation of the magnitude of ``gradient_noise``, of a million places. [1]
 FOLDED: Final = 0.1100
 FOLDED_DEVIATION: Final = 0.0772
 #: Shares of folded noise, which has narrow gaps, and of plain noise, which has large ones: the sum
 #: of their squares is 1, as both are uncorrelated. By eye. [1]
-PUFFED: Final = 0.85
-OPEN: Final = 0.527
+PUFFED: Final = 0.25
+OPEN: Final = 0.968
 #: The same of octaves that gather clouds, along lines where the noise is small. By eye. [1]
 GATHERED: Final = -0.5
 SPREAD: Final = 0.866
 #: Skewness p³ f + 3 p (1 - p²) m of octaves of a share p of folded noise, whose skewness f is 0.770
 #: and whose mean product m with the square of plain noise is 1.207, of 200 000 places. [1]
-PUFFED_SKEWNESS: Final = 1.328
+PUFFED_SKEWNESS: Final = 0.861
 GATHERED_SKEWNESS: Final = -1.454
 #: Standard deviations beyond which the correction of the skewness stays. [1]
 FARTHEST: Final = 2.5
 #: Displacement of places by coarser octaves, over the width of a cell and their sum, and its growth
 #: with the softness of edges, by eye. [1]
-WARPED: Final = 0.1
-WISPS: Final = 0.4
+WARPED: Final = 0.06
+WISPS: Final = 0.15
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
 #: and change of its logarithm with noise of its own, by eye. [1]
-EDGE: Final = 1.0
+EDGE: Final = 1.5
 VARIED: Final = 3.0
 #: Limits of what edges add to the ratio of contrasts: soft clouds are smooth. By eye. [1]
 SMOOTHEST: Final = 0.8
@@ -96,7 +96,7 @@ class CloudGrain(NamedTuple):
     edge : float
         Reciprocal of the width of edges, in standard deviations of the coarsest octave. [1]
     ascent : float
-        Growth of the height of tops along a direction, over that of folded noise of the coarsest
+        Growth of the height of tops along a direction, over a standard deviation of the coarsest
         octave of puffs; displacements of places count as even. A reflection of every octave at a
         place turns it round and leaves the rest, so that its mean is 0 for every noise. [m⁻¹]
     """
@@ -194,8 +194,9 @@ def cloud_grain(place, footprint, cover, cell, whole, part, way, edge, whole_gra
                 folded, plain, skewness = GATHERED, SPREAD, GATHERED_SKEWNESS
             puffs = (abs(noise) - FOLDED) / FOLDED_DEVIATION
             total += shown * (folded * puffs + plain * noise / GRADIENT_DEVIATION)
-            heaped = growth if noise > 0.0 else -growth
-            ascent += shown * smooth * heaped * inverse / FOLDED_DEVIATION
+            steep = folded / FOLDED_DEVIATION * (1.0 if noise > 0.0 else -1.0)
+            steep += plain / GRADIENT_DEVIATION
+            ascent += shown * smooth * growth * inverse * steep
             variance += shown * shown
             third += skewness * shown * shown * shown
         share *= fall

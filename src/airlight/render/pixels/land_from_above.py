@@ -23,7 +23,7 @@ FIELDS: Final = 2.6
 #: What bare land adds to the contrast of valleys: their sediment is bright. [1]
 WADIS: Final = 1.8
 #: Contrast of valleys in plains over that in rugged land. [1]
-SMOOTH: Final = 0.12
+SMOOTH: Final = 0.15
 #: Changes of the ratio of red to green by fields, alike and unlike their tone: ripe and bare ones
 #: are bright. By eye. [1]
 RIPE: Final = 0.06
