@@ -2,10 +2,11 @@
 
 Octaves of gradient noise, each half of the previous scale, from eight texels downwards; a part of
 it is folded. The coarsest ones are folded to bands and cells with clear sky between, which gather
-the clouds, finer ones to puffs between narrow gaps. The places of an octave are displaced by the
-coarser ones, which draws puffs out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis
-et al. 1997, JAS 54, 241), so that clouds above a threshold have all sizes. Edges are soft in some
-regions, as those of veils, which are smoother and drawn out further, and hard in others.
+the clouds, finer ones to puffs. The places of an octave are displaced by the coarser ones, which
+draws puffs out to wisps. Variance falls as k^(-5/3), that of cloud water (Davis et al. 1997, JAS
+54, 241), so that clouds above a threshold have all sizes; of few clouds, which are cumulus, more of
+it is in fine octaves. Edges are soft in some regions, as those of veils, whose finer fibres are
+longer for their width, and hard in others.
 """
 
 from __future__ import annotations
@@ -42,8 +43,8 @@ FEWER: Final = 0.3
 #: Mean and standard deviation of the magnitude of ``gradient_noise``, of a million places. [1]
 FOLDED: Final = 0.1100
 FOLDED_DEVIATION: Final = 0.0772
-#: Shares of folded noise, which has narrow gaps, and of plain noise, which has large ones: the sum
-#: of their squares is 1, as both are uncorrelated. By eye. [1]
+#: Shares of folded noise, with creases, and of plain noise, with round puffs: the sum of their
+#: squares is 1, as both are uncorrelated. By eye. [1]
 PUFFED: Final = 0.25
 OPEN: Final = 0.968
 #: The same of octaves that gather clouds, along lines where the noise is small. By eye. [1]
@@ -62,7 +63,7 @@ WISPS: Final = 0.15
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
 #: and change of its logarithm with noise of its own, by eye. [1]
 EDGE: Final = 1.5
-VARIED: Final = 3.0
+VARIED: Final = 2.2
 #: Limits of what edges add to the ratio of contrasts: soft clouds are smooth. By eye. [1]
 SMOOTHEST: Final = 0.8
 ROUGHEST: Final = 1.1
@@ -70,14 +71,14 @@ ROUGHEST: Final = 1.1
 #: of the next one, up to 1. By eye. [1]
 SMALL: Final = 0.2
 GROWING: Final = 1.5
-#: Octaves of veils from eight texels down, length over width of the coarsest, which doubles with
-#: each second octave, ratio of the contrasts of an octave and the next coarser one, displacement by
-#: coarser ones, and of all across parallels by the coarsest, by eye. [1]
+#: Octaves of veils from eight texels down, length over width of the two coarsest, which doubles at
+#: two of three finer ones, ratio of the contrasts of an octave and the next coarser one,
+#: displacement by coarser ones, and of all across parallels by the coarsest, by eye. [1]
 VEILS: Final = 7
-DRAWN: Final = 2.0
+DRAWN: Final = 1.0
 THREADED: Final = 0.75
-BENT: Final = 0.3
-TURNED: Final = 0.4
+BENT: Final = 0.2
+TURNED: Final = 0.1
 #: Ratio of the heights of tops over that of the contrasts, of an octave and the next coarser one:
 #: light is scattered from slope to slope within some hundred metres. By eye. [1]
 SMOOTH: Final = 0.5
@@ -237,7 +238,7 @@ def veil_grain(place, footprint, cell, whole, part):
             if octave == 0:
                 turn = TURNED * total
         turn *= 2.0
-        if octave - 2 * (octave // 2) == 0:
+        if octave - 3 * (octave // 3) == 0:
             along *= 0.5
         share *= THREADED
         scale *= 0.5

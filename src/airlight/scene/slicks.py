@@ -13,7 +13,7 @@ from typing import Final
 
 from airlight.geometry.gradient_noise import GRADIENT_DEVIATION, gradient_noise
 from airlight.kernel import kernel
-from airlight.scene.cloud_grain import FOLDED, FOLDED_DEVIATION, turning_place
+from airlight.scene.cloud_grain import FARTHEST, FOLDED, FOLDED_DEVIATION, turning_place
 from airlight.scene.ground_detail import OCTAVES as GROUND_OCTAVES
 from airlight.scene.ground_detail import STEP
 
@@ -24,13 +24,15 @@ COARSEST: Final = 16 * STEP ** (GROUND_OCTAVES - 1)
 #: Shares of folded and of plain noise: the sum of their squares is 1.
 SLICK: Final = 0.6
 GUST: Final = 0.8
+#: Skewness of an octave, as of ``cloud_grain``. [1]
+SKEWNESS: Final = 1.557
 #: Standard deviation of the logarithm of the mean-square slope by the coarsest octave, and ratio to
 #: that of the next finer one, by eye; an oil slick has half of the slope or less (Cox & Munk 1954).
 #: [1]
-CONTRAST: Final = 0.15
+CONTRAST: Final = 0.16
 FALL: Final = 0.85
 #: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
-WARPED: Final = 0.25
+WARPED: Final = 0.15
 #: Square of the facet's slope over the mean-square slope from which on the glint is neglected. [1]
 STEEPEST: Final = 12.0
 
@@ -39,13 +41,15 @@ STEEPEST: Final = 12.0
 def slick_roughness(place, footprint, cell, whole, part):
     """Logarithm of the local mean-square slope over its mean, and its variance. [1]
 
+    Without its skewness, which is removed as in ``cloud_grain``.
+
     Parameters
     ----------
     place, footprint, cell, whole, part :
         Arguments of ``ground_detail``.
     """
     x, y, z = part.x + place.x / cell, part.y + place.y / cell, part.z + place.z / cell
-    total, variance, scale, share = 0.0, 0.0, float(COARSEST), CONTRAST
+    total, variance, third, scale, share = 0.0, 0.0, 0.0, float(COARSEST), CONTRAST
     for _octave in range(OCTAVES):
         shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
         if shown > 0.0:
@@ -58,8 +62,13 @@ def slick_roughness(place, footprint, cell, whole, part):
             shown *= share
             total += shown * (SLICK * folded + GUST * noise / GRADIENT_DEVIATION)
             variance += shown * shown
+            third += SKEWNESS * shown * shown * shown
         scale *= 0.5
         share *= FALL
+    if variance > 0.0:
+        square = min(total * total / variance, FARTHEST * FARTHEST)
+        total -= third / (6.0 * variance) * (square - 1.0)
+        variance -= third * third / (18.0 * variance * variance)
     return total, variance
 
 
@@ -88,4 +97,4 @@ def slick_glint(steep, rougher, variance):
     far = sqrt(3.0 * variance)
     calm, rough = -a * (exp(far) - 1.0) + far, -a * (exp(-far) - 1.0) - far
     mean = (4.0 + exp(calm) + exp(rough)) / 6.0
-    return exp(min(-a * (exp(-rougher) - 1.0) - rougher, 3.0)) / mean
+    return exp(min(-a * (exp(-rougher) - 1.0) - rougher, 5.0)) / mean

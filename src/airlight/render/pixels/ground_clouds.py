@@ -38,16 +38,16 @@ CLOUD_VALUES: Final = 13
 #: Height of full cover above none: ISCCP's middle clouds have their tops at 3.2 to 6.5 km (see
 #: ``planets.ground.CLOUD_ALTITUDE``). [m]
 THICKNESS: Final = 3300.0
-#: Height of tops in a standard deviation of folded noise of eight texels, of few clouds, and
-#: the share of it that full cover loses, by eye. [m], [1]
-HEAPED: Final = 2000.0
+#: Height of tops in a standard deviation of noise of two texels, of few clouds, and the share of it
+#: that full cover loses, by eye. [m], [1]
+HEAPED: Final = 1500.0
 LEVELLED: Final = 0.5
 #: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
 #: eye. [1]
 SHADING: Final = 0.5
 #: Share of veils in the cover of clouds, least one that has texture, reciprocal of the width of
 #: their edges, and level of the map around which they lie, by eye. [1]
-VEILED: Final = 0.08
+VEILED: Final = 0.06
 LEAST_VEIL: Final = 0.002
 VEIL_EDGE: Final = 0.65
 AROUND: Final = 3.0
@@ -125,7 +125,8 @@ def veil_cover(latitude, longitude, place, blur, thin, view):
     veil = thin * around
     if veil > LEAST_VEIL:
         noise, variance = veil_grain(place, blur, view.detail_cell, view.whole, view.part)
-        veil = above_threshold(veil, VEIL_EDGE, noise, variance)
+        shown = min(veil / LEAST_VEIL - 1.0, 1.0)
+        veil += shown * (above_threshold(veil, VEIL_EDGE, noise, variance) - veil)
     return veil
 
 

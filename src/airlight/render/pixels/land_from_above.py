@@ -22,7 +22,9 @@ VALLEYS: Final = 1.2
 FIELDS: Final = 2.6
 #: What bare land adds to the contrast of valleys: their sediment is bright. [1]
 WADIS: Final = 1.8
-#: Contrast of valleys in plains over that in rugged land. [1]
+#: Contrast of sheets of sand and gravel in bare plains over that of the grain of the map, and of
+#: valleys in plains over that in rugged land, by eye. [1]
+SHEETS: Final = 0.35
 SMOOTH: Final = 0.15
 #: Changes of the ratio of red to green by fields, alike and unlike their tone: ripe and bare ones
 #: are bright. By eye. [1]
@@ -108,6 +110,7 @@ def land_from_above(place, finest, blur, way, uneven, leaf, snow, frame, color):
     found = valleys(finest, blur, view.whole, place, way, slope, steep)
     tone = VALLEYS * (SMOOTH + (1.0 - SMOOTH) * rough) * (1.0 - SNOWED * snow) * found.tone
     tone *= 1.0 + WADIS * (1.0 - leaf) * max(0.3 + found.height, 0.0)
+    tone += SHEETS * (1.0 - leaf) * (1.0 - snow) * (1.0 - rough) * found.height
     tilled = min(max((color[1] - WOODED) / (TILLED - WOODED), WILD), 1.0)
     tilled *= uneven * (1.0 - STEEPER * rough) * (1.0 - snow)
     field, variance, hue = farmland(finest, blur, view.whole, found.height)
