@@ -266,10 +266,10 @@ def farmland(finest, footprint, whole, bend):
 
 @kernel
 def dunes(finest, footprint, whole, bend):
-    """Tone of dunes that run along the axis of the planet, of mean 0. [1]
+    """Tone of dunes in seas of sand, which run roughly along the axis of the planet, of mean 0. [1]
 
     Linear dunes of the Sahara and of Arabia are a kilometre or two apart and tens of them long,
-    and run mostly from north to south.
+    and run mostly from north to south. Smooth relief bends them.
 
     Parameters
     ----------
