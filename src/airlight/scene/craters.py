@@ -55,7 +55,7 @@ FLATTEST: Final = 0.05
 #: equilibrium, by which they are fewer: on Mars some 400 000 are wider than 1 km, 2 000 than 50 km
 #: (Robbins & Hynek 2012, JGR 117, E05004) [1]; and diameter above which maps have them [m].
 ERODED: Final = 0.8
-LARGEST: Final = 8e4
+LARGEST: Final = 4e4
 #: Largest change of the reflectance of their floors, where wind leaves dark sand or bright dust,
 #: and width of its edge over the radius, by eye. [1]
 SANDY: Final = 0.3
