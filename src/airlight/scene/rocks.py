@@ -24,7 +24,7 @@ from airlight.scene.ground_detail import STEP, along_lattice
 #: rocks, and its increase with the share's inverse. [m⁻¹]
 DECREASE: Final = 1.79
 SPARSER: Final = 0.152
-#: Number of lattices, and size of the finest, to a factor of two. [m]
+#: Number of lattices, and size of the finest, to a factor of √2. [m]
 LATTICES: Final = 5
 FINEST: Final = 0.0207
 #: Diameter of the widest rock of a lattice, and mean area of a cell's rock, whose logarithm of the
@@ -345,7 +345,7 @@ def rocks(place, whole, ray, sun, glow, pixel, blur, cell, bare, share, stone):
         Reflectance of rocks over that of the ground between them. [1]
     """
     tone, hue, open_ground, light, sky, below, left = 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0
-    scale = 4.0 ** floor(0.5 * log2(FINEST / cell) + 0.5)
+    scale = 2.0 ** floor(log2(FINEST / cell) + 0.5)
     if bare * share > 0.0 and 0.4 * WIDEST * scale * STEP ** (LATTICES - 1) > pixel:
         inverse = 1.0 / (PATCH * scale)
         field, _rise_x, _rise_y = plane_noise(
