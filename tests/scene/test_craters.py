@@ -12,12 +12,13 @@ from airlight.scene.crater_shapes import (
     DEPTH,
     EJECTA,
     RIM,
+    Crater,
     crater_slope,
     level_floor,
     shadowed,
     sunk,
 )
-from airlight.scene.craters import COARSEST, LATTICES, NARROWEST, WIDEST, Crater, crater_of, craters
+from airlight.scene.craters import COARSEST, LATTICES, NARROWEST, WIDEST, crater_of, craters
 from airlight.scene.ground_detail import WHOLE_PERIOD
 
 #: Finest cell of the Moon. [m]

@@ -11,10 +11,10 @@ air.
 from __future__ import annotations
 
 from math import log2, pi, sin, sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 from airlight.geometry.gradient_noise import plane_noise
-from airlight.geometry.vectors import Vec3, dot
+from airlight.geometry.vectors import Vec3, dot, scaled
 from airlight.kernel import kernel
 
 #: Depth below the rim's foot and height of the rim of a fresh crater over its diameter. [1]
@@ -31,18 +31,47 @@ PEAK: Final = 0.18
 STEEP: Final = 0.5
 TERRACED: Final = 0.5
 #: Radius at which bright soil ends [cell], change of the reflectance in the middle of a fresh
-#: crater, whose soil is immature, contrast of its rays, their width over the distance [1], and
+#: crater, whose soil is immature, contrast of its rays [1], and
 #: diameter below which all of it fades [m], by eye.
 REACH: Final = 0.48
 BRIGHT: Final = 0.6
 RAYS: Final = 0.8
-RAY: Final = 2.5
 RAYED: Final = 100.0
 #: Radius of the floors of craters that wind fills, and the freshness of the profile of the
 #: freshest and its power for others, by eye. [1]
 FILLED: Final = 0.6
 SHALLOW: Final = 0.9
 WORN: Final = 0.33
+#: Octaves of lumps of walls and ejecta, cells of the coarsest in a radius, ratio of successive
+#: ones, and slope over that of the noise; share of it on floors; share of the radius by which they
+#: move terraces and shadows; all by eye. [1]
+LUMPS: Final = 3
+LUMP: Final = 2.1
+FINER: Final = 2.3
+ROUGH: Final = 0.13
+SMOOTH: Final = 0.35
+BROKEN: Final = 0.4
+#: Width over the radius of the rim of a crater that is worn down, by eye. [1]
+ROUNDED: Final = 0.6
+
+
+class Crater(NamedTuple):
+    """Crater of a cell.
+
+    Attributes
+    ----------
+    radius : float
+        Radius. [cell]
+    fresh : float
+        Freshness, from 0 to 1, of which small values are the most. [1]
+    along, across : float
+        Numbers that ``shuffled`` makes its second harmonics.
+    """
+
+    radius: float
+    fresh: float
+    along: float
+    across: float
 
 
 @kernel
@@ -162,17 +191,46 @@ def sunk(along, flat, square, fresh):
 
 
 @kernel
-def pit_light(away, distance, radius, fresh, way, ray, width, cell, weathered):
+def lumps(x, y, blur, crater, way):
+    """Height of the coarsest lumps, of mean 0, and ascent of all along a direction. [1]
+
+    Parameters
+    ----------
+    x, y, blur : float
+        Place from the centre and width of the pixel over the radius. [1]
+    crater : Crater
+        Crater.
+    way : Vec3
+        Direction. [1]
+    """
+    height, ascent, cells = 0.0, 0.0, LUMP
+    for octave in range(LUMPS):
+        shown = min(1.0 / (blur * cells) - 1.0, 1.0)
+        if shown > 0.0:
+            value, slope_x, slope_y = plane_noise(
+                crater.along + cells * x, crater.across + cells * y
+            )
+            if octave == 0:
+                height = shown * value
+            ascent += shown * (slope_x * way.x + slope_y * way.y)
+        cells *= FINER
+    return height, ascent
+
+
+@kernel
+def pit_light(away, distance, crater, way, ray, width, cell, weathered):
     """Direct light of a place in a crater over that of level ground. [1]
 
     A pixel on the rim has the light of both sides of it.
 
+    Thickness of ejecta is as (r/R)^-3 (McGetchin, Settle & Head 1973, EPSL 20, 226).
+
     Parameters
     ----------
     away, distance : Vec3, float
-        Place from the centre, and its distance, up to ``EJECTA`` radii. [cell]
-    radius, fresh : float
-        Radius [cell] and freshness [1].
+        Place from the centre, and its distance, up to ``REACH``. [cell]
+    crater : Crater
+        Crater.
     way, ray, weathered :
         Arguments of ``craters``.
     width : float
@@ -180,18 +238,25 @@ def pit_light(away, distance, radius, fresh, way, ray, width, cell, weathered):
     cell : float
         Size of a cell. [m]
     """
+    radius, depth = crater.radius, crater.fresh
     within, inverse, flat = distance / radius, 1.0 / distance, dot(ray, ray)
-    level, depth = level_floor(2.0 * radius * cell), fresh
+    level, rough = level_floor(2.0 * radius * cell), ROUGH * depth * depth
     if weathered:
-        level, depth = FILLED, SHALLOW * fresh**WORN
+        level, depth = FILLED, SHALLOW * depth**WORN
     stretched = dot(away, ray) * inverse
-    blur = width * sqrt(1.0 + stretched * stretched) / radius
+    sharp = width * sqrt(1.0 + stretched * stretched) / radius
+    blur = sharp + ROUNDED * (1.0 - depth) * (1.0 - depth)
     inside = min(max(0.5 + (1.0 - within) / blur, 0.0), 1.0)
     towards = dot(away, way) * inverse
     light = 0.0
     if inside < 1.0:
-        slope = crater_slope(max(within, 1.0 + 0.25 * blur), depth, level)
-        light = (1.0 - inside) * max(1.0 - slope * towards, 0.0)
+        slope = crater_slope(max(within, 1.0 + 0.25 * blur), depth, level) * towards
+        thin = 1.0 - distance * distance / (REACH * REACH)
+        thin *= rough / (within * within * within)
+        if thin > 0.01:
+            _height, ascent = lumps(away.x / radius, away.y / radius, sharp, crater, way)
+            slope += thin * ascent
+        light = (1.0 - inside) * max(1.0 - slope, 0.0)
     if inside > 0.0:
         part = min(within, 1.0 - min(0.25 * blur, 0.5))
         if flat > 0.0:
@@ -205,29 +270,34 @@ def pit_light(away, distance, radius, fresh, way, ray, width, cell, weathered):
             )
             part = max(sqrt(dot(away, away)), 1e-6)
             towards = dot(away, way) / part
-        slope = crater_slope(min(part, 1.0), depth, level)
-        dark = shadowed(towards * part, part * part, depth, level, sqrt(dot(way, way)), blur)
-        light += inside * (1.0 - dark) * max(1.0 - slope * towards, 0.0)
+        else:
+            away = scaled(away, part * inverse)
+        ascent = 0.0
+        if rough > 0.01:
+            height, ascent = lumps(away.x, away.y, sharp, crater, way)
+            ascent *= rough * (SMOOTH + (1.0 - SMOOTH) * min(part, 1.0))
+            # the rim stays where it is
+            part *= 1.0 + BROKEN * height * max(1.0 - part, 0.0)
+        slope = crater_slope(min(part, 1.0), depth, level) * towards + ascent
+        dark = shadowed(towards * part, part * part, depth, level, sqrt(dot(way, way)), sharp)
+        light += inside * (1.0 - dark) * max(1.0 - slope, 0.0)
     return light
 
 
 @kernel
-def crater_tone(at_x, at_y, distance, within, turn):
+def crater_tone(distance, within, streak):
     """Change of the reflectance by the rays of a crater, over ``BRIGHT``. [1]
 
     Parameters
     ----------
-    at_x, at_y, distance : float
-        Place from the centre, and its distance. [cell]
+    distance : float
+        Distance from the centre. [cell]
     within : float
-        Distance over the radius. [1]
-    turn : float
-        Number of the crater.
+        The same over the radius. [1]
+    streak : float
+        Noise of the direction, of mean 0. [1]
     """
     thin = 1.0 - distance * distance / (REACH * REACH)
     if thin <= 0.0:
         return 0.0
-    streak, _growth_x, _growth_y = plane_noise(
-        turn + RAY * at_x / distance, turn + RAY * at_y / distance
-    )
     return thin * thin * (1.0 + RAYS * streak * min(within, 1.0))

@@ -16,10 +16,10 @@ from __future__ import annotations
 from math import floor, pi, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.gradient_noise import in_period, shuffled
+from airlight.geometry.gradient_noise import in_period, plane_noise, shuffled
 from airlight.geometry.vectors import Vec3, dot
 from airlight.kernel import kernel
-from airlight.scene.crater_shapes import BRIGHT, EJECTA, RAYED, REACH, crater_tone, pit_light
+from airlight.scene.crater_shapes import BRIGHT, RAYED, REACH, Crater, crater_tone, pit_light
 from airlight.scene.ground_detail import along_lattice
 
 #: Number of lattices, and cells of the coarsest over the finest of ``ground_detail``: with the
@@ -43,9 +43,26 @@ LOWEST: Final = 6.0
 FLOODED: Final = 0.25
 #: Largest share of the radius by which a rim is out of round, by eye. [1]
 UNROUND: Final = 0.12
+#: Cells of noise in a radian of the rim, as lobes and as rays, and share of the radius by which the
+#: former move it, by eye. [1]
+LOBES: Final = 1.4
+STREAKS: Final = 4.0
+SCALLOPED: Final = 0.09
+#: Change of the reflectance of walls by streaks of talus, by eye. [1]
+STREAKED: Final = 0.35
+#: Cells of a lattice per cell of the noise by which craters are in clusters, of secondary ones as
+#: well, and change of their number with it, by eye. [1]
+CLUSTER: Final = 8.0
+CLUSTERED: Final = 0.9
+#: Least freshness of those that are counted, by eye. [1]
+FAINT: Final = 0.1
+NEWER: Final = 1.0 - FAINT
 #: Mean change of the reflectance by a crater over its cell, with the mean of the fourth power of
-#: the freshness. [1]
-MEAN: Final = BRIGHT * pi * REACH**2 / 3.0 / 9.0 * (1.0 - 0.8 * FLOODED)
+#: the freshness, FAINT + NEWER t² for t from 0 to 1. [1]
+MEAN: Final = (
+    FAINT**4 + 4.0 / 3.0 * FAINT**3 * NEWER + 1.2 * FAINT**2 * NEWER**2
+    + 4.0 / 7.0 * FAINT * NEWER**3 + NEWER**4 / 9.0
+) * BRIGHT * pi * REACH**2 / 3.0 * (1.0 - 0.8 * FLOODED)  # fmt: skip
 #: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
 #: as ellipses. [1]
 FLATTENED: Final = 0.5
@@ -64,25 +81,6 @@ SHORE: Final = 0.35
 NARROWEST: Final = 2.2
 #: Share of cells below which a lattice is left out. [1]
 RARE: Final = 2e-3
-
-
-class Crater(NamedTuple):
-    """Crater of a cell.
-
-    Attributes
-    ----------
-    radius : float
-        Radius. [cell]
-    fresh : float
-        Freshness, from 0 to 1, of which small values are the most. [1]
-    along, across : float
-        Numbers that ``shuffled`` makes its second harmonics.
-    """
-
-    radius: float
-    fresh: float
-    along: float
-    across: float
 
 
 class Cratered(NamedTuple):
@@ -119,7 +117,9 @@ def crater_of(column, number, first, second, share):
     radius = 0.5 * WIDEST / sqrt(1.0 + 3.0 * shuffled(third + number) / 288.0)
     even = third / 288.0
     # where the share varies, no crater ends suddenly
-    fresh = even * even * min((289.0 * share - number) / (FLOODED * 289.0 * share), 1.0)
+    fresh = (FAINT + NEWER * even * even) * min(
+        (289.0 * share - number) / (FLOODED * 289.0 * share), 1.0
+    )
     return Crater(radius, fresh, third + first, third + second)
 
 
@@ -196,6 +196,11 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
             share = crater_share(narrowest * scale * cell, density, high, weathered)
             share /= max(abs(up.z), 0.5)
         if share > RARE:
+            dense, _slope_x, _slope_y = plane_noise(
+                along_lattice(whole.x, place.x, 1.0 / (CLUSTER * scale)) + lattice,
+                along_lattice(whole.y, place.y, 1.0 / (CLUSTER * scale)),
+            )
+            share *= 1.0 + CLUSTERED * dense
             young = 0.0
             if not weathered:
                 young = shown * min(narrowest * scale * cell / RAYED, 1.0)
@@ -225,20 +230,30 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
                             bulge *= at_x * at_x - at_y * at_y
                             diagonal = shuffled(one.across) / 144.0 - 1.0
                             bulge += 2.0 * diagonal * at_x * at_y
-                            radius = (1.0 + UNROUND * bulge / square) * one.radius
+                            turn_x, turn_y = at_x / distance, at_y / distance
+                            lobe, _slope_x, _slope_y = plane_noise(
+                                one.along + LOBES * turn_x, one.across + LOBES * turn_y
+                            )
+                            streak, _slope_x, _slope_y = plane_noise(
+                                one.across + STREAKS * turn_x, one.along + STREAKS * turn_y
+                            )
+                            radius = 1.0 + UNROUND * bulge / square
+                            radius += SCALLOPED * (lobe + 0.4 * streak)
+                            radius *= one.radius
                             within = distance / radius
-                            if within < EJECTA:
-                                seen = pit_light(
-                                    away, distance, radius, one.fresh, way, ray,
-                                    width / scale, scale * cell, weathered,
-                                )  # fmt: skip
-                                light *= 1.0 + shown * (seen - 1.0)
+                            seen = pit_light(
+                                away, distance, Crater(radius, one.fresh, one.along, one.across),
+                                way, ray, width / scale, scale * cell, weathered,
+                            )  # fmt: skip
+                            light *= 1.0 + shown * (seen - 1.0)
                             bright = one.fresh * one.fresh
                             bright *= young * BRIGHT * bright
                             if weathered and within < 1.0:
                                 edge = min((1.0 - within) / SHORE, 1.0)
                                 tone += shown * SANDY * diagonal * edge
+                            if within < 1.0:
+                                tone += shown * STREAKED * one.fresh * streak * within * within
                             if bright > 0.03:
-                                tone += bright * crater_tone(at_x, at_y, distance, within, first)
+                                tone += bright * crater_tone(distance, within, streak)
         scale *= 0.5
     return Cratered(light, tone)

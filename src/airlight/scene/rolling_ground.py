@@ -27,18 +27,27 @@ PLAIN: Final = 0.016
 HILLY: Final = 0.05
 WIDEST: Final = 20e3
 LARGEST: Final = 6e4
+#: Width of cells that begin to be seen is its inverse. [pixel]
+SEEN: Final = 0.8
 #: Roughness of the next octave where this one is 0, its increase to where it is 1, and limits. [1]
 EVEN: Final = 0.95
-ROUGHER: Final = 0.7
-LEAST: Final = 0.4
-MOST: Final = 1.4
+ROUGHER: Final = 0.45
+LEAST: Final = 0.6
+MOST: Final = 1.25
 #: Displacement of craters by an octave over its cells. [1]
 MOVED: Final = 0.05
-#: Noise within which there is a ridge, height of ridges over the coarsest cells, and share of the
-#: next two octaves, by which they wander. [1]
+#: Noise within which there is a ridge, height of ridges over the coarsest cells, share of the next
+#: octave, by which they wander, ratio of shares of successive octaves, their number, and asymmetry
+#: of ridges, by eye. [1]
 RIDGE: Final = 0.03
 RISE: Final = 0.003
-WANDER: Final = 0.12
+WANDER: Final = 0.2
+CRISPER: Final = 0.4
+BENDS: Final = 5
+STEEPER: Final = 0.7
+#: Height of a ridge over the largest where the next two octaves are 0, and increase by each. [1]
+BROKEN: Final = 0.3
+SWOLLEN: Final = 1.2
 
 
 class Rolling(NamedTuple):
@@ -78,8 +87,9 @@ def rolling(finest, footprint, whole, way, high, cell):
     """
     height, ascent, tone, aside, along = 0.0, 0.0, 0.0, 0.0, 0.0
     rough, scale, line, steep = PLAIN + (HILLY - PLAIN) * high, COARSEST, 0.0, 0.0
+    swell, part = BROKEN, 1.0
     for octave in range(OCTAVES):
-        shown = min(0.6 * scale / footprint - 1.0, 1.0)
+        shown = min(SEEN * scale / footprint - 1.0, 1.0)
         if shown > 0.0 and scale * cell < LARGEST:
             at = lattice_place(finest, whole, scale)
             value, slope = sloping_noise(at.x, at.y, at.z, way)
@@ -92,16 +102,22 @@ def rolling(finest, footprint, whole, way, high, cell):
             aside = shown * MOVED * scale * value - along
             along = turned
             rough *= min(max(EVEN + ROUGHER * value, LEAST), MOST)
-            if octave < 3:
-                part = 1.0 if octave == 0 else WANDER
+            if octave < BENDS:
                 line += part * value
                 steep += part * slope / scale
-        if octave == 2 and high < 1.0 and COARSEST * cell < LARGEST:
-            across = line / RIDGE
-            left = max(1.0 - across * across, 0.0) * RISE * (1.0 - high) * COARSEST
-            shown = min(max(RIDGE * COARSEST / footprint - 1.0, 0.0), 1.0)
-            height += shown * left * max(1.0 - across * across, 0.0)
-            ascent -= shown * 4.0 * left * across / RIDGE * steep
+                if octave == 1 or octave == 2:
+                    swell += SWOLLEN * value
+        part *= WANDER if octave == 0 else CRISPER
+        if octave == BENDS - 1 and high < 1.0 and COARSEST * cell < LARGEST:
+            swell = min(max(swell, 0.0), 1.5)
+            wide = RIDGE * (0.4 + swell)
+            across = line / wide
+            left = max(1.0 - across * across, 0.0) * RISE * swell * (1.0 - high) * COARSEST
+            shown = min(max(wide * COARSEST / footprint - 1.0, 0.0), 1.0)
+            lean = 1.0 + STEEPER * across
+            level = 1.0 - across * across
+            height += shown * left * level * lean
+            ascent -= shown * left * (4.0 * across * lean - STEEPER * level) / wide * steep
         scale *= 0.5
     return Rolling(height, ascent, tone, aside, along)
 
@@ -123,7 +139,7 @@ def rolling_height(finest, footprint, above, high, cell):
     rough = PLAIN + (HILLY - PLAIN) * high
     shown, octave = 1.0, 0
     while shown > 0.0 and octave < OCTAVES:
-        shown = min(0.6 * scale / footprint - 1.0, 1.0)
+        shown = min(SEEN * scale / footprint - 1.0, 1.0)
         if shown > 0.0 and scale * cell < LARGEST:
             at = lattice_place(finest, start, scale)
             value = smooth_noise(at.x, at.y, at.z)
