@@ -254,7 +254,7 @@ def pit_light(away, distance, crater, way, ray, width, cell, weathered):
         thin = 1.0 - distance * distance / (REACH * REACH)
         thin *= rough / (within * within * within)
         if thin > 0.01:
-            _height, ascent = lumps(away.x / radius, away.y / radius, sharp, crater, way)
+            height, ascent = lumps(away.x / radius, away.y / radius, sharp, crater, way)
             slope += thin * ascent
         light = (1.0 - inside) * max(1.0 - slope, 0.0)
     if inside > 0.0:
