@@ -44,13 +44,14 @@ SHALLOW: Final = 0.9
 WORN: Final = 0.33
 #: Octaves of lumps of walls and ejecta, cells of the coarsest in a radius, ratio of successive
 #: ones, and slope over that of the noise; share of it on floors; share of the radius by which they
-#: move terraces and shadows; all by eye. [1]
+#: move terraces, and share of that by which they move shadows; all by eye. [1]
 LUMPS: Final = 3
 LUMP: Final = 2.1
 FINER: Final = 2.3
 ROUGH: Final = 0.13
 SMOOTH: Final = 0.35
 BROKEN: Final = 0.4
+RAGGED: Final = 0.3
 #: Width over the radius of the rim of a crater that is worn down, by eye. [1]
 ROUNDED: Final = 0.6
 
@@ -272,14 +273,15 @@ def pit_light(away, distance, crater, way, ray, width, cell, weathered):
             towards = dot(away, way) / part
         else:
             away = scaled(away, part * inverse)
-        ascent = 0.0
+        ascent, edge = 0.0, part
         if rough > 0.01:
             height, ascent = lumps(away.x, away.y, sharp, crater, way)
             ascent *= rough * (SMOOTH + (1.0 - SMOOTH) * min(part, 1.0))
             # the rim stays where it is
             part *= 1.0 + BROKEN * height * max(1.0 - part, 0.0)
+            edge += RAGGED * (part - edge)
         slope = crater_slope(min(part, 1.0), depth, level) * towards + ascent
-        dark = shadowed(towards * part, part * part, depth, level, sqrt(dot(way, way)), sharp)
+        dark = shadowed(towards * edge, edge * edge, depth, level, sqrt(dot(way, way)), sharp)
         light += inside * (1.0 - dark) * max(1.0 - slope, 0.0)
     return light
 
