@@ -125,12 +125,13 @@ class Driven:
         left, top, width, height = (int(one) for one in self.ask("picture_place"))
         return self.pixels()[top : top + height, left : left + width]
 
-    @staticmethod
-    def until(condition: Callable[[], Any], seconds: float = 60.0, of: str = "") -> None:
+    def until(self, condition: Callable[[], Any], seconds: float = 60.0, of: str = "") -> None:
         """Wait for a condition, which a loaded machine may meet late."""
         limit = time.monotonic() + seconds
         while not condition():
-            assert time.monotonic() < limit, of
+            if time.monotonic() > limit:
+                found = [self.ask(one) for one in ("open_parts", "state", "controls")]
+                raise AssertionError(of, *found, self.log.read_text()[-2000:])
             time.sleep(0.02)
 
     def close(self) -> None:

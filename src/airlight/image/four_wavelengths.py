@@ -184,9 +184,9 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
     colour exposed to half the luminance of white, so the fit is linear. The condition makes colour
     and luminance exact for the star's own light and its reflection by grey surfaces.
 
-    With the four of ``few_wavelengths`` the median error on Earth, Mars and Titan is 0.2 to 0.6 ΔE
-    (CIE 2000), against 5 to 9 for ``rgb_weights`` with three wavelengths and 3 with four
-    (docs/live.md), and up to 6 under the clouds of Venus at dusk.
+    With the four of ``few_wavelengths`` the median error on Earth and Mars is 0.3 ΔE (CIE 2000),
+    against 4 to 11 for ``rgb_weights`` with three wavelengths and 2 to 3 with four (docs/live.md);
+    3 on Titan, whose methane has narrower bands, and up to 6 under the clouds of Venus at dusk.
 
     Parameters
     ----------

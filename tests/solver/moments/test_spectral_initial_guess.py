@@ -105,7 +105,7 @@ def test_wavelengths_in_between_need_fewer_sweeps_for_the_same_light(planet, swe
     apart = [[slice(k, k + 8)] for k in range(0, 24, 8)]
     monkeypatch.setattr(iterate, "wavelength_batches", lambda *_, **__: apart)
     alone = solve(made, nm, quality, cache=False).radiance(**SEEN)
-    assert alike[0] == sweeps[0] >= 2
+    assert alike[0] == max(sweeps) >= 2  # the first has no help, and wavelengths of all three
     assert alike[-1] <= 1
     assert all(many >= 2 for many in sweeps)
     limit = replace(quality, tolerance=quality.tolerance / 50.0, max_sweeps=400)
