@@ -135,6 +135,9 @@ class Recorder:
                 return
             time.sleep(0.01)
 
+    def rest(self) -> None:
+        pass
+
     def close(self) -> None:
         pass
 

@@ -130,6 +130,11 @@ class Device:
         """Passes that were used last, which are kept."""
         return Cache(_KEPT_IN_SOFTWARE if self.software else _KEPT_PASSES, _KEPT_SECONDS)
 
+    def rest(self) -> None:
+        """Release the passes that nobody uses, if they are compiled for the CPU."""
+        if self.software:
+            self.last_passes.clear()
+
     @cached_property
     def maps(self) -> WeakValueDictionary[Hashable, Any]:
         """Textures of ground maps in use, shared by all renderers."""
