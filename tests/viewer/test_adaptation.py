@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
-import threading
 import time
 from collections.abc import Callable, Iterator
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import pytest
@@ -142,33 +141,61 @@ class Recorder:
         pass
 
 
+@pytest.fixture
+def sides(request_: Request) -> Iterator[Callable[..., Sides]]:
+    """Sides of a session whose pictures measure exposures, in the order of their first requests."""
+    made: list[Sides] = []
+
+    def make(session: Session, metered: tuple[float, float], asked: list[Request]) -> Sides:
+        measured = iter(metered)
+        renderer: Any = lambda: Recorder(asked, next(measured))  # noqa: E731
+        solver: Any = lambda *_, **__: request_.solution  # noqa: E731
+        made.append(Sides(session, renderer, solver, lambda: None))
+        return made[0]
+
+    yield make
+    for one in made:
+        one.close()
+
+
+def followed(sides: Sides, condition: Callable[[], object], *, both: bool) -> None:
+    """Update the requests until a condition holds."""
+    until = time.monotonic() + LONG
+    while not condition():
+        assert time.monotonic() < until
+        sides.follow(both=both)
+        time.sleep(0.02)
+
+
+def test_a_side_that_is_swapped_while_it_adapts_stops(sides: Callable[..., Sides]) -> None:
+    # Both would pull the exposure that they share, and none would reach its own.
+    session, asked = Session("earth-atmosphere-plus"), []  # type: ignore[var-annotated]
+    session.store_b()
+    one = sides(session, (-3.0, 5.0), asked)
+    session.adaptation.towards(12.0, held=False)
+    followed(one, lambda: one.picture("A"), both=False)
+    session.swap()
+    followed(one, lambda: one.settled and one.picture("B"), both=False)
+    assert session.adaptation.exposure == 5.0
+    session.swap()
+    followed(one, lambda: one.settled, both=False)
+    assert session.adaptation.exposure == -3.0
+
+
 @pytest.mark.parametrize("metered", [(-3.0, 5.0), (5.0, -3.0)])
 @pytest.mark.parametrize("shared", [True, False])
 def test_both_sides_share_the_exposure_of_the_brighter(
-    metered: tuple[float, float], shared: bool, request_: Request
+    metered: tuple[float, float], shared: bool, sides: Callable[..., Sides]
 ) -> None:
     session = Session("earth-atmosphere-plus")
     session.shares_exposure = shared
     session.store_b()
     asked: list[Request] = []
-    measured = iter(metered)
     wanted = (-3.0, -3.0) if shared else metered
-    woken = threading.Event()
+    one = sides(session, metered, asked)
 
-    def solver(*_arguments: Any, **_named: Any) -> MomentsSolution:
-        return request_.solution
+    def exposures() -> tuple[float, ...]:
+        shown = (one.picture("A"), one.picture("B"))
+        return tuple(each.exposure for each in shown if each)
 
-    sides = Sides(
-        session, lambda: cast(Any, Recorder(asked, next(measured))), cast(Any, solver), woken.set
-    )
-    until = time.monotonic() + LONG
-    try:
-        while True:
-            sides.follow(both=True)
-            first, second = sides.picture("A"), sides.picture("B")
-            if first and second and (first.exposure, second.exposure) == wanted:
-                break
-            assert time.monotonic() < until, [one.exposure for one in asked]
-            woken.wait(0.05)
-    finally:
-        sides.close()
+    followed(one, lambda: exposures() == wanted, both=True)

@@ -36,6 +36,7 @@ class LatestThread(Generic[T]):
         self._news = threading.Condition()
         self._wanted: T | None = None
         self._served: T | None = None
+        self._dropped = False
         self._closing = False
         self.error = ""
         self._thread = threading.Thread(target=self._work, name=name, daemon=True)
@@ -54,8 +55,13 @@ class LatestThread(Generic[T]):
     def want(self, request: T) -> None:
         """Set the latest request; returns immediately."""
         with self._news:
-            self._wanted = request
+            self._wanted, self._dropped = request, False
             self._news.notify()
+
+    def drop(self) -> None:
+        """End what is served, without another request."""
+        with self._news:
+            self._dropped |= self._wanted is not self._served
 
     @property
     def busy(self) -> bool:
@@ -64,8 +70,8 @@ class LatestThread(Generic[T]):
             return self._wanted is not self._served
 
     def is_stale(self, request: T) -> bool:
-        """Whether a request is superseded, or the thread is closing."""
-        return self._closing or self._wanted is not request
+        """Whether a request is superseded or dropped, or the thread is closing."""
+        return self._closing or self._dropped or self._wanted is not request
 
     def close(self, *, wait: bool = True) -> None:
         """End the thread, and wait for it."""

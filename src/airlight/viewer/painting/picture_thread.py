@@ -32,8 +32,8 @@ class PictureThread(LatestThread[Request]):
         super().__init__("airlight-pictures", wake)
 
     def want(self, request: Request) -> None:
-        """Set the latest request, unless it is the same; returns immediately."""
-        if not request.same(self._wanted):
+        """Set the latest request, unless it is the same and not dropped; returns immediately."""
+        if self._dropped or not request.same(self._wanted):
             super().want(request)
 
     def serve(self, request: Request) -> None:

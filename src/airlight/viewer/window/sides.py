@@ -65,6 +65,8 @@ class Sides:
         sides = (shown, other) if both else (shown,)
         for side in sides:
             self._want(side)
+        for side in self._threads.keys() - sides:  # would adapt the exposure that they share
+            self._threads[side].drop()
         self._wanted = sides
 
     def _want(self, side: str) -> None:
