@@ -98,6 +98,31 @@ def test_mars_has_the_sun_of_its_own_date() -> None:
     assert sun_of(session) == pytest.approx((seen.altitude, seen.azimuth), abs=0.015)
 
 
+def test_a_sun_shared_with_another_body_is_not_by_the_date() -> None:
+    # A link to Mars under the Earth's sun had that of Mars' own date when it was opened.
+    session = dated("earth")
+    session.store_b()
+    session.swap()
+    assert session.view["view.clock"] is True
+    session.open("mars")
+    sun = sun_of(session)
+    session.swap()
+    assert sun_of(session) == sun
+    assert session.view["view.clock"] is False
+    other = Session("mars")
+    other.from_state(session.to_state())
+    assert sun_of(other) == pytest.approx(sun, abs=1e-5)
+
+
+def test_a_planet_opened_as_b_leaves_the_sun_of_a() -> None:
+    session = dated("earth")
+    sun = sun_of(session)
+    session.open_as_b("mars")
+    assert (session.showing, session.planet_name_other) == ("A", "Mars")
+    assert sun_of(session) == sun
+    assert session.view["view.clock"] is True
+
+
 def test_planet_without_a_body_has_no_date() -> None:
     session = Session("venus")
     before = sun_of(session)

@@ -16,6 +16,7 @@ from airlight.planets.planet import Planet
 from airlight.planets.reading.planet_file import planet_file
 from airlight.planets.reading.reader import read_tables
 from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.parameters.sun_clock import CLOCK
 from airlight.viewer.session import saved_state
 from airlight.viewer.session.comparing import ParameterDifference, differing
 from airlight.viewer.session.editing import Editing
@@ -111,12 +112,19 @@ class Session(Editing):
 
     @property
     def view_other(self) -> Mapping[str, Value] | None:
-        """View of the other side, with the camera and the sun of this one if they are shared."""
+        """View of the other side, with the camera and the sun of this one if they are shared.
+
+        Another body has another sun at the same date, so that a shared one is not by the date.
+        """
         if self._other is None:
             return None
-        shared = self._side.view if self.shares_camera else {}
-        camera = {path: value for path, value in shared.items() if path.startswith("view.")}
-        return {**self._other.view, **camera}
+        if not self.shares_camera:
+            return self._other.view
+        shared = {path: one for path, one in self._side.view.items() if path.startswith("view.")}
+        bodies = {one.planet.tables.get("body") for one in (self._side, self._other)}
+        if len(bodies) > 1:
+            shared[CLOCK] = False
+        return {**self._other.view, **shared}
 
     @property
     def planet_name_other(self) -> str:
@@ -134,13 +142,25 @@ class Session(Editing):
             self.store_b()
         assert self._other is not None
         self.end_drag()
-        view = dict(self._other.view)
-        if self.shares_camera:
-            view |= {p: v for p, v in self._side.view.items() if p.startswith("view.")}
-            self._other.view = view
+        self._other.view = dict(self.view_other or {})
         self._side, self._other = self._other, self._side
         self._showing = "B" if self._showing == "A" else "A"
         self._bump_versions({"planet", "view", "display"})
+
+    def open_as_b(self, planet: str) -> None:
+        """Open a planet as side B; the shown side stays."""
+        was, shares = self.showing, self.shares_camera
+        if self._other is None:
+            self.store_b()
+        self.shares_camera = False  # A keeps its sun, B may have that of its date
+        if was == "A":
+            self.swap()
+        try:
+            self.open(planet)
+        finally:
+            if was == "A":
+                self.swap()
+            self.shares_camera = shares
 
     def forget_other(self) -> None:
         """Discard the other side; the shown one becomes A."""

@@ -365,17 +365,7 @@ class SidePanel:
 
     def compare_with(self, planet: str) -> None:
         """Show a planet as side B next to A."""
-        session = self._session
-        was = session.showing
-        if not session.has_other:
-            session.store_b()
-        if session.showing == "A":
-            session.swap()
-        try:
-            session.open(planet)
-        finally:
-            if session.showing != was:
-                session.swap()
+        self._session.open_as_b(planet)
         self.compares = True
 
     def _differences(self) -> None:
