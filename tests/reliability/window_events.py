@@ -218,13 +218,13 @@ class WindowEvents:
         settled = self.window.ask("settled", FINISH)
         seconds = time.monotonic() - begun
         time.sleep(1.5)  # hints fade
-        self.window.ask("draws", 3)
-        state = self.window.ask("state")
+        draws, state = self.window.ask("draws", 3), self.window.ask("state")
         if state["error"]:
             self.window.mouse("key", "ctrl+z", "sleep", 0.3)
             return "refused", state["error"]
-        if not settled:
-            return "unfinished", f"{seconds:.0f} s; {facts(state)}"
+        if not (settled and draws):
+            words = f"{seconds:.0f} s, frames {draws}; {facts(state)}; {self.window.ask('stack')}"
+            return "unfinished", words
         left, top, width, height = (round(one) for one in self.window.ask("picture_place"))
         shown = self.window.pixels()[top : top + height, left : left + width].astype(float)
         try:
