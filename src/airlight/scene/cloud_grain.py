@@ -39,27 +39,27 @@ SOFTNESS: Final = 2 * COARSEST
 #: Ratio of the contrasts of an octave and the next coarser one, 2^(-1/3), and its growth as cover
 #: falls below a half, by eye: few clouds are small ones in groups. [1]
 FALL: Final = 0.7937
-FEWER: Final = 0.3
+FEWER: Final = 0.12
 #: Mean and standard deviation of the magnitude of ``gradient_noise``, of a million places. [1]
 FOLDED: Final = 0.1100
 FOLDED_DEVIATION: Final = 0.0772
 #: Shares of folded noise, with creases, and of plain noise, with round puffs: the sum of their
 #: squares is 1, as both are uncorrelated. By eye. [1]
-PUFFED: Final = 0.25
-OPEN: Final = 0.968
+PUFFED: Final = 0.35
+OPEN: Final = 0.937
 #: The same of octaves that gather clouds, along lines where the noise is small. By eye. [1]
-GATHERED: Final = -0.5
-SPREAD: Final = 0.866
+GATHERED: Final = -0.3
+SPREAD: Final = 0.954
 #: Skewness p³ f + 3 p (1 - p²) m of octaves of a share p of folded noise, whose skewness f is 0.770
 #: and whose mean product m with the square of plain noise is 1.207, of 200 000 places. [1]
-PUFFED_SKEWNESS: Final = 0.861
-GATHERED_SKEWNESS: Final = -1.454
+PUFFED_SKEWNESS: Final = 1.145
+GATHERED_SKEWNESS: Final = -1.009
 #: Standard deviations beyond which the correction of the skewness stays. [1]
 FARTHEST: Final = 2.5
 #: Displacement of places by coarser octaves, over the width of a cell and their sum, and its growth
 #: with the softness of edges, by eye. [1]
-WARPED: Final = 0.06
-WISPS: Final = 0.15
+WARPED: Final = 0.04
+WISPS: Final = 0.07
 #: Reciprocal of the width of the edges of clouds in standard deviations of the coarsest octave,
 #: and change of its logarithm with noise of its own, by eye. [1]
 EDGE: Final = 1.5
@@ -69,7 +69,7 @@ SMOOTHEST: Final = 0.8
 ROUGHEST: Final = 1.1
 #: Share of the coarsest octave of puffs without clouds, and its growth with their cover; twice that
 #: of the next one, up to 1. By eye. [1]
-SMALL: Final = 0.2
+SMALL: Final = 0.35
 GROWING: Final = 1.5
 #: Octaves of veils from eight texels down, length over width of the two coarsest, which doubles at
 #: two of three finer ones, ratio of the contrasts of an octave and the next coarser one,

@@ -22,17 +22,17 @@ from airlight.scene.ground_detail import STEP
 OCTAVES: Final = 8
 COARSEST: Final = 16 * STEP ** (GROUND_OCTAVES - 1)
 #: Shares of folded and of plain noise: the sum of their squares is 1.
-SLICK: Final = 0.6
-GUST: Final = 0.8
+SLICK: Final = 0.3
+GUST: Final = 0.954
 #: Skewness of an octave, as of ``cloud_grain``. [1]
-SKEWNESS: Final = 1.557
+SKEWNESS: Final = 1.009
 #: Standard deviation of the logarithm of the mean-square slope by the coarsest octave, and ratio to
 #: that of the next finer one, by eye; an oil slick has half of the slope or less (Cox & Munk 1954).
 #: [1]
-CONTRAST: Final = 0.16
+CONTRAST: Final = 0.24
 FALL: Final = 0.85
 #: Displacement of places by coarser octaves, over the width of a cell and their sum. [1]
-WARPED: Final = 0.15
+WARPED: Final = 0.2
 #: Square of the facet's slope over the mean-square slope from which on the glint is neglected. [1]
 STEEPEST: Final = 12.0
 

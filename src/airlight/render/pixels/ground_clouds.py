@@ -40,11 +40,11 @@ CLOUD_VALUES: Final = 13
 THICKNESS: Final = 3300.0
 #: Height of tops in a standard deviation of noise of two texels, of few clouds, and the share of it
 #: that full cover loses, by eye. [m], [1]
-HEAPED: Final = 1500.0
+HEAPED: Final = 1800.0
 LEVELLED: Final = 0.5
 #: Largest change of the light of a slope, whose light is spread by scattering within the cloud, by
 #: eye. [1]
-SHADING: Final = 0.5
+SHADING: Final = 0.6
 #: Share of veils in the cover of clouds, least one that has texture, reciprocal of the width of
 #: their edges, and level of the map around which they lie, by eye. [1]
 VEILED: Final = 0.06
@@ -53,7 +53,9 @@ VEIL_EDGE: Final = 0.65
 AROUND: Final = 3.0
 #: Cover through which no shadow is seen, and finest texture of shadows over that of clouds. [1]
 HIDDEN: Final = 0.9
-SOFTER: Final = 2.0
+SOFTER: Final = 1.6
+#: Finest texture of clouds over that which pixels resolve: smaller ones are crumbs. By eye. [1]
+FINEST: Final = 1.1
 
 
 @kernel
@@ -160,7 +162,7 @@ def cloud_cover(end, ray, cosine, spot, footprint, level, north, east, observer,
     back = layer_distance(cosine, bottom, view.cloud_altitude)
     out = layer_distance(mu_s, bottom, view.cloud_altitude)
     width = pixel_width(level) if view.detailed else 1.0
-    blur = texture_footprint(footprint, cosine)
+    blur = FINEST * texture_footprint(footprint, cosine)
     color[BEAM], color[TOPS], edge = 1.0, 1.0, EDGE
     for towards in range(2):
         way = Vec3(-back * ray.x, -back * ray.y, -back * ray.z)
