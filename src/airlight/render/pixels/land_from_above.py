@@ -21,10 +21,10 @@ MOUNTAIN: Final = 5.3
 VALLEYS: Final = 1.2
 FIELDS: Final = 2.6
 #: What bare land adds to the contrast of valleys: their sediment is bright. [1]
-WADIS: Final = 1.8
+WADIS: Final = 0.7
 #: Contrast of sheets of sand and gravel in bare plains over that of the grain of the map, and of
 #: valleys in plains over that in rugged land, by eye. [1]
-SHEETS: Final = 0.35
+SHEETS: Final = 0.55
 SMOOTH: Final = 0.15
 #: Changes of the ratio of red to green by fields, alike and unlike their tone: ripe and bare ones
 #: are bright. By eye. [1]
