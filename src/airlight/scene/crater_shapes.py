@@ -48,10 +48,10 @@ WORN: Final = 0.33
 LUMPS: Final = 3
 LUMP: Final = 2.1
 FINER: Final = 2.3
-ROUGH: Final = 0.13
+ROUGH: Final = 0.08
 SMOOTH: Final = 0.35
 BROKEN: Final = 0.4
-RAGGED: Final = 0.3
+RAGGED: Final = 0.06
 #: Width over the radius of the rim of a crater that is worn down, by eye. [1]
 ROUNDED: Final = 0.6
 
@@ -160,7 +160,7 @@ def shadowed(towards, square, fresh, level, tangent, blur):
     deep = 2.0 * (DEPTH + RIM) * (1.0 - level) * (1.0 - wall * wall) * fresh * fresh
     along = towards / tangent
     lower = tangent * deep - sqrt(along * along + 1.0 - square) + along
-    return min(max(lower / (4.0 * blur + 0.02), 0.0), 1.0)
+    return min(max(lower / (4.0 * blur + 0.05), 0.0), 1.0)
 
 
 @kernel
@@ -263,7 +263,6 @@ def pit_light(away, distance, crater, way, ray, width, cell, weathered):
         if flat > 0.0:
             scaled_part = part * inverse
             met = sunk(stretched * part, flat, part * part, depth)
-            met *= min((1.0 - part) / blur, 1.0)
             away = Vec3(
                 scaled_part * away.x + met * ray.x,
                 scaled_part * away.y + met * ray.y,

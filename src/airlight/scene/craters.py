@@ -42,26 +42,26 @@ LOWEST: Final = 6.0
 #: Share of craters that are shallower, as if flooded. [1]
 FLOODED: Final = 0.25
 #: Largest share of the radius by which a rim is out of round, by eye. [1]
-UNROUND: Final = 0.12
+UNROUND: Final = 0.09
 #: Cells of noise in a radian of the rim, as lobes and as rays, and share of the radius by which the
 #: former move it, by eye. [1]
 LOBES: Final = 1.4
 STREAKS: Final = 4.0
-SCALLOPED: Final = 0.09
+SCALLOPED: Final = 0.06
 #: Change of the reflectance of walls by streaks of talus, by eye. [1]
 STREAKED: Final = 0.35
 #: Cells of a lattice per cell of the noise by which craters are in clusters, of secondary ones as
 #: well, and change of their number with it, by eye. [1]
-CLUSTER: Final = 8.0
-CLUSTERED: Final = 0.9
+CLUSTER: Final = 5.0
+CLUSTERED: Final = 1.8
 #: Least freshness of those that are counted, by eye. [1]
 FAINT: Final = 0.1
 NEWER: Final = 1.0 - FAINT
 #: Mean change of the reflectance by a crater over its cell, with the mean of the fourth power of
-#: the freshness, FAINT + NEWER t² for t from 0 to 1. [1]
+#: the freshness, FAINT + NEWER t³ for t from 0 to 1. [1]
 MEAN: Final = (
-    FAINT**4 + 4.0 / 3.0 * FAINT**3 * NEWER + 1.2 * FAINT**2 * NEWER**2
-    + 4.0 / 7.0 * FAINT * NEWER**3 + NEWER**4 / 9.0
+    FAINT**4 + FAINT**3 * NEWER + 6.0 / 7.0 * FAINT**2 * NEWER**2
+    + 0.4 * FAINT * NEWER**3 + NEWER**4 / 13.0
 ) * BRIGHT * pi * REACH**2 / 3.0 * (1.0 - 0.8 * FLOODED)  # fmt: skip
 #: Least width of a pixel for craters over its longer axis, by eye: at a grazing angle they are seen
 #: as ellipses. [1]
@@ -117,7 +117,7 @@ def crater_of(column, number, first, second, share):
     radius = 0.5 * WIDEST / sqrt(1.0 + 3.0 * shuffled(third + number) / 288.0)
     even = third / 288.0
     # where the share varies, no crater ends suddenly
-    fresh = (FAINT + NEWER * even * even) * min(
+    fresh = (FAINT + NEWER * even * even * even) * min(
         (289.0 * share - number) / (FLOODED * 289.0 * share), 1.0
     )
     return Crater(radius, fresh, third + first, third + second)
@@ -200,7 +200,7 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
                 along_lattice(whole.x, place.x, 1.0 / (CLUSTER * scale)) + lattice,
                 along_lattice(whole.y, place.y, 1.0 / (CLUSTER * scale)),
             )
-            share *= 1.0 + CLUSTERED * dense
+            share *= max(1.0 + CLUSTERED * dense, 0.1)
             young = 0.0
             if not weathered:
                 young = shown * min(narrowest * scale * cell / RAYED, 1.0)

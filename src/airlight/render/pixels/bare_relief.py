@@ -21,10 +21,10 @@ LOW: Final = 10e3
 FREE: Final = 40e3
 #: Largest number of steps, slope for which they are short enough [1], the least first step [pixel],
 #: and ratio of the least successive ones [1].
-STEPS: Final = 80
+STEPS: Final = 160
 SLOPE: Final = 0.3
 LEAST: Final = 0.7
-LONGER: Final = 1.06
+LONGER: Final = 1.03
 
 
 class Met(NamedTuple):
@@ -119,8 +119,6 @@ def relief_met(ray, centre, power, radius, rows, pixel_angle, high):
         step += 1
     if met:
         return Met(max(along + at, 0.0), 1.0, max(leaving, abs(at)))
-    if at <= end:  # a line that is still between hills after all steps is near one
-        return Met(along + at, 1.0, max(leaving, abs(at)))
     if nearest < 1.0:
         return Met(along + found, 1.0 - nearest, abs(found))
     return Met(-1.0, 0.0, 1.0)
