@@ -44,14 +44,16 @@ SHALLOW: Final = 0.9
 WORN: Final = 0.33
 #: Octaves of lumps of walls and ejecta, cells of the coarsest in a radius, ratio of successive
 #: ones, and slope over that of the noise; share of it on floors; share of the radius by which they
-#: move terraces, and share of that by which they move shadows; all by eye. [1]
+#: move terraces, and ratio of the slopes of successive ones; all by eye. [1]
 LUMPS: Final = 3
 LUMP: Final = 2.1
 FINER: Final = 2.3
 ROUGH: Final = 0.08
 SMOOTH: Final = 0.35
 BROKEN: Final = 0.4
-RAGGED: Final = 0.06
+FADING: Final = 0.65
+#: Longest axis of a pixel on walls, which face the observer, over its width, by eye. [1]
+WALL: Final = 2.0
 #: Width over the radius of the rim of a crater that is worn down, by eye. [1]
 ROUNDED: Final = 0.6
 
@@ -204,7 +206,7 @@ def lumps(x, y, blur, crater, way):
     way : Vec3
         Direction. [1]
     """
-    height, ascent, cells = 0.0, 0.0, LUMP
+    height, ascent, cells, loud = 0.0, 0.0, LUMP, 1.0
     for octave in range(LUMPS):
         shown = min(1.0 / (blur * cells) - 1.0, 1.0)
         if shown > 0.0:
@@ -213,8 +215,9 @@ def lumps(x, y, blur, crater, way):
             )
             if octave == 0:
                 height = shown * value
-            ascent += shown * (slope_x * way.x + slope_y * way.y)
+            ascent += loud * shown * (slope_x * way.x + slope_y * way.y)
         cells *= FINER
+        loud *= FADING
     return height, ascent
 
 
@@ -272,15 +275,16 @@ def pit_light(away, distance, crater, way, ray, width, cell, weathered):
             towards = dot(away, way) / part
         else:
             away = scaled(away, part * inverse)
-        ascent, edge = 0.0, part
+        ascent = 0.0
+        towards_star, square = towards * part, part * part
         if rough > 0.01:
             height, ascent = lumps(away.x, away.y, sharp, crater, way)
             ascent *= rough * (SMOOTH + (1.0 - SMOOTH) * min(part, 1.0))
             # the rim stays where it is
             part *= 1.0 + BROKEN * height * max(1.0 - part, 0.0)
-            edge += RAGGED * (part - edge)
         slope = crater_slope(min(part, 1.0), depth, level) * towards + ascent
-        dark = shadowed(towards * edge, edge * edge, depth, level, sqrt(dot(way, way)), sharp)
+        sharp = min(sharp, WALL * width / radius)
+        dark = shadowed(towards_star, square, depth, level, sqrt(dot(way, way)), sharp)
         light += inside * (1.0 - dark) * max(1.0 - slope, 0.0)
     return light
 

@@ -79,8 +79,12 @@ SKY: Final = 12 + CLOUD_VALUES
 #: for Mars with dust of optical depth 0.5. Least light of the sky of a slope. [1], [1]
 LOWEST_GLOW: Final = 0.5
 LEAST_SKY: Final = 0.1
-#: Finest texture of hills beyond the horizon, by eye. [pixel]
+#: Finest texture of hills beyond the horizon and of airless ones, by eye. [pixel]
 COARSER: Final = 8.0
+#: On airless hills, by how much more rocks are blurred, and share of craters that is left out: they
+#: are of level ground, whose shadows at a grazing angle are lines; by eye. [1]
+FEWER: Final = 2.0
+LEVEL: Final = 0.8
 
 
 @kernel
@@ -187,12 +191,14 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         low = observer.optical_altitude
         # all of a hill beyond the horizon lies at one place
         distant = low < LOW and reach > 0.9 * sqrt(2.0 * low * frame.tables.bottom)
+        # old slopes of loose soil
+        soft = high if airless and low < LOW else 0.0
         if cosine < GRAZING and snow < 0.5:
             row = seen_row(place, low, ROW * view.pixel_angle, cell, leaf, whole, part)
             row = plus(row, higher)
             shorter += min(4.0 - 4.0 * cosine / GRAZING, 1.0) * (footprint * cosine / cell - blur)
-            if distant:
-                shorter = max(shorter, COARSER * view.pixel_angle * reach / cell)
+            smooth = 1.0 if distant else soft
+            shorter = max(shorter, smooth * COARSER * view.pixel_angle * reach / cell)
         dark, open_ground, rough = 1.0, 1.0, 0.0
         stones = view.rocks > 0.0 and observer.optical_altitude < LOW
         if stones:
@@ -207,7 +213,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
             Vec3(-place.x / away, -place.y / away, observer.optical_altitude / away),
             Vec3(sine * way.x, sine * way.y, mu_s),
             glow,
-            view.pixel_angle * reach / cell,
+            (1.0 + FEWER * soft) * view.pixel_angle * reach / cell,
             blur,
             cell,
             max(1.0 - leaf - snow, 0.0),
@@ -221,7 +227,7 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
                 view.pixel_angle * reach, bare, view,
             )  # fmt: skip
             dark = max(1.0 + pits.tone, 0.1)
-            open_ground = 1.0 if distant else pits.light
+            open_ground = 1.0 if distant else 1.0 + (1.0 - LEVEL * soft) * (pits.light - 1.0)
         color[11] = stony.light + stony.open * open_ground * texture_light(mu_s, ascent)
         if stones:
             open_sky = max(1.0 - ascent * glow * sine, LEAST_SKY)

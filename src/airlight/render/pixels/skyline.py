@@ -90,7 +90,8 @@ def risen(distance, altitude, near):
     """Share of the height of hills at a distance: a low observer stands on level ground. [1]"""
     if altitude > LOW:
         return 1.0
-    return min(max((distance - near) / (2.0 * near), 0.0), 1.0)
+    share = min(max((distance - near) / (2.0 * near), 0.0), 1.0)
+    return share * share
 
 
 @kernel
