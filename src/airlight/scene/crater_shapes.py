@@ -162,7 +162,8 @@ def shadowed(towards, square, fresh, level, tangent, blur):
     deep = 2.0 * (DEPTH + RIM) * (1.0 - level) * (1.0 - wall * wall) * fresh * fresh
     along = towards / tangent
     lower = tangent * deep - sqrt(along * along + 1.0 - square) + along
-    return min(max(lower / (4.0 * blur + 0.05), 0.0), 1.0)
+    # nearer to the rim the penumbra is narrower
+    return min(max(lower / ((4.0 * blur + 0.05) * (1.0 - square)), 0.0), 1.0)
 
 
 @kernel

@@ -17,6 +17,7 @@ from airlight.render.pixels.skyline import (
     GROUND,
     HILLY,
     LOW,
+    NEAR,
     SNOWED,
     grown,
     hill_size,
@@ -79,8 +80,11 @@ SKY: Final = 12 + CLOUD_VALUES
 #: for Mars with dust of optical depth 0.5. Least light of the sky of a slope. [1], [1]
 LOWEST_GLOW: Final = 0.5
 LEAST_SKY: Final = 0.1
-#: Finest texture of hills beyond the horizon and of airless ones, by eye. [pixel]
+#: Finest texture of hills beyond the horizon [pixel]; distance from which that of airless ground
+#: before a low observer grows to it, until hills begin [m], and share to which it does [1]; by eye.
 COARSER: Final = 8.0
+CRISP: Final = 40.0
+SOFT: Final = 0.6
 #: On airless hills, by how much more rocks are blurred, and share of craters that is left out: they
 #: are of level ground, whose shadows at a grazing angle are lines; by eye. [1]
 FEWER: Final = 2.0
@@ -191,8 +195,9 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         low = observer.optical_altitude
         # all of a hill beyond the horizon lies at one place
         distant = low < LOW and reach > 0.9 * sqrt(2.0 * low * frame.tables.bottom)
-        # old slopes of loose soil
-        soft = high if airless and low < LOW else 0.0
+        soft = 0.0
+        if airless and low < LOW:
+            soft = SOFT * min(max((reach - CRISP) / (NEAR - CRISP), 0.0), 1.0)
         if cosine < GRAZING and snow < 0.5:
             row = seen_row(place, low, ROW * view.pixel_angle, cell, leaf, whole, part)
             row = plus(row, higher)
@@ -227,7 +232,8 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
                 view.pixel_angle * reach, bare, view,
             )  # fmt: skip
             dark = max(1.0 + pits.tone, 0.1)
-            open_ground = 1.0 if distant else 1.0 + (1.0 - LEVEL * soft) * (pits.light - 1.0)
+            level = 1.0 if distant else (LEVEL * high if soft > 0.0 else 0.0)
+            open_ground = 1.0 + (1.0 - level) * (pits.light - 1.0)
         color[11] = stony.light + stony.open * open_ground * texture_light(mu_s, ascent)
         if stones:
             open_sky = max(1.0 - ascent * glow * sine, LEAST_SKY)
