@@ -29,12 +29,12 @@ COMPLEX: Final = 22e3
 FLOOR: Final = 0.5
 PEAK: Final = 0.18
 STEEP: Final = 0.5
-TERRACED: Final = 0.5
+TERRACED: Final = 0.3
 #: Radius at which bright soil ends [cell], change of the reflectance in the middle of a fresh
 #: crater, whose soil is immature, contrast of its rays [1], and
 #: diameter below which all of it fades [m], by eye.
 REACH: Final = 0.48
-BRIGHT: Final = 0.6
+BRIGHT: Final = 0.8
 RAYS: Final = 0.8
 RAYED: Final = 100.0
 #: Radius of the floors of craters that wind fills, and the freshness of the profile of the
