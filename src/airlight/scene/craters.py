@@ -205,7 +205,7 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
                 along_lattice(whole.x, place.x, 1.0 / (CLUSTER * scale)) + lattice,
                 along_lattice(whole.y, place.y, 1.0 / (CLUSTER * scale)),
             )
-            share *= max(1.0 + CLUSTERED * dense, 0.1)
+            share = min(share * max(1.0 + CLUSTERED * dense, 0.1), 1.0)
             young = 0.0
             if not weathered:
                 young = shown * min(narrowest * scale * cell / RAYED, 1.0)
