@@ -149,7 +149,9 @@ def radiance(
             world = _ground_of(world, planet, observers, cases)
     nm = solve.chosen(world)
     sampled, stokes = solve.solver == "montecarlo", solve.stokes
+    from airlight.kernel.first_compilation import FIRST_COMPILATION
     from airlight.solver import solve as solved
+    from airlight.solver.moments.solution import _march_all
     from airlight.studies.sweep.cases import error_columns, radiance_columns, write_cases
 
     columns = radiance_columns(nm, stokes=stokes)
@@ -160,6 +162,8 @@ def radiance(
     histories: NDArray[np.int64] | None = None
     with shown_progress() as report, named_errors("bandwidth"):
         how = {**solve.keywords(), "quality": settings, "progress": report}
+        if solve.solver == "moments":
+            FIRST_COMPILATION.expect([_march_all])
         solution: Any = solved(world, wavelengths=nm, solver=solve.solver, **how)
         if sampled:
             values, errors, histories = _estimates(solution, cases, stokes)
