@@ -104,7 +104,7 @@ def test_in_software_the_exact_picture_follows(device: Device, request_: Request
             request_, scene=dataclasses.replace(request_.scene, sun_zenith=sun_zenith)
         )
         pictures = list(renderer.render(moved, never))
-        renderer._renderer._compiling.join()
+        renderer._renderer.close()  # the shaders are compiled
     assert [one.finished for one in pictures] == [False, True]
     assert [one.by for one in pictures] == ["GPU in software", "CPU"]
     # The first picture of an edited planet is metered itself, and is as bright as the last.

@@ -361,7 +361,7 @@ class LiveRenderer:
                     self._compile_apart(solution, step)
                     gc.collect()  # a device of wgpu refers to itself
                 if not self._closing:
-                    self._compile_by(self._gpu, step)
+                    render_small(replace(step, renderer=self._gpu))
         finally:
             self._compiled = True
             give_back()
@@ -371,13 +371,7 @@ class LiveRenderer:
         assert self._gpu is not None
         renderer = type(self._gpu)(self._device.duplicate(), self._gpu.sky_view_size)
         renderer.set_solution(solution, maps=False)
-        self._compile_by(renderer, step)
-
-    @staticmethod
-    def _compile_by(renderer: GpuRenderer, step: LiveFrame) -> None:
         render_small(replace(step, renderer=renderer))
-        if renderer.device.software:
-            renderer.compile(scaled(step.scene, _IN_SOFTWARE), orders=step.orders)
 
 
 def render_small(step: LiveFrame) -> None:

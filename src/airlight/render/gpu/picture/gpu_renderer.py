@@ -21,7 +21,7 @@ from airlight.render.gpu.device.flat import read_texture
 from airlight.render.gpu.picture.bands import Window, rows_at_once
 from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, PictureLayer
 from airlight.render.gpu.picture.frame_passes import FramePasses
-from airlight.render.gpu.picture.shaders import Shader, transmittance_shader
+from airlight.render.gpu.picture.shaders import transmittance_shader
 from airlight.render.gpu.picture.sky_views import SkyViews
 from airlight.render.gpu.picture.solution_textures import SolutionTextures
 from airlight.render.gpu.picture.uniforms import light_uniforms, weight_uniforms
@@ -352,31 +352,15 @@ class GpuRenderer:
 
     def is_compiled(self, scene: Scene, *, orders: str = "all") -> bool:
         """Whether the shaders of a frame's pixels are compiled, for this size and solution."""
-        return all(
-            self.passes.is_compiled(shader, (LINEAR,))
-            for shader, *_ in self._shaders(scene, orders)
-        )
-
-    def compile(self, scene: Scene, *, orders: str = "all") -> None:
-        """Compile the shaders of a frame's pixels, by one pixel of each."""
-        import wgpu
-
-        target = self.device.device.create_texture(
-            size=(1, 1, 1), format=LINEAR, usage=wgpu.TextureUsage.RENDER_ATTACHMENT
-        )
-        for shader, number, uniforms in self._shaders(scene, orders):
-            views = [target.create_view()]
-            self.passes.run(shader, uniforms, views, (LINEAR,), light=number)
-        self.device.wait()
-
-    def _shaders(self, scene: Scene, orders: str) -> Iterator[tuple[Shader, int, dict[str, float]]]:
-        """Shaders of a frame's pixels, with the number of the light and the uniforms."""
         solution, camera = self._require_solution(), scene.camera
         size, exact = (camera.width, camera.height), is_always_marched(scene, solution)
-        for number, light in enumerate(scenes_by_light(scene, solution)):
-            uniforms = self.uniforms(light, size, exact, orders, disc=True)
-            for shader, *_ in self.passes.bands(number, light, uniforms, exact, size):
-                yield shader, number, uniforms
+        return all(
+            self.passes.is_compiled(shader, (LINEAR,))
+            for number, light in enumerate(scenes_by_light(scene, solution))
+            for shader, *_ in self.passes.bands(
+                number, light, self.uniforms(light, size, exact, orders, disc=True), exact, size
+            )
+        )
 
     def _render_light(
         self,
