@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-import threading
 import weakref
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,7 +13,6 @@ from numpy.testing import assert_array_equal
 from airlight import Camera, Scene, load_planet
 from airlight.errors import Cancelled, ParameterError
 from airlight.render.gpu.device.device import Device
-from airlight.render.gpu.device.fragment_pass import FragmentPass
 from airlight.render.live_renderer import LiveRenderer
 from airlight.render.render_scene import CPU, render_scene, render_solution
 from airlight.solver.moments.solution import MomentsSolution
@@ -99,44 +96,3 @@ def test_the_device_of_a_compilation_is_released(
     assert renderer._compiling is not None
     renderer._compiling.join()
     assert [one() for one in apart] == [None]
-
-
-@pytest.mark.parametrize(
-    "camera",
-    [
-        {"look_zenith": 60.0},
-        {"look_zenith": 70.0, "look_azimuth": 0.0},  # with the sun
-        {"look_zenith": 150.0},
-        {"projection": "fisheye", "field_of_view": 180.0, "look_zenith": 0.0},
-        {"polariser": 30.0},
-    ],
-)
-def test_a_software_gpu_compiles_apart_while_the_cpu_renders(
-    camera: dict[str, Any], device: Device, solved: Solved, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    # In the queue of the window's frames a compilation froze these for up to half a minute.
-    own = dataclasses.replace(device, software=True)
-    here = threading.current_thread()
-    compiled: list[str] = []
-    init = FragmentPass.__init__
-
-    def watched(self: FragmentPass, at: Device, source: str, entry: str, *rest: Any) -> None:
-        if threading.current_thread() is here:
-            compiled.append(entry)
-        init(self, at, source, entry, *rest)
-
-    monkeypatch.setattr(FragmentPass, "__init__", watched)
-    renderer = LiveRenderer(own)
-    solution = solved(load_planet(PLANET), NM, "preview")
-    list(renderer.live(solution, SCENE, stale=never))
-    seen = dataclasses.replace(SCENE, camera=dataclasses.replace(SCENE.camera, **camera))
-    for _ in range(2):
-        assert renderer._compiling is not None
-        renderer._compiling.join()
-        found = list(renderer.live(solution, seen, stale=never))
-        assert found[-1].by == CPU
-    turned = dataclasses.replace(seen, sun_zenith=SCENE.sun_zenith + 1e-3)
-    first = next(iter(renderer.live(solution, turned, stale=never)))
-    assert first.by == "GPU in software"
-    assert np.ptp(first.metered(64).rgb) > 0.0
-    assert not compiled

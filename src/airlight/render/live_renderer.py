@@ -154,19 +154,16 @@ class LiveRenderer:
         if self._device is None:
             yield from self._on_cpu(solution, step, stale)
             return
-        software = self._device.software
-        size = scaled(scene, _IN_SOFTWARE) if software else scene
-        edited = self._loaded is not None and self._loaded is not solution
-        if software and self._compiled and self._upload(solution):
-            assert self._gpu is not None
-            self._compiled = self._gpu.is_compiled(size, orders=orders)
         if not self._compiled:
             yield from self._while_compiling(solution, step, stale)
-            if stale() or (software and self._is_rendered(solution, step)):
+            if stale() or (self._device.software and self._is_rendered(solution, step)):
                 return
+        edited = self._loaded is not None and self._loaded is not solution
         if not self._upload(solution):
             yield from self._on_cpu(solution, step, stale)
             return
+        software = self._device.software
+        size = scaled(scene, _IN_SOFTWARE) if software else scene
         on_gpu = replace(step, scene=size, renderer=self._gpu, finished=not software)
         if on_gpu.finished:
             yield on_gpu
@@ -325,7 +322,7 @@ class LiveRenderer:
         self, solution: MomentsSolution, step: LiveFrame, stale: Callable[[], bool]
     ) -> Iterator[LiveFrame]:
         assert self._device is not None
-        if self._compiling is None or not self._compiling.is_alive():
+        if self._compiling is None:
             self._compiling = threading.Thread(
                 target=self._compile, args=(solution, step), name="airlight-compiling", daemon=True
             )

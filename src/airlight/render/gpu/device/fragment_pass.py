@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, Self
 
@@ -167,15 +167,10 @@ class FragmentPass:
         except wgpu.GPUError as error:
             raise _shader_error(source, self.label, _without_frame(str(error))) from error
 
-    @staticmethod
-    def key(source: str, entry: str, targets: Sequence[str]) -> Hashable:
-        """Key of a pass in ``Device.passes``."""
-        return source, entry, tuple(targets)
-
     @classmethod
     def of(cls, device: Device, source: str, entry: str, targets: Sequence[str]) -> Self:
         """Pass that is in use or was used recently, or a new one; see the constructor."""
-        key = cls.key(source, entry, targets)
+        key = source, entry, tuple(targets)
         one = device.passes.get(key)
         if one is None:
             one = device.passes[key] = cls(device, source, entry, targets)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from typing import Any, Final, Protocol
 from weakref import WeakKeyDictionary
 
@@ -12,10 +12,8 @@ from numpy.typing import NDArray
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.fragment_pass import FragmentPass
 from airlight.render.gpu.emit.uniform_struct import Fixed, UniformStruct
-from airlight.render.gpu.picture.bands import bands_of, rows_at_once
 from airlight.render.gpu.picture.shaders import Shader, picture_shader
 from airlight.render.gpu.picture.uniforms import FRAME
-from airlight.render.pixels.scenes_by_light import SceneForLight
 
 #: Uniform of pictures with three-dimensional clouds.
 CLOUDY: Final = "cloud_eye"
@@ -87,53 +85,6 @@ class FramePasses:
         if CLOUDY not in uniforms:
             return picture_shader(exact, fixed, uniforms["flattening"] > 0.0)
         return self._clouds[light].shader(uniforms, exact, fixed)
-
-    def bands(
-        self,
-        number: int,
-        light: SceneForLight,
-        uniforms: Mapping[str, float],
-        exact: bool,
-        size: tuple[int, int],
-    ) -> Iterator[tuple[Shader, int, int]]:
-        """Shaders of the pixels of a light's frame, with the first row and the number of rows.
-
-        A software GPU evaluates both sides of every branch: each band has a shader with only the
-        branches that it needs.
-
-        Parameters
-        ----------
-        number : int
-            Number of the light, whose textures are bound.
-        light : SceneForLight
-            Scene of the light.
-        uniforms, exact :
-            Arguments of ``picture_shader``.
-        size : (int, int)
-            Size of the target. [pixel]
-        """
-        if self.device.software and not exact:
-            for band in bands_of(light, uniforms, size):
-                seen = {
-                    **uniforms,
-                    "mapped": uniforms["mapped"] * band.ground,
-                    "wet": uniforms["wet"] * band.ground,
-                    "draws_disc": uniforms["draws_disc"] * band.star,
-                    "edges": uniforms["edges"] * band.edge,
-                }
-                shader = self.picture_shader(uniforms, exact, FRAME.fixed(seen), number)
-                yield shader, band.first, band.rows
-            return
-        width, height = size
-        rows = rows_at_once(width, height, exact, self.device.software)
-        for first in range(0, height, rows):
-            shader = self.picture_shader(uniforms, exact, light=number)
-            yield shader, first, min(rows, height - first)
-
-    def is_compiled(self, shader: Shader, formats: tuple[str, ...]) -> bool:
-        """Whether a shader is compiled for targets of some formats."""
-        entry = next(iter(shader.entries))
-        return FragmentPass.key(shader.text, entry, formats) in self.device.passes
 
     def _buffer(self, struct: UniformStruct) -> Any:
         import wgpu

@@ -18,13 +18,13 @@ from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress
 from airlight.render.gpu.device.device import Device
 from airlight.render.gpu.device.flat import read_texture
-from airlight.render.gpu.picture.bands import Window, rows_at_once
+from airlight.render.gpu.picture.bands import Window, bands_of, rows_at_once
 from airlight.render.gpu.picture.display_passes import LINEAR, DisplayPasses, PictureLayer
 from airlight.render.gpu.picture.frame_passes import FramePasses
 from airlight.render.gpu.picture.shaders import transmittance_shader
 from airlight.render.gpu.picture.sky_views import SkyViews
 from airlight.render.gpu.picture.solution_textures import SolutionTextures
-from airlight.render.gpu.picture.uniforms import light_uniforms, weight_uniforms
+from airlight.render.gpu.picture.uniforms import FRAME, light_uniforms, weight_uniforms
 from airlight.render.pixels.capacity import check_capacity
 from airlight.render.pixels.march_points import FEW
 from airlight.render.pixels.render_tables import render_tables
@@ -350,18 +350,6 @@ class GpuRenderer:
             (exact, tuple(self.passes.packed(one).tobytes() for one in by_light)),
         )
 
-    def is_compiled(self, scene: Scene, *, orders: str = "all") -> bool:
-        """Whether the shaders of a frame's pixels are compiled, for this size and solution."""
-        solution, camera = self._require_solution(), scene.camera
-        size, exact = (camera.width, camera.height), is_always_marched(scene, solution)
-        return all(
-            self.passes.is_compiled(shader, (LINEAR,))
-            for number, light in enumerate(scenes_by_light(scene, solution))
-            for shader, *_ in self.passes.bands(
-                number, light, self.uniforms(light, size, exact, orders, disc=True), exact, size
-            )
-        )
-
     def _render_light(
         self,
         number: int,
@@ -373,15 +361,37 @@ class GpuRenderer:
         target_format: str,
     ) -> None:
         """Render linear radiance of one light into a texture of a size."""
-        width, _ = size
+        width, height = size
         self._sky_views.fill(number, light, uniforms, exact)
-        for shader, first, rows in self.passes.bands(number, light, uniforms, exact, size):
+        if self.device.software and not exact:
+            # A software GPU evaluates both sides of every branch: each band has a shader with only
+            # the branches that it needs.
+            for band in bands_of(light, uniforms, size):
+                seen = {
+                    **uniforms,
+                    "mapped": uniforms["mapped"] * band.ground,
+                    "wet": uniforms["wet"] * band.ground,
+                    "draws_disc": uniforms["draws_disc"] * band.star,
+                    "edges": uniforms["edges"] * band.edge,
+                }
+                self.passes.run(
+                    self.passes.picture_shader(uniforms, exact, FRAME.fixed(seen), number),
+                    uniforms,
+                    [view],
+                    (target_format,),
+                    (0, band.first, width, band.rows),
+                    band.first > 0,
+                    number,
+                )
+            return
+        rows = rows_at_once(width, height, exact, self.device.software)
+        for first in range(0, height, rows):
             self.passes.run(
-                shader,
+                self.passes.picture_shader(uniforms, exact, light=number),
                 uniforms,
                 [view],
                 (target_format,),
-                (0, first, width, rows),
+                (0, first, width, min(rows, height - first)),
                 first > 0,
                 number,
             )
