@@ -77,8 +77,6 @@ LARGEST: Final = 4e4
 #: and width of its edge over the radius, by eye. [1]
 SANDY: Final = 0.3
 SHORE: Final = 0.35
-#: Least distance of craters from the edges of the cube, which would cut them, over √2. [cell]
-APART: Final = 0.6
 #: Width of the narrowest craters that are shown. [pixel]
 NARROWEST: Final = 2.2
 #: Share of cells below which a lattice is left out. [1]
@@ -169,11 +167,9 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
     ----------
     place, whole : Vec3
         Place and lattice point, ``faced``. [finest cell]
-    up : Vec3
-        Place from the centre of the body, ``faced``. [finest cell]
-    way : Vec3
-        Horizontal direction towards the star, times the tangent of its zenith angle, at most
-        ``LOWEST``; ``faced``. [1]
+    up, way : Vec3
+        Vertical, and horizontal direction towards the star, times the tangent of its zenith angle,
+        at most ``LOWEST``; ``faced``. [1]
     width : float
         Width of the pixel across the line of sight. [finest cell]
     cell : float
@@ -193,13 +189,12 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
     longer = width * sqrt(1.0 + dot(ray, ray))
     footprint = max(sqrt(width * longer), FLATTENED * longer)
     tilt_x, tilt_y = up.x / up.z, up.y / up.z
-    upright = max(1.0 / sqrt(1.0 + tilt_x * tilt_x + tilt_y * tilt_y), 0.5)
     for lattice in range(LATTICES):
         shown = min(narrowest * scale / (NARROWEST * footprint) - 1.0, 1.0)
         share = 0.0
         if shown > 0.0:
             share = crater_share(narrowest * scale * cell, density, high, weathered)
-            share /= upright
+            share /= max(abs(up.z), 0.5)
         if share > RARE:
             dense, _slope_x, _slope_y = plane_noise(
                 along_lattice(whole.x, place.x, 1.0 / (CLUSTER * scale)) + lattice,
@@ -228,9 +223,7 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
                         at_y = y - j - second / 289.0
                         away = Vec3(at_x, at_y, -(at_x * tilt_x + at_y * tilt_y))
                         square = dot(away, away)
-                        side_x, side_y = abs(up.x / scale - at_x), abs(up.y / scale - at_y)
-                        edge = abs(up.z / scale - away.z) - max(side_x, side_y)
-                        if square < REACH * REACH and square > 1e-12 and edge > APART:
+                        if square < REACH * REACH and square > 1e-12:
                             one = crater_of(column, number, first, second, share)
                             distance = sqrt(square)
                             bulge = shuffled(one.along) / 144.0 - 1.0
@@ -256,8 +249,8 @@ def craters(place, whole, up, way, width, cell, density, high, ray, weathered):
                             bright = one.fresh * one.fresh
                             bright *= young * BRIGHT * bright
                             if weathered and within < 1.0:
-                                shore = min((1.0 - within) / SHORE, 1.0)
-                                tone += shown * SANDY * diagonal * shore
+                                edge = min((1.0 - within) / SHORE, 1.0)
+                                tone += shown * SANDY * diagonal * edge
                             if within < 1.0:
                                 tone += shown * STREAKED * one.fresh * streak * within * within
                             if bright > 0.03:

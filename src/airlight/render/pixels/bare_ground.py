@@ -56,7 +56,7 @@ def crater_light(own, ray, light, leaving, width, green, density, radius, rows):
     ground = rolling(place, wide * cells, start, scaled(level, 1.0 / sine), high, cell)
     pits = craters(
         plus(faced(place, face), Vec3(ground.aside, ground.along, 0.0)),
-        start, faced(place, face), faced(way, face), width * cells, cell, density, high,
+        start, faced(own, face), faced(way, face), width * cells, cell, density, high,
         faced(beyond, face), False,
     )  # fmt: skip
     tone = max(1.0 + pits.tone + MOTTLED * ground.tone, 0.1)

@@ -33,17 +33,15 @@ def highlands(spot, view):
 
 
 @inlined
-def land_craters(place, middle, finest, whole, way, mu_s, cosine, width, bare, view):
+def land_craters(place, up, finest, whole, way, mu_s, cosine, width, bare, view):
     """``Cratered`` of a place.
 
     Parameters
     ----------
     place : Vec3
         Place relative to the point below the observer, ``faced``. [m]
-    middle : Vec3
-        Place from the centre of the body, ``faced``. [m]
-    way : Vec3
-        Horizontal direction towards the star, ``faced``. [1]
+    up, way : Vec3
+        Vertical, and horizontal direction towards the star, ``faced``. [1]
     finest, whole : Vec3
         Place from the observer's lattice point, and that point, ``faced``. [finest cell]
     mu_s, cosine : float
@@ -58,10 +56,10 @@ def land_craters(place, middle, finest, whole, way, mu_s, cosine, width, bare, v
     cell, low = view.detail_cell, 0.0
     if mu_s > 0.0:
         low = min(sqrt(max(1.0 - mu_s * mu_s, 0.0)) / max(mu_s, 1e-3), LOWEST)
-    beyond = minus(place, scaled(middle, dot(place, middle) / dot(middle, middle)))
+    beyond = minus(place, scaled(up, dot(place, up)))
     flat = sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, FLATTEST)
     ray = scaled(beyond, flat / max(sqrt(dot(beyond, beyond)), 1e-3 * cell))
     return craters(
-        finest, whole, scaled(middle, 1.0 / cell), scaled(way, low), width / cell, cell,
-        view.craters, bare, ray, view.weathered,
+        finest, whole, up, scaled(way, low), width / cell, cell, view.craters, bare, ray,
+        view.weathered,
     )  # fmt: skip

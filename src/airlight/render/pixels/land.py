@@ -228,8 +228,8 @@ def detailed_land(place, footprint, cosine, mu_s, spot, reach, observer, frame, 
         ascent += texture.ascent
         if pitted:
             pits = land_craters(
-                place, scaled(faced(middle, face), frame.tables.bottom), plus(finest, moved), whole,
-                way, mu_s, cosine, view.pixel_angle * reach, bare, view,
+                place, faced(middle, face), plus(finest, moved), whole, way, mu_s, cosine,
+                view.pixel_angle * reach, bare, view,
             )  # fmt: skip
             dark = max(1.0 + pits.tone, 0.1)
             level = 1.0 if distant else (LEVEL * high if soft > 0.0 else 0.0)
