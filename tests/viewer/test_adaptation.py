@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import time
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -115,11 +115,10 @@ def test_pictures_ease_until_the_exposure_is_reached(device: Device, request_: R
 class Recorder:
     """PictureSource that measures an exposure of its own and paints nothing."""
 
-    def __init__(self, asked: list[Request], measured: float) -> None:
-        self.asked, self.measured = asked, measured
+    def __init__(self, measured: float) -> None:
+        self.measured = measured
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
-        self.asked.append(request)
         adaptation = request.adaptation if request.automatic else None
         exposure = request.exposure
         if request.automatic and adaptation is None:
@@ -146,11 +145,19 @@ def sides(request_: Request) -> Iterator[Callable[..., Sides]]:
     """Sides of a session whose pictures measure exposures, in the order of their first requests."""
     made: list[Sides] = []
 
-    def make(session: Session, metered: tuple[float, float], asked: list[Request]) -> Sides:
+    def solver(*_arguments: Any, **_named: Any) -> MomentsSolution:
+        return request_.solution
+
+    def make(session: Session, metered: tuple[float, float]) -> Sides:
         measured = iter(metered)
-        renderer: Any = lambda: Recorder(asked, next(measured))  # noqa: E731
-        solver: Any = lambda *_, **__: request_.solution  # noqa: E731
-        made.append(Sides(session, renderer, solver, lambda: None))
+        made.append(
+            Sides(
+                session,
+                lambda: cast(Any, Recorder(next(measured))),
+                cast(Any, solver),
+                lambda: None,
+            )
+        )
         return made[0]
 
     yield make
@@ -169,9 +176,9 @@ def followed(sides: Sides, condition: Callable[[], object], *, both: bool) -> No
 
 def test_a_side_that_is_swapped_while_it_adapts_stops(sides: Callable[..., Sides]) -> None:
     # Both would pull the exposure that they share, and none would reach its own.
-    session, asked = Session("earth-atmosphere-plus"), []  # type: ignore[var-annotated]
+    session = Session("earth-atmosphere-plus")
     session.store_b()
-    one = sides(session, (-3.0, 5.0), asked)
+    one = sides(session, (-3.0, 5.0))
     session.adaptation.towards(12.0, held=False)
     followed(one, lambda: one.picture("A"), both=False)
     session.swap()
@@ -190,9 +197,8 @@ def test_both_sides_share_the_exposure_of_the_brighter(
     session = Session("earth-atmosphere-plus")
     session.shares_exposure = shared
     session.store_b()
-    asked: list[Request] = []
     wanted = (-3.0, -3.0) if shared else metered
-    one = sides(session, metered, asked)
+    one = sides(session, metered)
 
     def exposures() -> tuple[float, ...]:
         shown = (one.picture("A"), one.picture("B"))

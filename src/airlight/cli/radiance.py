@@ -149,9 +149,7 @@ def radiance(
             world = _ground_of(world, planet, observers, cases)
     nm = solve.chosen(world)
     sampled, stokes = solve.solver == "montecarlo", solve.stokes
-    from airlight.kernel.first_compilation import FIRST_COMPILATION
     from airlight.solver import solve as solved
-    from airlight.solver.moments.solution import _march_all
     from airlight.studies.sweep.cases import error_columns, radiance_columns, write_cases
 
     columns = radiance_columns(nm, stokes=stokes)
@@ -163,7 +161,10 @@ def radiance(
     with shown_progress() as report, named_errors("bandwidth"):
         how = {**solve.keywords(), "quality": settings, "progress": report}
         if solve.solver == "moments":
-            FIRST_COMPILATION.expect([_march_all])
+            from airlight.kernel.first_compilation import FIRST_COMPILATION
+            from airlight.solver.moments.loops import RADIANCE_LOOPS
+
+            FIRST_COMPILATION.expect(RADIANCE_LOOPS)
         solution: Any = solved(world, wavelengths=nm, solver=solve.solver, **how)
         if sampled:
             values, errors, histories = _estimates(solution, cases, stokes)

@@ -1,4 +1,4 @@
-"""Compiled loops of a solve, for the progress of their first compilation."""
+"""Compiled loops of a solve and of its radiance, for the progress of their first compilation."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from airlight.solver.moments.first_order import first_order_radius_narrow
 from airlight.solver.moments.opaque_culling import norms_into
 from airlight.solver.moments.packing import _pack_sun
 from airlight.solver.moments.rays import trace_into
+from airlight.solver.moments.solution import _march_all
 from airlight.solver.moments.sweep import sweep_radius_narrow
 from airlight.solver.moments.synthetic_operator import gather_levels, project_radii, synthetic_rows
 from airlight.solver.tables.columns import _columns, table_rays
@@ -59,3 +60,6 @@ LOOPS: Final = (
     convergence.damp_towards,
     convergence.is_near,
 )
+
+#: Loops of the radiance along lines of sight.
+RADIANCE_LOOPS: Final = (_march_all,)
