@@ -133,9 +133,6 @@ class Recorder:
                 return
             time.sleep(0.01)
 
-    def rest(self) -> None:
-        pass
-
     def close(self) -> None:
         pass
 

@@ -39,9 +39,6 @@ class Idle:
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         raise AssertionError("nothing was solved")
 
-    def rest(self) -> None:
-        pass
-
     def close(self) -> None:
         pass
 

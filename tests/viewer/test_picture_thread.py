@@ -11,7 +11,6 @@ import pytest
 from airlight.errors import Cancelled, ParameterError
 from airlight.scene import Camera, Scene
 from airlight.scene.picture_size import scaled
-from airlight.viewer.background import latest_thread
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_thread import PictureThread
 
@@ -25,7 +24,6 @@ class Slow:
     def __init__(self) -> None:
         self.painted: list[float] = []
         self.closed = False
-        self.rests = 0
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         if request.exposure > 10.0:
@@ -52,9 +50,6 @@ class Slow:
             seconds=0.0,
             by="test",
         )
-
-    def rest(self) -> None:
-        self.rests += 1
 
     def close(self) -> None:
         self.closed = True
@@ -123,18 +118,6 @@ def test_errors_are_one_line_and_the_thread_lives_on(
     made.want(wish(3.0))
     until(lambda: not made.busy)
     assert made.error == ""
-
-
-def test_the_renderer_rests_once_after_each_pause(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(latest_thread, "REST", 0.05)
-    renderer = Slow()
-    made = PictureThread(renderer, lambda: None)
-    for rests, exposure in enumerate((3.0, 11.0), 1):
-        made.want(wish(exposure))
-        until(lambda rests=rests: renderer.rests == rests)
-        time.sleep(0.2)
-        assert renderer.rests == rests
-    made.close()
 
 
 def test_closing_ends_a_picture_under_way() -> None:

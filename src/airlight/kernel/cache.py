@@ -75,13 +75,6 @@ class Cache(Generic[Key, Value]):
         found = self.get(key)
         return self.put(key, make()) if found is None else found
 
-    def keep_last(self, seconds: float) -> None:
-        """Forget values that were not used within a time before the last use. [s]"""
-        with self._lock:
-            last = max(self._used.values(), default=0.0)
-            for key in [key for key, used in self._used.items() if used < last - seconds]:
-                del self._values[key], self._used[key]
-
     def clear(self) -> None:
         """Forget every value."""
         with self._lock:

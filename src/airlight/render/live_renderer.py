@@ -177,11 +177,6 @@ class LiveRenderer:
                 time.sleep(_POLL)
         yield from self._on_cpu(solution, step, stale, coarse=False)
 
-    def rest(self) -> None:
-        """Release the shaders that the last frame does not use."""
-        if self._device is not None:
-            self._device.rest()
-
     def close(self) -> None:
         """Wait for the thread that compiles, if there is one."""
         self._closing = True

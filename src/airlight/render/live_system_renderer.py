@@ -217,10 +217,6 @@ class LiveSystemRenderer:
             self._compiled = True
             give_back()
 
-    def rest(self) -> None:
-        """See ``LiveRenderer.rest``."""
-        self._device.rest()
-
     def close(self) -> None:
         """See ``LiveRenderer.close``."""
         self._closing = True

@@ -156,6 +156,3 @@ def test_passes_are_kept_while_in_use_or_among_the_last(device, monkeypatch):
         of(number)
     assert len(apart.passes) == most + 1
     assert of(0) is in_use
-    apart.rest()
-    assert len(apart.passes) == (1 if device.software else most + 1)
-    assert of(0) is in_use

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import Final, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from airlight.errors import Cancelled
 from airlight.viewer.background.error_line import one_line
-
-#: Time without a request after which memory is released. [s]
-REST: Final = 20.0
 
 T = TypeVar("T")
 
@@ -46,9 +43,6 @@ class LatestThread(Generic[T]):
         """Answer a request, on the thread."""
         raise NotImplementedError
 
-    def rest(self) -> None:
-        """Release what is not in use, on the thread, after ``REST`` without a request."""
-
     def end(self) -> None:
         """Release what the thread holds, at its end."""
 
@@ -81,17 +75,10 @@ class LatestThread(Generic[T]):
         if wait:
             self._thread.join()
 
-    def _has_news(self) -> bool:
-        return self._closing or self._wanted is not self._served
-
     def _work(self) -> None:
         while True:
             with self._news:
-                rests = not self._news.wait_for(self._has_news, REST)
-            if rests:
-                self.rest()
-            with self._news:
-                self._news.wait_for(self._has_news)
+                self._news.wait_for(lambda: self._closing or self._wanted is not self._served)
                 request = self._wanted
                 if self._closing or request is None:
                     break

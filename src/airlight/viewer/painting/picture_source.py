@@ -154,8 +154,5 @@ class PictureSource(Protocol):
         Picture
         """
 
-    def rest(self) -> None:
-        """Release the shaders that the last picture does not use."""
-
     def close(self) -> None:
         """End the renderer's threads."""

@@ -45,11 +45,6 @@ class PictureThread(LatestThread[Request]):
                 return
         give_back()  # shaders and tables left gaps
 
-    def rest(self) -> None:
-        """Release the shaders that no picture uses."""
-        self._renderer.rest()
-        give_back()
-
     def end(self) -> None:
         """Close the renderer."""
         self._renderer.close()

@@ -76,10 +76,6 @@ class SideRenderer:
             self._moved = request, request.clouds.at(request.scene, request.cloud_time)
         return self._moved[1]
 
-    def rest(self) -> None:
-        """See ``PictureSource.rest``."""
-        self._renderer.rest()
-
     def close(self) -> None:
         """See ``PictureSource.close``."""
         self._renderer.close()

@@ -67,8 +67,6 @@ _KEPT_PASSES: Final = 64
 _KEPT_IN_SOFTWARE: Final = 12
 #: Time since the last use for which others are kept too, so that no frame compiles its own. [s]
 _KEPT_SECONDS: Final = 30.0
-#: Time in which the last frames use their passes: the CPU renders between them. [s]
-_OF_LAST_FRAMES: Final = 15.0
 
 #: Environment variable with the folder of a session's sockets.
 _RUNTIME: Final = "XDG_RUNTIME_DIR"
@@ -131,11 +129,6 @@ class Device:
     def last_passes(self) -> Cache[Hashable, Any]:
         """Passes that were used last, which are kept."""
         return Cache(_KEPT_IN_SOFTWARE if self.software else _KEPT_PASSES, _KEPT_SECONDS)
-
-    def rest(self) -> None:
-        """Release the passes that the last frames did not use, if they are compiled for the CPU."""
-        if self.software:
-            self.last_passes.keep_last(_OF_LAST_FRAMES)
 
     @cached_property
     def maps(self) -> WeakValueDictionary[Hashable, Any]:
